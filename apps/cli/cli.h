@@ -57,6 +57,7 @@ typedef struct YkRequest {
     bool defects, centers;     // synthesize, solve
     const char *prefix;        // code
     bool single, kinematics;   // code
+    YkAssignments pose, reach; // map
     const char *port;          // studio
     bool no_browser;           // studio
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
@@ -123,6 +124,7 @@ int yk_run_code(YkSession *session);
 int yk_run_synthesize(YkSession *session);
 int yk_run_studio(YkSession *session);
 int yk_run_cognates(YkSession *session);
+int yk_run_map(YkSession *session);
 int yk_run_balance(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false

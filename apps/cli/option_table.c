@@ -5,22 +5,22 @@
 #define POSE " solve sweep draw derive report study "
 #define START " solve sweep draw simulate derive report study "
 #define FORCES " solve sweep simulate gears derive "
-#define MODEL " check solve sweep draw simulate cam gears rest derive code report study cognates balance "
-#define LOCKS " check solve sweep draw simulate gears rest derive code report study "
+#define MODEL " check solve sweep draw simulate cam gears rest derive code report study cognates balance map "
+#define LOCKS " check solve sweep draw simulate gears rest derive code report study map "
 #define FIELD(name) offsetof(YkRequest, name)
 
 const YkOption yk_options[] = {
-    {"at", 0, YK_OPTION_PAIRS, FIELD(at), "NAME=VALUE", START,
+    {"at", 0, YK_OPTION_PAIRS, FIELD(at), "NAME=VALUE", START "map ",
      "set a coordinate, in place of its drive's value; repeatable"},
     {"rate", 0, YK_OPTION_PAIRS, FIELD(rate), "NAME=VALUE", START, "set a coordinate's rate; repeatable"},
     {"accel", 0, YK_OPTION_PAIRS, FIELD(accel), "NAME=VALUE", POSE, "set a coordinate's acceleration; repeatable"},
-    {"time", 0, YK_OPTION_WORD, FIELD(time), "VALUE", POSE "gears rest ",
+    {"time", 0, YK_OPTION_WORD, FIELD(time), "VALUE", POSE "gears rest map ",
      "evaluate the drives at this time (default 0)"},
     {"param", 0, YK_OPTION_PAIRS, FIELD(param), "NAME=VALUE", MODEL, "change a parameter; repeatable"},
     {"effort", 0, YK_OPTION_PAIRS, FIELD(effort), "NAME=VALUE", FORCES,
      "set the effort along a coordinate, in place of what efforts: says; repeatable"},
     {"assembly", 0, YK_OPTION_WORD, FIELD(assembly), "LABEL|nearest|K",
-     " solve sweep draw simulate derive report study rest ",
+     " solve sweep draw simulate derive report study rest map ",
      "take another configuration: by its label, the one nearest to start:, or line K of solve --all"},
     {"all", 0, YK_OPTION_SWITCH, FIELD(all), NULL, " solve ",
      "every assembly configuration at the requested pose, not only the machine's own"},
@@ -31,18 +31,18 @@ const YkOption yk_options[] = {
     {"sketch", 0, YK_OPTION_SWITCH, FIELD(sketch), NULL, " check ",
      "say what the machine still needs before it can move; the file need not be finished"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},
-    {"over", 0, YK_OPTION_WORD, FIELD(over), "NAME=FROM:TO", " sweep draw report study ",
+    {"over", 0, YK_OPTION_WORD, FIELD(over), "NAME=FROM:TO", " sweep draw report study map ",
      "the coordinate, or t for the time, that moves through a range"},
     {"steps", 0, YK_OPTION_WORD, FIELD(steps), "N", " sweep simulate cam draw report study balance ",
      "the number of steps, one less than the rows (default 36)"},
-    {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " solve sweep simulate study ",
+    {"of", 0, YK_OPTION_WORD, FIELD(of), "LIST", " solve sweep simulate study map ",
      "columns, separated by commas: coordinates, bodies, points, forces, each with .rate or .accel where it has one, "
      "as "
      "in d5,d5.rate,ram.C.x,A.force.x,theta1.effort"},
-    {"plot", 0, YK_OPTION_WORD, FIELD(plot), "FILE", " sweep simulate cam ",
+    {"plot", 0, YK_OPTION_WORD, FIELD(plot), "FILE", " sweep simulate cam map ",
      "draw the columns: FILE.svg, .pdf or .png (needs gnuplot)"},
     {"poses", 0, YK_OPTION_WORD, FIELD(poses), "N", " draw ", "with --over: N poses, faint, as a stroboscope"},
-    {"trace", 0, YK_OPTION_WORDS, FIELD(trace), "BODY.POINT", " draw report cognates ",
+    {"trace", 0, YK_OPTION_WORDS, FIELD(trace), "BODY.POINT", " draw report cognates map ",
      "draw a point's path; repeatable"},
     {"animate", 0, YK_OPTION_WORD, FIELD(animate), "FILE", " draw ",
      "the motion as FILE.svg, .gif, .mp4 or .webm (the last three need rsvg-convert and ffmpeg)"},
@@ -52,7 +52,7 @@ const YkOption yk_options[] = {
     {"output", 'o', YK_OPTION_WORD, FIELD(output), "FILE", MODEL "new synthesize studio ",
      "write the answer here instead of standard output"},
     {"format", 0, YK_OPTION_WORD, FIELD(format_word), "text|json|csv",
-     " check solve sweep simulate gears rest cam derive code report study synthesize cognates balance ",
+     " check solve sweep simulate gears rest cam derive code report study synthesize cognates balance map ",
      "text for people; json and csv in SI and radians"},
     {"from", 0, YK_OPTION_WORD, FIELD(from), "TIME", " simulate ", "the time at the start (default 0)"},
     {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at the end, as in 10s"},
@@ -114,6 +114,10 @@ const YkOption yk_options[] = {
      "what all names in the file begin with (default: made of the machine's name)"},
     {"kinematics", 0, YK_OPTION_SWITCH, FIELD(kinematics), NULL, " code ", "the motion alone, no forces"},
     {"single", 0, YK_OPTION_SWITCH, FIELD(single), NULL, " code ", "float in place of double"},
+    {"pose", 0, YK_OPTION_PAIRS, FIELD(pose), "NAME=VALUE", " map ",
+     "with --reach: where the machine stands (default: its start); repeatable"},
+    {"reach", 0, YK_OPTION_PAIRS, FIELD(reach), "NAME=VALUE", " map ",
+     "say whether the machine gets to this pose without being taken apart, and how; repeatable"},
     {"port", 0, YK_OPTION_WORD, FIELD(port), "N", " studio ", "the port of its address (default: a free one)"},
     {"no-browser", 0, YK_OPTION_SWITCH, FIELD(no_browser), NULL, " studio ",
      "only print the address, and open no browser"},

@@ -239,6 +239,8 @@ void yk_request_free(YkRequest *request)
     free(request->param.items);
     free(request->effort.items);
     free(request->event.items);
+    free(request->pose.items);
+    free(request->reach.items);
     free((void *)request->trace.items);
     yk_arena_free(request->arena);
 }

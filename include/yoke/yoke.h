@@ -30,6 +30,7 @@
 #include <yoke/move.h>
 #include <yoke/drag.h>
 #include <yoke/sweep.h>
+#include <yoke/map.h>
 #include <yoke/batch.h>
 #include <yoke/dynamics.h>
 #include <yoke/simulation.h>

@@ -8,8 +8,10 @@ enum { N_MAX = 2 * YK_SYSTEM_LOOPS_MAX };
 typedef struct Proof {
     const YkShape *shape;
     const YkVec *coefficients;
+    const double *radii; // of the coefficients' discs, 0 where one is absent; NULL: all as those of a pose
     const YkVec *x;
     double size[N_MAX];     // of x_k
+    double spread[N_MAX];   // by which x_k itself moves; 0 except over an interval
     YkVec Y[N_MAX * N_MAX]; // an approximate inverse of the Jacobian at x
     double miss[N_MAX];     // upper bounds of |Y F(x)|
 } Proof;
@@ -23,6 +25,7 @@ static double size_of(const YkShape *shape, const YkVec *x, size_t k)
 static YkBall coefficient(const Proof *p, size_t row, size_t k)
 {
     YkVec a = p->coefficients[row * (p->shape->unknowns + 1) + k];
+    if (p->radii) return yk_ball(a, p->radii[row * (p->shape->unknowns + 1) + k]);
     bool is_absent = k < p->shape->unknowns && a.x == 0 && a.y == 0;
     return yk_ball(a, is_absent ? 0 : YK_COEFFICIENT_ERROR);
 }
@@ -55,7 +58,8 @@ static YkBall row_at(const Proof *p, size_t row, const YkBall *x, const YkBall *
 // Makes discs about x of a relative radius, and their inverses.
 static void discs_about(const Proof *p, double radius, YkBall *x, YkBall *w)
 {
-    for (size_t k = 0; k < p->shape->unknowns; k++) x[k] = yk_ball(p->x[k], YK_BALL_OUT(radius * p->size[k]));
+    for (size_t k = 0; k < p->shape->unknowns; k++)
+        x[k] = yk_ball(p->x[k], YK_BALL_OUT(radius * p->size[k] + p->spread[k]));
     for (size_t k = 0; k < p->shape->angles; k++) w[k] = yk_ball_inverse(x[k]);
 }
 
@@ -148,6 +152,86 @@ bool yk_certify(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkCer
         bool is_real = looks_real && 3 * image + 1e-14 < radii[r];
         *certificate = (YkCertificate){radii[r], image, YK_REALITY_UNKNOWN};
         certificate->reality = is_real ? YK_REAL : avoids_reals(&p, image) ? YK_NOT_REAL : YK_REALITY_UNKNOWN;
+        return true;
+    }
+    return false;
+}
+
+bool yk_enclose(const YkShape *shape, const YkVec *coefficients, const double *radii, const YkVec *x,
+                YkCertificate *certificate)
+{
+    static const double times[] = {1.3, 2, 4};
+    double miss = 1e-15;
+    Proof p = {.shape = shape, .coefficients = coefficients, .radii = radii, .x = x};
+    for (size_t k = 0; k < shape->unknowns; k++) p.size[k] = size_of(shape, x, k);
+    if (!invert_jacobian(&p)) return false;
+    bound_miss(&p);
+    for (size_t k = 0; k < shape->unknowns; k++) miss = fmax(miss, p.miss[k] / p.size[k]);
+    for (size_t r = 0; r < sizeof times / sizeof *times; r++) {
+        double radius = times[r] * miss, image = radius < 0.5 ? image_of(&p, radius) : INFINITY;
+        if (!(image < radius)) continue;
+        *certificate = (YkCertificate){radius, image, YK_REALITY_UNKNOWN};
+        return true;
+    }
+    return false;
+}
+
+// Bounds Y (F_u + J c): how fast the path leaves the line x + c t, for all points within `radius` of it.
+static void bound_drift(const Proof *p, const Proof *rates, const YkVec *c, double radius, double *drift)
+{
+    YkBall x[N_MAX], w[N_MAX], row[N_MAX], J[N_MAX];
+    size_t n = p->shape->unknowns;
+    discs_about(p, radius, x, w);
+    for (size_t i = 0; i < n; i++) {
+        row[i] = row_at(rates, i, x, w, NULL);
+        row_at(p, i, x, w, J);
+        for (size_t k = 0; k < n; k++) row[i] = yk_ball_add(row[i], yk_ball_mul(J[k], yk_ball(c[k], 0)));
+    }
+    for (size_t k = 0; k < n; k++) {
+        YkBall sum = {{0, 0}, 0};
+        for (size_t i = 0; i < n; i++) sum = yk_ball_add(sum, yk_ball_mul(yk_ball(p->Y[k * n + i], 0), row[i]));
+        drift[k] = yk_ball_most(sum);
+    }
+}
+
+// Computes c = -Y F_u at x.
+static void read_rate(const Proof *p, const Proof *rates, YkVec *c)
+{
+    YkVec F[N_MAX];
+    size_t n = p->shape->unknowns;
+    yk_system_evaluate(p->shape, rates->coefficients, p->x, F, NULL);
+    for (size_t k = 0; k < n; k++) {
+        c[k] = yk_vec(0, 0);
+        for (size_t i = 0; i < n; i++) c[k] = yk_sub(c[k], yk_mul(p->Y[k * n + i], F[i]));
+    }
+}
+
+bool yk_enclose_path(const YkShape *shape, const YkPathDiscs *path, const YkVec *x, YkPathCertificate *certificate)
+{
+    static const double times[] = {1.3, 2, 4};
+    double drift[N_MAX], least = 1e-15;
+    size_t n = shape->unknowns;
+    Proof p = {.shape = shape, .coefficients = path->middle, .radii = path->middle_radius, .x = x};
+    Proof rates = {.shape = shape, .coefficients = path->rate, .radii = path->rate_radius, .x = x};
+    for (size_t k = 0; k < n; k++) p.size[k] = size_of(shape, x, k);
+    if (!invert_jacobian(&p)) return false;
+    bound_miss(&p);
+    read_rate(&p, &rates, certificate->rate);
+    p.coefficients = path->whole;
+    p.radii = path->whole_radius;
+    for (size_t k = 0; k < n; k++) p.spread[k] = YK_BALL_OUT(yk_sum_norm(certificate->rate[k]) * path->half);
+    bound_drift(&p, &rates, certificate->rate, 0, drift);
+    for (size_t k = 0; k < n; k++) {
+        p.miss[k] = YK_BALL_OUT(p.miss[k] + YK_BALL_OUT(drift[k] * path->half));
+        least = fmax(least, p.miss[k] / p.size[k]);
+    }
+    for (size_t r = 0; r < sizeof times / sizeof *times; r++) {
+        double radius = times[r] * least, image = radius < 0.5 ? image_of(&p, radius) : INFINITY, most = 0;
+        if (!(image < 0.95 * radius)) continue;
+        bound_drift(&p, &rates, certificate->rate, radius, drift);
+        for (size_t k = 0; k < n; k++) most = fmax(most, drift[k] / p.size[k]);
+        certificate->at = (YkCertificate){radius, image, YK_REALITY_UNKNOWN};
+        certificate->rate_within = YK_BALL_OUT(most / (1 - image / radius) * (1 + 0x1p-40));
         return true;
     }
     return false;

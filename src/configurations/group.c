@@ -100,11 +100,15 @@ static YkGroupStatus follow_all(const YkGroupKept *kept, const YkVec *between, c
     return YK_GROUP_SOLVED;
 }
 
-// Returns a generic system on the way to a pose: its own, with other right-hand sides.
+// Returns a generic system on the way to a pose: its own, with other right-hand sides. Its loops are multiplied by a
+// complex number, which changes no solution: on the straight way from a pose to one with a negative coefficient, that
+// coefficient would vanish.
 static void make_detour(const YkShape *shape, const YkVec *pose, uint64_t *seed, YkVec *between)
 {
     size_t half = yk_coefficient_count(shape), width = shape->unknowns + 1;
-    memcpy(between, pose, 2 * half * sizeof *between);
+    YkVec turn = yk_unit(2 + yk_mix_unit(seed));
+    for (size_t k = 0; k < half; k++) between[k] = yk_mul(turn, pose[k]);
+    memcpy(between + half, pose + half, half * sizeof *between);
     for (size_t k = 0; k < shape->unknowns; k++) {
         YkVec scale = yk_scale(0.5 + yk_mix_unit(seed), yk_unit(2 * YK_PI * yk_mix_unit(seed)));
         for (size_t l = 0; l < shape->loops; l++) {
@@ -175,15 +179,12 @@ static YkGroupStatus solve_at(YkGroupKept *kept, const YkVec *pose, YkPace *pace
     return status;
 }
 
-YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t index, YkPace *pace, YkGroupSolutions *out)
+YkGroupStatus yk_group_solve_at(YkGroupKept *kept, const YkVec *pose, double size, YkPace *pace, YkGroupSolutions *out)
 {
-    YkVec pose[COEFFICIENTS_MAX];
     const YkShape *shape = &kept->shape;
-    if (kept->outside != YK_OUTSIDE_NOT) return YK_GROUP_OUTSIDE;
     size_t bytes = 2 * yk_coefficient_count(shape) * sizeof *pose;
     if (!out->pose) out->pose = malloc(bytes);
     if (!out->pose) return YK_GROUP_NO_MEMORY;
-    yk_coefficients_read(shape, run, index, pose);
     if (out->has_pose && memcmp(pose, out->pose, bytes) == 0 && (out->is_complete || yk_pace_is_stopped(pace)))
         return out->is_complete ? YK_GROUP_SOLVED : YK_GROUP_STOPPED;
     memcpy(out->pose, pose, bytes);
@@ -192,10 +193,18 @@ YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t ind
     out->is_complete = false;
     YkGroupStatus status = solve_at(kept, pose, pace, out);
     sort_proved(shape, out);
-    if (!write_real(shape, run->mech->size, out)) return YK_GROUP_NO_MEMORY;
+    if (!write_real(shape, size, out)) return YK_GROUP_NO_MEMORY;
     out->is_counted = kept->is_counted;
     out->expected = kept->expected;
     out->is_complete =
         status == YK_GROUP_SOLVED && kept->is_counted && out->proved_count == kept->expected && out->unclear == 0;
     return status;
+}
+
+YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t index, YkPace *pace, YkGroupSolutions *out)
+{
+    YkVec pose[COEFFICIENTS_MAX];
+    if (kept->outside != YK_OUTSIDE_NOT) return YK_GROUP_OUTSIDE;
+    yk_coefficients_read(&kept->shape, run, index, pose);
+    return yk_group_solve_at(kept, pose, run->mech->size, pace, out);
 }

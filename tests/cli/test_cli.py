@@ -8,7 +8,7 @@ import unittest
 
 from harness import Case, FOUR_BAR, ROOT, YOKE, Run
 
-VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive", "report", "code", "new", "explain", "synthesize", "cognates", "balance"]
+VERBS = ["check", "solve", "sweep", "simulate", "rest", "draw", "gears", "cam", "derive", "report", "code", "new", "explain", "synthesize", "map", "cognates", "balance"]
 
 
 class Front(Case):

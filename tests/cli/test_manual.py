@@ -7,7 +7,7 @@ import unittest
 
 from harness import Case, ROOT
 
-VERBS = ["check", "solve", "sweep", "study", "simulate", "rest", "draw", "gears", "cam", "derive", "report", "new", "explain", "synthesize", "cognates", "balance"]
+VERBS = ["check", "solve", "sweep", "study", "simulate", "rest", "draw", "gears", "cam", "derive", "report", "new", "explain", "synthesize", "map", "cognates", "balance"]
 
 
 def read(*path):

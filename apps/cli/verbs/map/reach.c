@@ -1,0 +1,234 @@
+// `yoke map --pose ... --reach ...`: whether the machine gets from one pose to the other, and how.
+#include <math.h>
+#include <stdlib.h>
+#include "session.h"
+#include "verbs/map/map.h"
+#include "write/table.h"
+
+enum { PLACES_MAX = 4096 };
+
+// What --pose or --reach gives: values of coordinates, NaN for those not named.
+typedef struct Wanted {
+    const char *option;
+    double *values;
+    YkMapPlace *places; // the configurations that have them
+    size_t count;
+    bool is_far; // there are configurations at the mapped value, but none has the other values
+} Wanted;
+
+typedef struct Reach {
+    YkMapAnswer *answer;
+    Wanted from, to;
+    YkMapPlace *way;
+    size_t way_count;
+    double *row; // scratch: the coordinates of a place
+} Reach;
+
+static bool read_values(YkMapAnswer *answer, const YkAssignments *pairs, Wanted *wanted)
+{
+    YkSession *session = answer->session;
+    size_t coordinate, mapped = yk_map_coordinate(answer->map);
+    for (size_t k = 0; k < yk_coordinate_count(session->mech); k++) wanted->values[k] = NAN;
+    for (size_t k = 0; k < pairs->count; k++) {
+        const YkAssignment *pair = &pairs->items[k];
+        if (!yk_session_coordinate(session, pair->name, &coordinate)) return false;
+        YkQuantity quantity = yk_quantity_of(yk_coordinate_info(session->mech, coordinate).is_distance, 0);
+        if (!yk_session_value(session, wanted->option, pair->name, pair->value, quantity, &wanted->values[coordinate]))
+            return false;
+    }
+    if (pairs->count == 0 || !isnan(wanted->values[mapped])) return true;
+    yk_session_refuse(session, YK_CODE_OPTION_MISSING, "%s must give the mapped coordinate too", wanted->option);
+    yk_problem_hint(session->problems, "%s %s=VALUE", wanted->option, answer->name);
+    return false;
+}
+
+// Returns how far a configuration is from the values that are given: rad, or lengths over the machine's size.
+static double off_from(const Reach *r, const double *values)
+{
+    const YkMechanism *mech = r->answer->session->mech;
+    double most = 0;
+    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
+        double off = r->row[c] - values[c];
+        if (isnan(values[c]) || c == yk_map_coordinate(r->answer->map)) continue;
+        bool is_distance = yk_coordinate_info(mech, c).is_distance;
+        off = is_distance ? off / yk_mechanism_size(mech) : remainder(off, 6.28318530717958647692);
+        most = fmax(most, fabs(off));
+    }
+    return most;
+}
+
+// Keeps the configurations at the mapped value that have the other values to two digits or so.
+static void find_places(Reach *r, Wanted *wanted)
+{
+    const double near = 0.02;
+    double at = wanted->values[yk_map_coordinate(r->answer->map)];
+    size_t all = yk_map_places(r->answer->map, at, wanted->places, PLACES_MAX), kept = 0;
+    if (all > PLACES_MAX) all = PLACES_MAX;
+    for (size_t k = 0; k < all; k++)
+        if (yk_map_coordinates_at(r->answer->map, wanted->places[k], r->row) && off_from(r, wanted->values) < near)
+            wanted->places[kept++] = wanted->places[k];
+    wanted->count = kept;
+    wanted->is_far = all > 0 && kept == 0;
+}
+
+// Finds the shortest way from any of the poses to any of the others.
+static bool find_way(Reach *r)
+{
+    YkMap *map = r->answer->map;
+    for (size_t a = 0; a < r->from.count; a++)
+        for (size_t b = 0; b < r->to.count; b++) {
+            size_t count = yk_map_way(map, r->from.places[a], r->to.places[b], NULL, 0);
+            if (count == YK_NOT_FOUND) return false;
+            if (count == 0 || (r->way_count > 0 && count >= r->way_count)) continue;
+            free(r->way);
+            r->way = calloc(count, sizeof *r->way);
+            if (!r->way) return false;
+            r->way_count = yk_map_way(map, r->from.places[a], r->to.places[b], r->way, count);
+            if (r->way_count == YK_NOT_FOUND) return false;
+        }
+    return true;
+}
+
+// Writes why there is no way.
+static void add_reason(const Reach *r, YkText *text)
+{
+    const Wanted *poses[2] = {&r->from, &r->to};
+    for (int k = 0; k < 2; k++) {
+        if (poses[k]->count > 0) continue;
+        if (poses[k]->is_far)
+            yk_text_format(text, "no configuration has the values of %s", poses[k]->option);
+        else
+            yk_text_format(text, "no configuration closes at the %s of %s", r->answer->name, poses[k]->option);
+        return;
+    }
+    yk_text_format(text, "the pose is on circuit %z, ", r->from.places[0].circuit + 1);
+    yk_text_format(text, "and what is to be reached on circuit %z: no motion joins them", r->to.places[0].circuit + 1);
+    if (!yk_map_is_complete(r->answer->map)) yk_text_puts(text, " that was found, but the map is not complete");
+}
+
+static void write_text(const Reach *r)
+{
+    YkSession *session = r->answer->session;
+    const YkMechanism *mech = session->mech;
+    YkText *out = &session->out;
+    yk_scale_begin(session);
+    yk_text_format(out, "%s: ", yk_model_name(session->model));
+    if (r->way_count == 0) {
+        yk_text_puts(out, yk_map_is_complete(r->answer->map) ? "it cannot be reached: " : "no way was found: ");
+        add_reason(r, out);
+        yk_text_puts(out, "\n");
+        return;
+    }
+    yk_text_format(out, "it can be reached on circuit %z, ", r->way[0].circuit + 1);
+    if (r->way_count == 2)
+        yk_text_puts(out, "without passing a limit or a change point\n\n");
+    else
+        yk_text_format(out, "over %z limit%s or change point%s\n\n", r->way_count - 2, r->way_count == 3 ? "" : "s",
+                       r->way_count == 3 ? "" : "s");
+    YkTable *table = yk_table_new(1 + yk_coordinate_count(mech));
+    yk_table_head(table, "", NULL);
+    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
+        YkCoordinateInfo info = yk_coordinate_info(mech, c);
+        yk_table_head(table, info.name, yk_unit_of(session, yk_quantity_of(info.is_distance, 0)));
+    }
+    for (size_t k = 0; k < r->way_count; k++) {
+        yk_table_word(table, k == 0 ? "from" : k + 1 == r->way_count ? "to" : "over");
+        bool is_read = yk_map_coordinates_at(r->answer->map, r->way[k], r->row);
+        for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
+            YkQuantity quantity = yk_quantity_of(yk_coordinate_info(mech, c).is_distance, 0);
+            yk_table_number(table, is_read ? yk_shown(session, r->row[c], quantity) : NAN, YK_DIGITS);
+        }
+    }
+    yk_table_write(table, 2, out);
+    yk_table_free(table);
+}
+
+static void write_json(const Reach *r)
+{
+    YkSession *session = r->answer->session;
+    const YkMechanism *mech = session->mech;
+    YkJson json = {.text = &session->out};
+    YkText reason = {0};
+    yk_json_object(&json, NULL, YK_JSON_LINES);
+    yk_json_head(&json, session, YK_OK, "");
+    yk_json_string(&json, "coordinate", r->answer->name);
+    yk_json_bool(&json, "complete", yk_map_is_complete(r->answer->map));
+    if (r->way_count > 0 || yk_map_is_complete(r->answer->map))
+        yk_json_bool(&json, "reachable", r->way_count > 0);
+    else
+        yk_json_null(&json, "reachable");
+    yk_json_list(&json, "coordinates", YK_JSON_INLINE);
+    for (size_t c = 0; c < yk_coordinate_count(mech); c++)
+        yk_json_string(&json, NULL, yk_coordinate_info(mech, c).name);
+    yk_json_end(&json);
+    yk_json_list(&json, "way", YK_JSON_LINES);
+    for (size_t k = 0; k < r->way_count; k++) {
+        bool is_read = yk_map_coordinates_at(r->answer->map, r->way[k], r->row);
+        yk_json_list(&json, NULL, YK_JSON_INLINE);
+        for (size_t c = 0; c < yk_coordinate_count(mech); c++) yk_json_number(&json, NULL, is_read ? r->row[c] : NAN);
+        yk_json_end(&json);
+    }
+    yk_json_end(&json);
+    if (r->way_count == 0) {
+        add_reason(r, &reason);
+        yk_json_string(&json, "reason", yk_text_get(&reason));
+    }
+    yk_json_end(&json);
+    yk_text_free(&reason);
+}
+
+static bool make_room(Reach *r)
+{
+    size_t n = yk_coordinate_count(r->answer->session->mech) + 1;
+    r->from.values = calloc(n, sizeof *r->from.values);
+    r->to.values = calloc(n, sizeof *r->to.values);
+    r->row = calloc(n, sizeof *r->row);
+    r->from.places = calloc(PLACES_MAX, sizeof *r->from.places);
+    r->to.places = calloc(PLACES_MAX, sizeof *r->to.places);
+    if (r->from.values && r->to.values && r->row && r->from.places && r->to.places) return true;
+    return yk_session_refuse(r->answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+}
+
+static int answer_reach(Reach *r)
+{
+    YkSession *session = r->answer->session;
+    const YkRequest *request = session->request;
+    if (!make_room(r)) return YK_EXIT_WRONG;
+    if (!read_values(r->answer, &request->pose, &r->from) || !read_values(r->answer, &request->reach, &r->to))
+        return YK_EXIT_WRONG;
+    if (request->pose.count > 0) {
+        find_places(r, &r->from);
+    } else {
+        r->from.places[0] = yk_map_start(r->answer->map);
+        r->from.count = r->from.places[0].strand != YK_NOT_FOUND;
+    }
+    find_places(r, &r->to);
+    if (r->from.count > 1) {
+        yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--pose has several configurations at this %s",
+                          r->answer->name);
+        yk_problem_hint(session->problems, "give another coordinate too; `yoke solve --all` lists them");
+        return YK_EXIT_WRONG;
+    }
+    if (!find_way(r)) {
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        return YK_EXIT_WRONG;
+    }
+    if (request->format == YK_FORMAT_JSON)
+        write_json(r);
+    else
+        write_text(r);
+    return yk_session_finish(session, r->way_count > 0 ? YK_EXIT_DONE : YK_EXIT_NO_ANSWER);
+}
+
+int yk_map_reach(YkMapAnswer *answer)
+{
+    Reach r = {.answer = answer, .from = {.option = "--pose"}, .to = {.option = "--reach"}};
+    int exit_code = answer_reach(&r);
+    free(r.from.values);
+    free(r.to.values);
+    free(r.row);
+    free(r.from.places);
+    free(r.to.places);
+    free(r.way);
+    return exit_code;
+}

@@ -1,0 +1,169 @@
+// yoke map: all circuits of the motion of a machine with one freedom.
+#include "verbs/map/map.h"
+#include <stdlib.h>
+#include <string.h>
+#include "reach.h"
+#include "session.h"
+
+const char *yk_map_event_of(const YkMapAnswer *answer, YkMapEvent event)
+{
+    const YkMechanism *mech = answer->session->mech;
+    if (event.block >= 0) return yk_block_info(mech, (size_t)event.block).label;
+    return event.coordinate == YK_NOT_FOUND ? NULL : yk_coordinate_info(mech, event.coordinate).name;
+}
+
+// Returns the freedoms that are neither mapped nor held by --at.
+static size_t free_inputs(const YkSession *session)
+{
+    size_t held = 0, count = yk_input_count(session->mech);
+    for (size_t k = 0; k < session->hold_count; k++) held += session->holds[k].order == 0;
+    return count > held ? count - held : 0;
+}
+
+// Refuses machines with too few or too many freedoms. --over and --at have made their coordinates inputs.
+static bool has_one_freedom(YkSession *session, size_t mapped)
+{
+    size_t count = yk_input_count(session->mech), left = free_inputs(session);
+    YkText count_word = {0};
+    for (size_t k = 0; k < session->hold_count; k++)
+        if (session->holds[k].order == 0 && yk_input_coordinate(session->mech, session->holds[k].input) == mapped)
+            return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "%q is mapped, so --at cannot hold it",
+                                     yk_coordinate_info(session->mech, mapped).name);
+    if (left == 1) return true;
+    yk_text_format(&count_word, "%z", left);
+    yk_session_refuse(session, YK_CODE_NO_MAP, "a map is made over one freedom, and this machine has %s",
+                      yk_text_get(&count_word));
+    yk_text_free(&count_word);
+    if (count == 0)
+        yk_problem_hint(session->problems, "`yoke solve --all` lists the configurations of a machine without freedom");
+    else
+        yk_problem_hint(session->problems,
+                        "hold all inputs but one for a section of the whole map, as in `--at %s=VALUE`",
+                        yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, count - 1)).name);
+    return false;
+}
+
+// --- dead points
+
+// Makes the mechanism with another input in place of the mapped one, at the same pose, and adds its limits.
+static bool add_dead_points(YkMapAnswer *answer, size_t drive)
+{
+    YkSession *session = answer->session;
+    size_t count = yk_input_count(session->mech), mapped = yk_map_coordinate(answer->map);
+    const char **names = calloc(count + 1, sizeof *names);
+    for (size_t k = 0; names && k < count; k++) {
+        size_t c = yk_input_coordinate(session->mech, k);
+        names[k] = yk_coordinate_info(session->mech, c == mapped ? drive : c).name;
+    }
+    YkCompileOptions options = yk_default_compile_options();
+    options.inputs = names;
+    options.input_count = count;
+    YkMechanism *other = names ? yk_mechanism_compile(session->model, &options, session->problems) : NULL;
+    YkState *state = other ? yk_state_new(other) : NULL;
+    YkMap *map = NULL;
+    YkStatus status = state ? yk_state_adopt(state, session->state) : YK_NO_MEMORY;
+    size_t coordinate = other ? yk_coordinate_find(other, yk_coordinate_info(session->mech, drive).name) : 0;
+    if (status >= 0) map = yk_map_new(state, coordinate, session->problems);
+    if (status >= 0) status = map ? yk_map_add_dead_points(answer->map, map) : YK_BAD_ARGUMENT;
+    yk_map_free(map);
+    yk_state_free(state);
+    yk_mechanism_free(other);
+    free(names);
+    if (status < 0 && yk_problems_error_count(session->problems) == 0)
+        yk_session_refuse(session, status == YK_NO_MEMORY ? YK_CODE_OUT_OF_MEMORY : YK_CODE_NO_MAP,
+                          "the dead points of the drive could not be found%s", "");
+    return status >= 0;
+}
+
+// Adds those of the drive, unless it is mapped itself: its dead points are then the limits.
+static bool find_dead_points(YkMapAnswer *answer)
+{
+    const YkMechanism *mech = answer->session->mech;
+    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
+        YkCoordinateInfo info = yk_coordinate_info(mech, c);
+        if (!info.has_drive || info.input >= 0 || c == yk_map_coordinate(answer->map)) continue;
+        if (!add_dead_points(answer, c)) return false;
+    }
+    return true;
+}
+
+// --- the verb
+
+static int write_answer(YkMapAnswer *answer)
+{
+    YkSession *session = answer->session;
+    if (session->request->format == YK_FORMAT_JSON)
+        yk_map_json(answer);
+    else
+        yk_map_text(answer);
+    int exit_code = yk_session_finish(session, YK_EXIT_DONE);
+    const char *plot = session->request->plot;
+    if (plot && exit_code != YK_EXIT_WRONG && !yk_map_plot(answer, plot)) exit_code = YK_EXIT_WRONG;
+    return exit_code;
+}
+
+static int answer_map(YkMapAnswer *answer, size_t coordinate)
+{
+    YkSession *session = answer->session;
+    answer->map = yk_map_new(session->state, coordinate, session->problems);
+    if (!answer->map) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
+    if (!find_dead_points(answer)) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
+    if (session->request->reach.count > 0) return yk_map_reach(answer);
+    return yk_map_plan(answer) ? write_answer(answer) : YK_EXIT_WRONG;
+}
+
+static bool is_asked_well(YkSession *session)
+{
+    const YkRequest *request = session->request;
+    if (request->format == YK_FORMAT_CSV)
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text or json here, not %q", "csv");
+    if (request->over && strchr(request->over, '='))
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE,
+                                 "--over takes the name of a coordinate here, without a range: %q", request->over);
+    if (!request->plot && request->trace.count > 0)
+        return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--trace draws %q, so it needs --plot FILE",
+                                 request->trace.items[0]);
+    if (!request->plot && request->of)
+        return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--of says what --plot FILE draws: %q", request->of);
+    if (request->pose.count > 0 && request->reach.count == 0)
+        return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--pose %s needs --reach NAME=VALUE as well",
+                                 request->pose.items[0].name);
+    if (request->plot && request->reach.count > 0)
+        return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "--reach answers in words, without --plot %q",
+                                 request->plot);
+    return true;
+}
+
+int yk_run_map(YkSession *session)
+{
+    const YkRequest *request = session->request;
+    const char *over = request->over ? request->over : request->reach.count > 0 ? request->reach.items[0].name : NULL;
+    size_t coordinate;
+    if (!is_asked_well(session) || !yk_session_load(session, over)) return YK_EXIT_WRONG;
+    if (over && !yk_session_coordinate(session, over, &coordinate)) return YK_EXIT_WRONG;
+    if (!yk_session_inputs(session)) return YK_EXIT_WRONG;
+    if (!over) coordinate = yk_input_count(session->mech) > 0 ? yk_input_coordinate(session->mech, 0) : 0;
+    for (size_t k = 0; !over && k < yk_input_count(session->mech); k++) { // the first that nothing holds
+        bool is_held = false;
+        for (size_t h = 0; h < session->hold_count; h++) is_held |= session->holds[h].input == k;
+        if (is_held) continue;
+        coordinate = yk_input_coordinate(session->mech, k);
+        break;
+    }
+    if (!has_one_freedom(session, coordinate)) return YK_EXIT_NO_ANSWER;
+    YkCoordinateInfo info = yk_coordinate_info(session->mech, coordinate);
+    if (info.input < 0) {
+        yk_session_refuse(session, YK_CODE_NOT_AN_INPUT, "no freedom is left to move %q", info.name);
+        return YK_EXIT_WRONG;
+    }
+    YkStatus status = yk_session_reach(session, NULL);
+    if (status < 0) {
+        yk_reach_tell(session, status);
+        return yk_status_exit(status);
+    }
+    YkMapAnswer answer = {.session = session, .name = info.name, .quantity = yk_quantity_of(info.is_distance, 0)};
+    int exit_code = answer_map(&answer, coordinate);
+    yk_map_free(answer.map);
+    free(answer.points);
+    return exit_code;
+}

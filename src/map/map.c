@@ -1,0 +1,290 @@
+// Maps the motion of a machine with one freedom: the public functions.
+#include "map/map.h"
+#include <stdlib.h>
+#include <string.h>
+#include "base/memory.h"
+#include "base/problems.h"
+#include "solve/state.h"
+
+// --- what can be mapped
+
+static bool refuse(YkProblems *problems, const char *what, const char *label)
+{
+    yk_problem(problems, YK_CODE_NO_MAP, (YkPlace){0}, "this machine cannot be mapped: %s%s%s%s", what,
+               label ? " (joint `" : "", label ? label : "", label ? "`)" : "");
+    return false;
+}
+
+static const char *reason_of(YkPieceStatus status)
+{
+    switch (status) {
+    case YK_PIECE_REDUNDANT:
+        return "some of its constraints repeat others";
+    case YK_PIECE_RELATIONS:
+        return "gears, belts, cams or laws are solved together with its loops";
+    case YK_PIECE_LARGE:
+        return "a group has more than seven loops";
+    default:
+        return "a distance of a group runs along more than one line";
+    }
+}
+
+// Reads the pieces. Returns false with a problem if one cannot be mapped.
+static bool read_pieces(YkTracer *t, YkProblems *problems)
+{
+    const YkMechanism *mech = t->mech;
+    for (size_t k = 0; k < mech->step_count; k++) {
+        const YkStep *step = &mech->steps[k];
+        if (step->kind != YK_STEP_BLOCK && !yk_discs_can_take(mech, step))
+            return refuse(problems, "a cam, a law, or a gear between moving links is in it", NULL);
+        if (step->kind != YK_STEP_BLOCK) continue;
+        YkPiece *piece = &t->pieces[t->piece_count];
+        YkPieceStatus status = yk_piece_read(piece, mech, k);
+        if (status != YK_PIECE_READ) return refuse(problems, reason_of(status), mech->blocks[step->target].label);
+        t->kept[t->piece_count].outside = YK_OUTSIDE_NOT;
+        t->kept[t->piece_count++].shape = piece->shape;
+    }
+    return true;
+}
+
+// --- the domain
+
+// Returns after how many whole turns of the input everything repeats; 0 if that is not found.
+static double period_of(const YkMechanism *mech)
+{
+    for (int turns = 1; turns <= 720; turns++) {
+        bool repeats = true;
+        for (size_t k = 0; k < mech->step_count; k++) {
+            if (mech->steps[k].kind != YK_STEP_RELATION) continue;
+            const YkRelation *r = &mech->relations[mech->steps[k].target];
+            for (uint32_t s = r->first_source; s < r->first_source + r->source_count; s++) {
+                double way = mech->sources[s].factor * turns;
+                if (mech->sources[s].kind == YK_SOURCE_INPUT)
+                    repeats &= !r->target.is_distance && fabs(way - rint(way)) < 1e-9;
+            }
+        }
+        if (repeats) return 2 * YK_PI * turns;
+    }
+    return 0;
+}
+
+// Returns a length that no distance of the machine exceeds while its loops are bounded by their links.
+static double reach_of(const YkMechanism *mech)
+{
+    double sum = mech->size;
+    for (size_t k = 0; k < mech->term_count; k++)
+        if (mech->terms[k].distance == YK_NONE) sum += yk_norm(mech->terms[k].v);
+    for (size_t k = 0; k < mech->loop_count; k++) sum += yk_norm(mech->loops[k].sum.constant);
+    return sum;
+}
+
+static bool read_domain(YkMap *map, YkProblems *problems)
+{
+    YkTracer *t = &map->tracer;
+    const double aside = 0.0123456789; // so that no domain ends where machines are special
+    t->is_angle = !map->mech->coordinates[map->coordinate].is_distance;
+    t->scale = t->is_angle ? 1 : map->mech->size;
+    if (!t->is_angle) {
+        t->high = reach_of(map->mech) * (1 + aside);
+        t->low = -t->high;
+        return true;
+    }
+    t->period = period_of(map->mech);
+    if (t->period == 0) return refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
+    t->low = -YK_PI + aside;
+    t->high = t->low + t->period;
+    return true;
+}
+
+// --- making
+
+static void free_levels(YkTracer *t)
+{
+    for (size_t level = 0; t->levels && level <= t->piece_count; level++) {
+        for (size_t k = 0; k < t->levels[level].count; k++) yk_strand_free(t->levels[level].items[k]);
+        free(t->levels[level].items);
+    }
+    for (size_t level = 0; t->ties && level <= t->piece_count; level++) free(t->ties[level].items);
+    for (size_t k = 0; t->kept && k < t->piece_count; k++) yk_group_kept_end(&t->kept[k]);
+    for (size_t k = 0; t->solutions && k < t->piece_count; k++) yk_group_solutions_end(&t->solutions[k]);
+    free(t->levels);
+    free(t->ties);
+    free(t->kept);
+    free(t->solutions);
+    free(t->pieces);
+    free(t->expected);
+    free(t->chain);
+    yk_discs_end(&t->discs);
+    yk_discs_end(&t->over);
+}
+
+void yk_map_free(YkMap *map)
+{
+    if (!map) return;
+    for (size_t k = 0; map->strand_rows && k < map->leaves->count; k++) free(map->strand_rows[k].numbers);
+    for (size_t k = 0; k < map->line_count; k++) free(map->lines[k].rows.numbers);
+    for (size_t k = 0; k < map->mark_count; k++) free(map->marks[k].row);
+    free(map->strand_rows);
+    free(map->lines);
+    free(map->marks);
+    free(map->spans);
+    free(map->circuit_of);
+    free(map->branch_of);
+    free(map->turns);
+    yk_text_free(&map->picture);
+    free(map->inputs);
+    free_levels(&map->tracer);
+    free(map);
+}
+
+static bool make_room(YkMap *map)
+{
+    YkTracer *t = &map->tracer;
+    size_t blocks = map->mech->block_count + 1;
+    t->pieces = calloc(blocks, sizeof *t->pieces);
+    t->kept = calloc(blocks, sizeof *t->kept);
+    t->solutions = calloc(blocks, sizeof *t->solutions);
+    t->expected = calloc(blocks, sizeof *t->expected);
+    t->chain = calloc(blocks, sizeof *t->chain);
+    t->levels = calloc(blocks, sizeof *t->levels);
+    t->ties = calloc(blocks, sizeof *t->ties);
+    bool has_discs = yk_discs_start(&t->discs, map->mech);
+    has_discs = yk_discs_start(&t->over, map->mech) && has_discs;
+    return t->pieces && t->kept && t->solutions && t->expected && t->chain && t->levels && t->ties && has_discs;
+}
+
+// The input alone: one strand over the whole domain, tied to itself after its turns.
+static void trace_input(YkTracer *t)
+{
+    YkStrand *root = yk_strand_new(t, 0, NULL);
+    if (!root) return;
+    if (!yk_strand_add(t, root, (YkCell){.from = t->low, .to = t->high}, NULL, NULL) || !yk_strand_keep(t, root)) {
+        yk_strand_free(root);
+        return;
+    }
+    t->event_count = 1;
+    if (t->is_angle) yk_trace_tie(t, 0, (YkTie){.kind = YK_TIE_ROUND, .strand = {root, root}, .end = {1, 0}});
+}
+
+static void trace_all(YkTracer *t)
+{
+    trace_input(t);
+    for (size_t level = 1; level <= t->piece_count && !t->out_of_memory; level++) {
+        yk_pace_reach(t->pace, (double)(level - 1) / (double)t->piece_count);
+        yk_trace_level(t, level);
+        yk_trace_carry(t, level);
+    }
+}
+
+// Writes the state's pose as a row, without the joints' angles; its joints are those of the coordinates.
+static void read_start(const YkMap *map, const YkState *start, double *row)
+{
+    row[0] = yk_state_coordinate(start, map->coordinate).position;
+    for (size_t c = 0; c < map->mech->coordinate_count; c++) row[1 + c] = yk_state_coordinate(start, c).position;
+    for (size_t j = 0; j < map->joints; j++) {
+        YkJointAngle a = yk_joint_angle(map->mech, (int32_t)j);
+        YkTurn from = yk_space_turn(&start->space, a.a), to = yk_space_turn(&start->space, a.b);
+        YkVec p = a.a == 0 ? yk_vec(1, 0) : yk_vec(from.c[0], from.s[0]);
+        YkVec q = a.b == 0 ? yk_vec(1, 0) : yk_vec(to.c[0], to.s[0]);
+        YkVec turn = yk_mul(q, yk_conj(p));
+        row[yk_map_joint_column(map, j)] = (a.a == a.b ? 0 : yk_atan2(turn.y, turn.x)) + a.offset;
+    }
+}
+
+static void find_start(YkMap *map, const YkState *start)
+{
+    double *own = calloc(2 * map->width, sizeof *own);
+    map->start_leaf = YK_NOT_FOUND;
+    if (!own) {
+        map->tracer.out_of_memory = true;
+        return;
+    }
+    read_start(map, start, own);
+    map->start_at = own[0];
+    map->start_leaf = yk_map_find_leaf(map, own, own + map->width);
+    free(own);
+}
+
+void yk_map_tell(YkMap *map)
+{
+    YkTracer *t = &map->tracer;
+    YkText text = {0};
+    map->is_complete = !t->is_unproved && map->lost == 0 && map->has_start;
+    if (t->is_unproved)
+        yk_text_format(&text, "not all is proved: near %g %s, at joint `%s`", t->unproved_at, t->is_angle ? "rad" : "m",
+                       t->unproved_block < t->piece_count ? map->mech->blocks[t->pieces[t->unproved_block].block].label
+                                                          : "?");
+    else if (!map->has_start)
+        yk_text_puts(&text, "the machine's own configuration is on none of the circuits");
+    else if (map->lost > 0)
+        yk_text_format(&text, "%z dead points were not found on the circuits, or not all are known", map->lost);
+    else
+        yk_text_puts(&text, "between its events the number of configurations is proved constant");
+    t->out_of_memory |= text.failed;
+    const char *words = text.failed ? "" : yk_text_get(&text);
+    size_t length = strlen(words) < sizeof map->message ? strlen(words) : sizeof map->message - 1;
+    memcpy(map->message, words, length);
+    map->message[length] = 0;
+    yk_text_free(&text);
+}
+
+static bool make(YkMap *map, YkState *start, YkProblems *problems)
+{
+    YkTracer *t = &map->tracer;
+    if (!read_pieces(t, problems) || !read_domain(map, problems)) return false;
+    trace_all(t);
+    if (t->out_of_memory || yk_pace_is_stopped(t->pace)) return false;
+    map->leaves = &t->levels[t->piece_count];
+    bool ok = yk_map_read_rows(map);
+    if (ok) find_start(map, start);
+    ok = ok && !t->out_of_memory && yk_map_find_circuits(map) && yk_map_find_events(map) && yk_map_find_turns(map);
+    t->out_of_memory |= !ok;
+    if (ok) yk_map_tell(map);
+    return !t->out_of_memory;
+}
+
+static bool is_mappable(const YkState *start, size_t coordinate, YkProblems *problems)
+{
+    const YkMechanism *mech = start->mech;
+    if (coordinate >= mech->coordinate_count || mech->coordinates[coordinate].input == YK_NONE)
+        return refuse(problems, "what it is mapped over is not an input", NULL);
+    return start->has_pose || refuse(problems, "it is not assembled, so that it has no circuit of its own", NULL);
+}
+
+static bool begin(YkMap *map, const YkState *start, size_t coordinate)
+{
+    const YkMechanism *mech = start->mech;
+    map->mech = map->tracer.mech = mech;
+    map->coordinate = coordinate;
+    map->joints = yk_model_joint_count(mech->model);
+    map->points = yk_model_point_count(mech->model);
+    map->width = 1 + mech->coordinate_count + map->joints + 2 * map->points;
+    map->inputs = calloc(mech->input_count + 1, sizeof *map->inputs);
+    if (!map->inputs || !make_room(map)) return false;
+    for (size_t k = 0; k < mech->input_count; k++) map->inputs[k] = start->valid_input[3 * k];
+    map->tracer.discs.mapped = map->tracer.over.mapped = mech->coordinates[coordinate].input;
+    map->tracer.discs.others = map->tracer.over.others = map->inputs;
+    return true;
+}
+
+YkMap *yk_map_new(YkState *start, size_t coordinate, YkProblems *problems)
+{
+    if (!start || !is_mappable(start, coordinate, problems)) return NULL;
+    YkMap *map = calloc(1, sizeof *map);
+    bool ok = map && begin(map, start, coordinate), ran_out = !ok;
+    if (ok) {
+        bool is_own = yk_state_begin(start);
+        map->tracer.pace = start->pace;
+        ok = make(map, start, problems);
+        ran_out = map->tracer.out_of_memory;
+        map->tracer.pace = NULL;
+        if (yk_state_end(start, is_own, YK_OK) == YK_STOPPED) {
+            yk_pace_tell(problems);
+            ok = ran_out = false;
+        }
+    }
+    if (ran_out) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
+    if (ok) return map;
+    yk_map_free(map);
+    return NULL;
+}

@@ -1,0 +1,60 @@
+// A piece: one block of a machine, dyad or group, as a polynomial system whose coefficients are discs.
+#ifndef MAP_PIECE_H
+#define MAP_PIECE_H
+#include "configurations/ball.h"
+#include "configurations/system.h"
+
+enum { YK_PIECE_UNKNOWNS = 2 * YK_SYSTEM_LOOPS_MAX, YK_PIECE_NUMBERS = YK_PIECE_UNKNOWNS * (YK_PIECE_UNKNOWNS + 1) };
+
+typedef struct YkPiece {
+    size_t block, step; // the step that solves it
+    YkShape shape;
+} YkPiece;
+
+typedef struct YkDual { // a value and its derivative by the mapped input
+    YkBall at, rate;
+} YkDual;
+
+// What is known of a pose, or of all poses of an interval: [slot], [distance], [node].
+typedef struct YkDiscs {
+    const YkMechanism *mech;
+    YkBall input;         // the mapped one, rad or m
+    int32_t mapped;       // its index among the inputs
+    const double *others; // the values of all inputs: those of the others stay
+    YkDual *slots, *distances, *nodes;
+} YkDiscs;
+
+typedef struct YkDiscCoefficients { // [2][loops][unknowns + 1], the second half the conjugates of the first
+    YkVec at[YK_PIECE_NUMBERS];
+    double radius[YK_PIECE_NUMBERS];
+    YkVec rate[YK_PIECE_NUMBERS]; // their derivatives
+    double rate_radius[YK_PIECE_NUMBERS];
+} YkDiscCoefficients;
+
+typedef enum YkPieceStatus {
+    YK_PIECE_READ,
+    YK_PIECE_REDUNDANT, // equations that repeat others
+    YK_PIECE_RELATIONS, // gears, cams and the like within a group
+    YK_PIECE_LARGE,
+    YK_PIECE_LINES
+} YkPieceStatus;
+
+bool yk_discs_start(YkDiscs *discs, const YkMechanism *mech); // returns false when out of memory
+void yk_discs_end(YkDiscs *discs);
+
+// Reads the structure of the block that a step solves.
+YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step);
+// Returns whether a step other than a block's is one that discs can take: relations only if they are linear, turn
+// nothing by a fraction of an angle that loops place, and set no distance from such an angle.
+bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step);
+// Takes a step that is not a block's.
+void yk_discs_take(YkDiscs *discs, const YkStep *step);
+YkDual yk_discs_sum(const YkDiscs *discs, const YkSum *sum);
+// Computes the coefficients of a block at what is known.
+void yk_piece_coefficients(const YkPiece *piece, const YkDiscs *discs, YkDiscCoefficients *out);
+// Makes the unknowns of a block known: at[k], and their derivatives.
+void yk_discs_place(YkDiscs *discs, const YkPiece *piece, const YkDual *x);
+// Returns the size that measures changes of an unknown: of z its own, of a distance its own or the machine's.
+double yk_piece_size(const YkPiece *piece, const YkVec *x, size_t unknown);
+
+#endif

@@ -1,0 +1,114 @@
+"""`yoke map`: all circuits of a machine, in text, JSON and pictures, and what it refuses."""
+import math
+import os
+import unittest
+
+from harness import ROOT, Case, Run
+
+
+def example(name):
+    return os.path.join(ROOT, "examples", name + ".yaml")
+
+
+class Map(Case):
+    def answer(self, *words):
+        return self.good("map", *words, "--format", "json").json()
+
+    def test_a_rocker_has_two_circuits(self):
+        answer = self.answer(example("four-bar"), "--over", "theta4")
+        self.assertIs(answer["complete"], True)
+        self.assertEqual(answer["coordinate"], "theta4")
+        self.assertEqual([c["contains_start"] for c in answer["circuits"]], [True, False])
+        for circuit, sign in zip(answer["circuits"], (1, -1)):
+            (low, high), = circuit["ranges"]
+            self.assertAlmostEqual(math.degrees(min(sign * low, sign * high)), 54.9, 1)
+            self.assertAlmostEqual(math.degrees(max(sign * low, sign * high)), 128.7, 1)
+            self.assertEqual(circuit["branches"], 2)
+            self.assertEqual([e["kind"] for e in circuit["events"]], ["limit", "limit"])
+            self.assertIs(circuit["joints"]["O2"]["full"], True)
+            self.assertIs(circuit["joints"]["O4"]["full"], False)
+            self.assertEqual([e["at"] for e in circuit["events"]], [low, high])
+
+    def test_a_limit_is_where_a_sweep_stops(self):
+        answer = self.answer(example("non-grashof"))
+        at = max(e["at"] for e in answer["circuits"][0]["events"])
+        run = Run("sweep", example("non-grashof"), "--over", f"theta2=0:{at + 0.1}", "--format", "json")
+        self.assertEqual(run.code, 1)
+        limit = next(e for e in run.json()["events"] if e["kind"] == "limit")
+        self.assertAlmostEqual(limit["at"], at, 9)
+
+    def test_the_drive_stands_at_dead_points(self):
+        answer = self.answer(example("non-grashof"), "--over", "theta4")
+        kinds = [(e["kind"], e["of"]) for e in answer["circuits"][0]["events"]]
+        self.assertEqual(sorted(kinds), [("dead-point", "theta2")] * 2 + [("limit", "B")] * 2)
+        limits = self.answer(example("non-grashof"))["circuits"][0]["ranges"][0]
+        for event in answer["circuits"][0]["events"]:
+            if event["kind"] == "dead-point":
+                stands = math.remainder(event["coordinates"]["theta2"], 2 * math.pi)
+                self.assertAlmostEqual(abs(stands), limits[1], 9)
+
+    def test_words(self):
+        out = self.good("map", example("four-bar"), "--over", "theta4").out
+        self.assertIn("circuit 1: theta4 from 54.9004 to 128.682 deg, two branches; contains the start", out)
+        self.assertIn("turn fully: O2, A\n", out)
+        self.assertIn("circuit 1: theta2 at every angle, one branch", self.good("map", example("four-bar")).out)
+
+    def test_pictures(self):
+        path = self.path("map.svg")
+        self.good("map", example("four-bar"), "--over", "theta4", "--plot", path, "--trace", "coupler.P", "--of", "theta2")
+        with open(path, encoding="utf-8") as file:
+            svg = file.read()
+        self.assertTrue(svg.startswith("<svg") and svg.endswith("</svg>\n"))
+        self.assertEqual(svg.count("<circle"), 4)
+        self.assertIn('stroke-width="3"', svg)
+        self.assertNotIn("nan", svg)
+
+    def test_more_freedoms_are_held(self):
+        run = Run("map", example("five-bar"))
+        self.assertEqual(run.code, 1)
+        self.assertIn("E0850", run.err)
+        held = self.answer(example("five-bar-motors"), "--over", "theta1", "--at", "theta2=2.2")
+        self.assertIs(held["complete"], True)
+        for circuit in held["circuits"]:
+            for event in circuit["events"]:
+                self.assertEqual(event["coordinates"]["theta2"], 2.2)
+
+    def test_what_can_be_reached(self):
+        file = example("non-grashof")
+        answer = self.answer(file, "--pose", "theta2=0.5", "--pose", "theta3=%r" % self.theta3(file, 0.5, 0),
+                             "--reach", "theta2=0.5", "--reach", "theta3=%r" % self.theta3(file, 0.5, 1))
+        self.assertIs(answer["reachable"], True)
+        self.assertEqual(len(answer["way"]), 3)
+        column = answer["coordinates"].index("theta2")
+        self.assertAlmostEqual(abs(answer["way"][1][column]), math.radians(116.103881137), 7)
+        run = Run("map", example("four-bar"), "--reach", "theta2=100deg", "--reach",
+                  "theta4=%r rad" % self.other_rocker(math.radians(100)), "--format", "json")
+        self.assertEqual((run.code, run.json()["reachable"]), (1, False))
+        self.assertIn("circuit 2", run.json()["reason"])
+        far = Run("map", file, "--reach", "theta2=170deg")
+        self.assertEqual(far.code, 1)
+        self.assertIn("no configuration closes", far.out)
+        self.wrong(818, "map", file, "--pose", "theta2=0.5")
+        self.wrong(818, "map", file, "--pose", "theta3=0.5", "--reach", "theta2=1")
+
+    def theta3(self, file, at, index):
+        answer = self.good("solve", file, "--at", f"theta2={at}", "--all", "--format", "json").json()
+        return answer["configurations"][index]["coordinates"]["theta3"]["position"]
+
+    def other_rocker(self, at):
+        answer = self.good("solve", example("four-bar"), "--at", f"theta2={at}", "--all", "--format", "json").json()
+        return next(c["coordinates"]["theta4"]["position"] for c in answer["configurations"] if not c["is_start"])
+
+    def test_refusals(self):
+        for name in ("swing-cam", "three-crank-parallelogram", "geared-five-bar"):
+            run = Run("map", example(name))
+            self.assertEqual((run.code, "E0850" in run.err), (1, True), name)
+        self.wrong(806, "map", example("four-bar"), "--format", "csv")
+        self.wrong(806, "map", example("four-bar"), "--over", "theta2=0:1")
+        self.wrong(818, "map", example("four-bar"), "--trace", "coupler.P")
+        self.wrong(502, "map", example("four-bar"), "--over", "thta2")
+        self.wrong(815, "map", example("four-bar"), "--plot", self.path("x.svg"), "--trace", "coupler.nothing")
+
+
+if __name__ == "__main__":
+    unittest.main()

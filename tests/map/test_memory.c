@@ -1,0 +1,47 @@
+// Every allocation may fail: mapping then says so, loses nothing, and can be repeated.
+#include "check.h"
+#include "interposed.h"
+#include <yoke/map.h>
+#include <yoke/yoke.h>
+
+static void test_each_failure_is_told(void **unused)
+{
+    (void)unused;
+    skip_unless_interposed();
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_load(YOKE_ROOT "/examples/non-grashof.yaml", NULL, problems);
+    YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
+    YkState *state = yk_state_new(mech);
+    assert_true(state && yk_state_set_time(state, 0, problems) >= 0 && yk_state_assemble(state) >= 0);
+    const YkMapPicture picture = {.coordinate = 1, .angle_unit = "rad", .length_unit = "m", .angle = 1, .length = 1};
+    long failures = 0, blocks = live;
+    // The first of them one by one, then, since cells are alike, with growing gaps.
+    for (long allowed = 0;; allowed += 1 + allowed / 40) {
+        countdown = allowed;
+        has_failed = false;
+        YkMap *map = yk_map_new(state, yk_input_coordinate(mech, 0), NULL);
+        const char *svg = map ? yk_map_picture(map, &picture) : NULL;
+        countdown = -1;
+        if (!has_failed) {
+            assert_true(map && svg && yk_map_is_complete(map));
+            yk_map_free(map);
+            break;
+        }
+        failures++;
+        assert_true(!map || !svg);
+        yk_map_free(map);
+        assert_int_equal(live, blocks);
+    }
+    assert_true(failures >= 50);
+    assert_int_equal(live, blocks);
+    yk_state_free(state);
+    yk_mechanism_free(mech);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_failure_is_told)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
