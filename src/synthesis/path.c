@@ -2,90 +2,11 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "synthesis/path_start.h"
-#include "synthesis/synthesis.h"
+#include "synthesis/path_search.h"
 
-// A batch draws starts, improves the best of them a little, and the best of these to the end; the first two with a part of
-// the points where there are many. The search ends after so many batches, or when enough bars pass the points to rounding:
-// where there are more points than a bar can be made to pass, few do, and all of them soon.
-enum { BATCHES = 1500, STARTS = 60, HOPEFUL = 6, FIRST_STEPS = 12, LAST_STEPS = 400, POOL = 400 };
-enum { COARSE = 16, EXACT = 60, EXACT_OF_MANY = 2, MORE_BATCHES = 40, HARD_WEIGHT = 100000 };
-
-typedef struct Search {
-    YkSynthesis *s;
-    YkPathProblem problem, coarse; // all points, and every `stride`th
-    YkPathWork work;
-    YkPathTry try[HOPEFUL + 1], whole; // of some points, the last one is drawn into; of all points
-    size_t stride;
-    YkPathTry pool[POOL];       // that passed, best first
-    size_t pooled, most, exact; // `most`: as many are kept
-    YkVec *path;                // [count]
-    uint64_t seed;
-} Search;
-
-// --- the problem
-
-static void set_range(YkPathProblem *p, int index, const YkBound *bound, double low, double high)
-{
-    p->low[index] = bound && bound->is_given ? fmax(bound->low, low) : low;
-    p->high[index] = bound && bound->is_given ? fmin(bound->high, high) : high;
-}
-
-static void fix_value(YkPathProblem *p, int index, double value)
-{
-    p->low[index] = p->high[index] = value;
-}
-
-// What `fix` gives. A bar whose output pivot alone is given hangs there.
-static void fix_given(YkPathProblem *p, const YkPathTask *path)
-{
-    p->hangs_at_end = path->pivot[1].is_given && !path->pivot[0].is_given;
-    const YkGivenPoint *pivot = &path->pivot[p->hangs_at_end ? 1 : 0];
-    if (pivot->is_given) {
-        fix_value(p, YK_BAR_X, pivot->at.x);
-        fix_value(p, YK_BAR_Y, pivot->at.y);
-    }
-    if (path->ground_angle.is_given) fix_value(p, YK_BAR_TURN, path->ground_angle.value);
-    if (!path->pivot[0].is_given || !path->pivot[1].is_given) return;
-    YkVec ground = yk_sub(path->pivot[1].at, path->pivot[0].at);
-    fix_value(p, YK_BAR_GROUND, yk_norm(ground));
-    fix_value(p, YK_BAR_TURN, yk_atan2(ground.y, ground.x));
-}
-
-static void pose_problem(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
-{
-    static const double least = 1e-3, most = 1e3; // over the size of the points
-    const YkPathTask *path = &task->path;
-    YkVec low = path->point[0], high = low;
-    for (size_t k = 1; k < path->count; k++) {
-        low = yk_vec(fmin(low.x, path->point[k].x), fmin(low.y, path->point[k].y));
-        high = yk_vec(fmax(high.x, path->point[k].x), fmax(high.y, path->point[k].y));
-    }
-    *p = (YkPathProblem){.task = task, .point = path->point, .count = path->count, .kind = kind};
-    p->angle = path->angle;
-    p->step = path->step;
-    p->size = yk_norm(yk_sub(high, low));
-    p->middle = yk_scale(0.5, yk_add(low, high));
-    p->is_timed = path->timing != YK_TIMING_ANY;
-    p->shifts = path->timing == YK_TIMING_STEP;
-    p->turns = task->turns || path->is_closed;
-    p->has_box = task->pivots[0].is_given && !(path->pivot[0].is_given && path->pivot[1].is_given);
-    double near = least * p->size, far = most * p->size, wide = fmax(far, 2 * task->lengths.high);
-    set_range(p, YK_BAR_X, &task->pivots[0], p->middle.x - far, p->middle.x + far);
-    set_range(p, YK_BAR_Y, &task->pivots[1], p->middle.y - far, p->middle.y + far);
-    bool is_bounded = task->lengths.is_given;
-    for (int j = YK_BAR_GROUND; j <= YK_BAR_OUTPUT; j++)
-        set_range(p, j, &task->lengths, is_bounded ? fmax(task->lengths.low, 1e-9 * p->size) : near,
-                  is_bounded ? wide : far);
-    if (kind == YK_DESIGN_SLIDER_CRANK) set_range(p, YK_BAR_GROUND, NULL, -far, far);
-    if (kind == YK_DESIGN_SLIDER_CRANK) fix_value(p, YK_BAR_OUTPUT, 1);
-    set_range(p, YK_BAR_TURN, NULL, -1e3, 1e3);
-    set_range(p, YK_BAR_PX, &task->coupler_point, -far, far);
-    set_range(p, YK_BAR_PY, &task->coupler_point, -far, far);
-    p->low[YK_BAR_SIZE] = p->shifts ? -INFINITY : 0;
-    p->high[YK_BAR_SIZE] = p->shifts ? INFINITY : 0;
-    fix_given(p, path);
-}
+// The search ends after so many batches, or when enough bars pass the points to rounding: where there are more points than
+// a bar can be made to pass, few do, and all of them soon.
+enum { BATCHES = 600, LAST_STEPS = 1500, EXACT = 60, EXACT_OF_MANY = 2, MORE_BATCHES = 40, HARD_WEIGHT = 100000 };
 
 // --- what a bar does on the way
 
@@ -99,7 +20,7 @@ static bool is_in_order(const YkPathProblem *p, const double *angle)
 }
 
 // Finds what can be told without the engine.
-static YkDefect first_look(const Search *search, const YkPathTry *try, YkDesign *design)
+static YkDefect first_look(const YkPathSearch *search, const YkPathTry *try, YkDesign *design)
 {
     const YkPathProblem *p = &search->problem;
     const YkTask *task = p->task;
@@ -120,7 +41,7 @@ static YkDefect first_look(const Search *search, const YkPathTry *try, YkDesign 
 }
 
 // Gives a machine that is kept its angles.
-static void keep(const Search *search, const YkPathTry *try, YkFound *found)
+static void keep(const YkPathSearch *search, const YkPathTry *try, YkFound *found)
 {
     size_t n = search->problem.count;
     double *angle = found ? YK_NEW(search->s->arena, double, n) : NULL;
@@ -130,7 +51,7 @@ static void keep(const Search *search, const YkPathTry *try, YkFound *found)
 }
 
 // Drives the machine on its file, and keeps or leaves it. Returns whether it passed.
-static bool judge(Search *search, const YkPathTry *try)
+static bool judge(YkPathSearch *search, const YkPathTry *try)
 {
     YkSynthesis *s = search->s;
     const YkPathProblem *p = &search->problem;
@@ -157,26 +78,7 @@ static bool judge(Search *search, const YkPathTry *try)
 
 // --- the search
 
-static void copy_try(const YkPathProblem *p, YkPathTry *to, const YkPathTry *from)
-{
-    double *angle = to->angle;
-    memcpy(angle, from->angle, p->count * sizeof *angle);
-    *to = *from;
-    to->angle = angle;
-}
-
-// Puts a try among the first `*count` of a list, best first, at most `most`.
-static void insert(const YkPathProblem *p, YkPathTry *list, size_t *count, size_t most, const YkPathTry *try)
-{
-    if (*count == most && !(try->cost < list[most - 1].cost)) return;
-    size_t k = *count < most ? (*count)++ : most - 1;
-    YkPathTry room = list[k];
-    for (; k > 0 && try->cost < list[k - 1].cost; k--) list[k] = list[k - 1];
-    list[k] = room;
-    copy_try(p, &list[k], try);
-}
-
-static bool is_known(const Search *search, const YkPathTry *try)
+static bool is_known(const YkPathSearch *search, const YkPathTry *try)
 {
     for (size_t k = 0; k < search->pooled; k++) {
         const YkPathTry *other = &search->pool[k];
@@ -198,7 +100,7 @@ static void reduce(const YkPathProblem *p, YkPathTry *try)
 }
 
 // Improves a try to the end, and judges it where it is among the best.
-static void finish(Search *search, YkPathTry *try)
+static void finish(YkPathSearch *search, YkPathTry *try)
 {
     const YkPathProblem *p = &search->problem;
     YkDesign design;
@@ -221,41 +123,7 @@ static void finish(Search *search, YkPathTry *try)
     bool is_full = search->pooled == search->most && !(try->cost < search->pool[search->most - 1].cost);
     if (is_full || is_known(search, try) || !judge(search, try)) return;
     if (try->error <= 1e-24 * p->size * p->size) search->exact++;
-    insert(p, search->pool, &search->pooled, search->most, try);
-}
-
-// Fills in the angles of all points from those of a part: as given, or evenly between neighbours.
-static void fill_angles(const Search *search, const YkPathTry *part, YkPathTry *whole)
-{
-    const YkPathProblem *p = &search->problem, *c = &search->coarse;
-    double last = part->angle[c->count - 1], turn = last < part->angle[0] ? -2 * YK_PI : 2 * YK_PI;
-    double *angle = whole->angle;
-    *whole = *part;
-    whole->angle = angle;
-    for (size_t k = 0; k < p->count; k++) {
-        size_t i = k / search->stride, off = k % search->stride;
-        double from = part->angle[i], to = i + 1 < c->count ? part->angle[i + 1] : part->angle[0] + turn;
-        size_t gap = i + 1 < c->count ? search->stride : p->count - i * search->stride;
-        angle[k] = from + (to - from) * (double)off / (double)gap;
-        if (p->angle) angle[k] = p->angle[k];
-        if (p->shifts) angle[k] = part->angle[0] + p->step * (double)k;
-    }
-}
-
-static void run_batch(Search *search)
-{
-    const YkPathProblem *c = &search->coarse;
-    YkPathTry *fresh = &search->try[HOPEFUL];
-    size_t count = 0, best = 0;
-    for (size_t k = 0; k < STARTS; k++)
-        if (yk_path_draw(c, &search->work, &search->seed, fresh)) insert(c, search->try, &count, HOPEFUL, fresh);
-    for (size_t k = 0; k < count; k++) {
-        yk_path_improve(c, &search->work, &search->try[k], FIRST_STEPS);
-        if (search->try[k].cost < search->try[best].cost) best = k;
-    }
-    if (count == 0) return;
-    fill_angles(search, &search->try[best], &search->whole);
-    finish(search, &search->whole);
+    yk_path_insert(p, search->pool, &search->pooled, search->most, try);
 }
 
 // Returns the work of a batch, microseconds.
@@ -264,63 +132,44 @@ static size_t batch_work(const YkPathProblem *p)
     return 500 + 20 * p->count;
 }
 
-// Takes every so many points, so that some 16 remain. An open path keeps its last point only if it is one of them.
-static bool choose_coarse(Search *search)
-{
-    const YkPathProblem *p = &search->problem;
-    YkArena *arena = search->s->arena;
-    size_t stride = p->count >= 2 * COARSE ? p->count / COARSE : 1, count = (p->count + stride - 1) / stride;
-    YkVec *point = YK_NEW(arena, YkVec, count);
-    double *angle = p->angle ? YK_NEW(arena, double, count) : NULL;
-    search->coarse = *p;
-    search->stride = stride;
-    if (!point || (p->angle && !angle)) return false;
-    for (size_t k = 0; k < count; k++) point[k] = p->point[k * stride];
-    for (size_t k = 0; k < count && angle; k++) angle[k] = p->angle[k * stride];
-    search->coarse.point = point;
-    search->coarse.angle = angle;
-    search->coarse.count = count;
-    search->coarse.step = p->step * (double)stride;
-    return true;
-}
-
-static bool make_room(Search *search)
+static bool make_room(YkPathSearch *search)
 {
     YkArena *arena = search->s->arena;
     size_t n = search->problem.count;
-    bool good = choose_coarse(search) && yk_path_work(arena, n, &search->work);
+    bool good = yk_path_thin(search) && yk_path_work(arena, n, &search->work);
     good &= (search->path = YK_NEW(arena, YkVec, n)) != NULL;
     good &= (search->whole.angle = YK_NEW(arena, double, n)) != NULL;
-    for (size_t k = 0; k <= HOPEFUL; k++) good &= (search->try[k].angle = YK_NEW(arena, double, n)) != NULL;
+    for (size_t k = 0; k <= YK_PATH_HOPEFUL; k++) good &= (search->try[k].angle = YK_NEW(arena, double, n)) != NULL;
     for (size_t k = 0; k < search->most; k++) good &= (search->pool[k].angle = YK_NEW(arena, double, n)) != NULL;
     return good;
 }
 
 // Returns whether so many bars pass the points to rounding that no other can be better.
-static bool has_enough(const Search *search, size_t batches, size_t *first)
+static bool has_enough(const YkPathSearch *search, size_t batches, size_t *first)
 {
     const YkPathProblem *p = &search->problem;
     size_t conditions = p->is_timed ? 2 * p->count : p->count;
     if (conditions <= YK_PATH_UNKNOWNS) return search->exact >= EXACT;
     if (search->exact == 0) *first = batches;
-    return search->exact > 0 && (search->exact >= EXACT_OF_MANY || batches > 2 * *first + MORE_BATCHES);
+    return search->exact > 0 &&
+           (search->exact >= EXACT_OF_MANY || 4 * search->exact >= search->most || batches > 2 * *first + MORE_BATCHES);
 }
 
 static void search_kind(YkSynthesis *s, YkDesignKind kind, double from, double to)
 {
-    Search *search = YK_NEW(s->arena, Search, 1);
+    YkPathSearch *search = YK_NEW(s->arena, YkPathSearch, 1);
     if (!search) return;
     search->s = s;
     search->seed = s->options.seed;
     size_t best = s->options.best > 0 ? s->options.best : s->task->best;
-    search->most = best < POOL / 4 ? 4 * best : POOL;
-    pose_problem(s->task, kind, &search->problem);
+    search->most = best < YK_PATH_POOL / 4 ? 4 * best : YK_PATH_POOL;
+    yk_path_pose(s->task, kind, &search->problem);
     if (!make_room(search)) return;
     yk_pace_stage(&s->pace, from, to);
     for (size_t k = 0, first = 0; k < BATCHES && !has_enough(search, k, &first); k++) {
         yk_pace_reach(&s->pace, (double)k / BATCHES);
         if (!yk_synthesis_goes_on(s, batch_work(&search->problem))) break;
-        run_batch(search);
+        if (yk_path_batch(search, k)) finish(search, &search->whole);
     }
 }
 

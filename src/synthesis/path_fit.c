@@ -157,6 +157,22 @@ static void find_step(const YkPathProblem *problem, YkPathWork *work, const YkPa
     }
 }
 
+// Limits the turn of a free angle: neighbours keep their order where the task has one.
+static double limited(const YkPathProblem *problem, const double *angle, size_t k, double turn)
+{
+    static const double part = 0.45; // of the way to the neighbour
+    double most = turn_max;
+    if (problem->task->any_order) return fmin(fmax(turn, -most), most);
+    size_t last = problem->count - 1;
+    double whole = angle[last] - angle[0], rest = 2 * YK_PI - fabs(whole); // from the last point to the first
+    bool goes_on = turn * whole > 0;
+    if (goes_on && k < last) most = fmin(most, part * fabs(angle[k + 1] - angle[k]));
+    if (!goes_on && k > 0) most = fmin(most, part * fabs(angle[k] - angle[k - 1]));
+    bool is_end = goes_on ? k == last : k == 0;
+    if (problem->task->path.is_closed && is_end) most = fmin(most, fmax(part * rest, 0));
+    return fmin(fmax(turn, -most), most);
+}
+
 // Moves a try by a step, each free angle as its own point asks.
 static void move(const YkPathProblem *problem, const YkPathWork *work, const YkPathTry *from, const Step *step,
                  YkPathTry *to)
@@ -172,7 +188,7 @@ static void move(const YkPathProblem *problem, const YkPathWork *work, const YkP
             for (size_t j = 0; j < YK_BAR_SIZE; j++) miss = yk_add(miss, yk_scale(step->x[j], p->by[j]));
             double speed = yk_dot(p->by_input, p->by_input);
             turn = speed > 0 ? -yk_dot(miss, p->by_input) / speed : 0;
-            turn = fmin(fmax(turn, -turn_max), turn_max);
+            turn = limited(problem, from->angle, k, turn);
         }
         to->angle[k] = from->angle[k] + turn;
     }
@@ -185,7 +201,7 @@ bool yk_path_improve(const YkPathProblem *problem, YkPathWork *work, YkPathTry *
     size_t still = 0, rows = 0;
     bool is_new = true;
     if (!measure(problem, work->weight, work->now, try)) return false;
-    for (size_t k = 0; k < steps && still < 3 && damping < damping_max && try->cost > none; k++) {
+    for (size_t k = 0; k < steps && still < 10 && damping < damping_max && try->cost > none; k++) {
         Step step;
         YkPathTry next = {.angle = work->angle};
         if (is_new) rows = linearise(problem, work, try);
@@ -195,7 +211,7 @@ bool yk_path_improve(const YkPathProblem *problem, YkPathWork *work, YkPathTry *
         is_new = measure(problem, work->weight, work->next, &next) && next.cost < try->cost;
         damping = is_new ? fmax(damping * 0.2, 1e-14) : damping * 5;
         if (!is_new) continue;
-        still = next.cost > (1 - 1e-9) * try->cost ? still + 1 : 0;
+        still = next.cost > (1 - 1e-6) * try->cost ? still + 1 : 0;
         YkBarPoint *points = work->now;
         work->now = work->next;
         work->next = points;

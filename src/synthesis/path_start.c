@@ -25,7 +25,7 @@ static void draw_angles(const YkPathProblem *problem, uint64_t *seed, double *an
     size_t n = problem->count;
     double start = between(seed, -YK_PI, YK_PI), way = 0, gone = 0, sense = yk_mix_next(seed) & 1 ? 1 : -1;
     double mix = yk_mix_unit(seed), span = between(seed, 0.1, 2 * YK_PI * 0.97);
-    if (path->timing == YK_TIMING_ANGLES) {
+    if (problem->angle) {
         memcpy(angle, problem->angle, n * sizeof *angle);
         return;
     }
@@ -38,7 +38,7 @@ static void draw_angles(const YkPathProblem *problem, uint64_t *seed, double *an
         if (k > 0) gone += yk_norm(yk_sub(problem->point[k], problem->point[k - 1]));
         double part = mix * (double)k / steps + (1 - mix) * gone / (way + last);
         if (problem->task->any_order && !is_round) part = yk_mix_unit(seed);
-        angle[k] = path->timing == YK_TIMING_STEP ? start + problem->step * (double)k : start + sense * span * part;
+        angle[k] = start + (problem->shifts ? problem->step * (double)k : sense * span * part);
     }
 }
 
@@ -146,7 +146,7 @@ bool yk_path_draw(const YkPathProblem *problem, YkPathWork *work, uint64_t *seed
 {
     const YkPathTask *path = &problem->task->path;
     bool is_bounded = problem->task->lengths.is_given;
-    bool has_turn = path->timing != YK_TIMING_ANGLES && !path->ground_angle.is_given;
+    bool has_turn = !problem->angle && !path->ground_angle.is_given;
     try->bar = (YkBar){.kind = problem->kind, .hangs_at_end = problem->hangs_at_end};
     draw_angles(problem, seed, try->angle);
     if (is_bounded && yk_mix_next(seed) & 1) {
