@@ -83,8 +83,8 @@ const YkVerb yk_verbs[] = {
      "nothing, and tests itself if it is compiled with -DPREFIX_TEST.",
      "yoke code examples/quick-return.yaml -o quick_return.c", yk_run_code},
     {"synthesize", "from a task to machines that do it", "TASK [options]",
-     "Finds machines for a task: a body through two to five positions, an angle that follows another, a swing or a\n"
-     "stroke with its time ratio. Every machine is written as a model file and driven through the task by the\n"
+     "Finds machines for a task: a point through points, a body through two to five positions, an angle that follows\n"
+     "another, a swing or a stroke with its time ratio. Every machine is written as a model file and driven through the task by the\n"
      "ordinary engine: without changing branch or circuit, in order. What fails is counted by its reason. -o DIR\n"
      "writes the files, one picture of all, and task.json.",
      "yoke synthesize examples/tasks/five-positions.yaml -o machines", yk_run_synthesize},

@@ -1,6 +1,6 @@
 // Synthesis: from what a machine must do to machines that do it.
 //
-// A task says what is wanted: positions of a body, a function between two angles, a stroke. Every machine that the
+// A task says what is wanted: points of a path, positions of a body, a function between two angles, a stroke. Every machine that the
 // methods find is written as a model file, and the file is judged by the ordinary engine: assembled once, driven through
 // the whole task without changing branch or circuit, in order. Only what passes is a candidate; what does not is
 // counted by its reason, and kept.
@@ -22,7 +22,7 @@ YK_API YkTask *yk_task_load(const char *path, YkProblems *problems);
 YK_API YkTask *yk_task_parse(const char *text, size_t length, const char *name, YkProblems *problems);
 YK_API void yk_task_free(YkTask *task);
 YK_API const char *yk_task_name(const YkTask *task);
-YK_API const char *yk_task_kind(const YkTask *task); // "motion", "function", "stroke"
+YK_API const char *yk_task_kind(const YkTask *task); // "path", "motion", "function", "stroke"
 // Returns the unit in which the file gives lengths or angles: its name ("mm"), and its size in SI.
 YK_API const char *yk_task_unit(const YkTask *task, YkQuantity quantity, double *size);
 
@@ -37,11 +37,11 @@ YK_API YkSynthesisOptions yk_default_synthesis_options(void);
 typedef struct YkSynthesis YkSynthesis;
 // Finds machines for a task, which must outlive the result. Returns NULL with problems added when out of memory or when
 // the task has no exact solution that could be sought. Cost: some 0.5 ms for every pair of dyads, most of it the
-// engine's judgement.
+// engine's judgement; of a path 0.1 to 10 s. The work is counted, so that a seed determines the answer.
 YK_API YkSynthesis *yk_synthesis_run(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
 YK_API void yk_synthesis_free(YkSynthesis *synthesis);
 YK_API bool yk_synthesis_was_stopped(const YkSynthesis *synthesis);
-// Returns whether everything that there is was sought: false where a task leaves a choice, which is sampled.
+// Returns whether everything that there is was sought: false where a task leaves a choice, which is sampled, and for paths.
 YK_API bool yk_synthesis_is_complete(const YkSynthesis *synthesis);
 // The number of solutions of the equations, where they are finite: false otherwise.
 YK_API bool yk_synthesis_solutions(const YkSynthesis *synthesis, size_t *complex_count, size_t *real_count);
@@ -83,7 +83,7 @@ typedef struct YkCandidate {
     const char *model;      // the model file
     const char *mechanism;  // "four-bar", "slider-crank"
     const char *type;       // "crank-rocker", ...: as driven
-    double error;           // sum of squares: of distances (m^2), angles (rad^2), or both by weight (motion)
+    double error;           // sum of squares: of distances (path, m^2), angles (rad^2), or both by weight (motion)
     double worst;           // largest single deviation: m, or rad of a function
     double transmission[2]; // least and largest transmission angle over the motion, rad
     double size;            // length of the longest link, m; of functions: over the ground's
@@ -102,6 +102,9 @@ YK_API size_t yk_synthesis_defect_count(const YkSynthesis *synthesis);
 YK_API YkCandidate yk_synthesis_defect(const YkSynthesis *synthesis, size_t index);
 // Parameters of a candidate's file by name and SI value; NULL past the last.
 YK_API const char *yk_synthesis_parameter(const YkSynthesis *synthesis, size_t candidate, size_t index, double *value);
+// Returns the input's absolute angles at the points of a path, rad, and their number in `count`; NULL and 0 for other tasks.
+// The array belongs to the synthesis.
+YK_API const double *yk_synthesis_angles(const YkSynthesis *synthesis, size_t candidate, size_t *count);
 // The path of the coupler point over the motion, xy[2 * count] in m; functions: input angle and error, rad. Returns
 // the count; the array belongs to the synthesis.
 YK_API size_t yk_synthesis_curve(const YkSynthesis *synthesis, size_t candidate, const double **xy);

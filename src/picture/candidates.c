@@ -53,6 +53,7 @@ static Cell fit(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec c
     include(&box, d->pivot[1]);
     for (size_t k = 0; k < 3; k++) include(&box, at[k]);
     for (size_t k = 0; k < motion->count; k++) include(&box, motion->pose[k].at);
+    for (size_t k = 0; k < s->task->path.count; k++) include(&box, s->task->path.point[k]);
     for (size_t r = 0; r < found->rows && d->has_point; r++)
         include(&box, yk_vec(found->curve[2 * r], found->curve[2 * r + 1]));
     double size = fmax(fmax(box.high.x - box.low.x, box.high.y - box.low.y), 1e-12);
@@ -71,6 +72,12 @@ static void draw_positions(const Cell *cell, const YkMotionTask *motion)
         char digit[2] = {(char)('1' + k), '\0'};
         yk_svg_word(cell->svg, name, digit, "fill=\"#c0392b\" font-size=\"10\"");
     }
+}
+
+static void draw_points(const Cell *cell, const YkPathTask *path)
+{
+    for (size_t k = 0; k < path->count; k++)
+        yk_svg_circle(cell->svg, pixel(cell, path->point[k]), 2.5, "fill=\"#c0392b\"");
 }
 
 static void draw_curve(const Cell *cell, const YkFound *found)
@@ -152,6 +159,7 @@ static void draw_cell(const YkSynthesis *s, size_t index, YkText *svg)
     if (found->design.has_point && found->rows > 0) draw_curve(&cell, found);
     draw_links(&cell, &found->design);
     draw_positions(&cell, &s->task->motion);
+    draw_points(&cell, &s->task->path);
     if (has_error) draw_error(svg, found, corner);
     add_caption(s, found, index + 1, corner, svg);
     yk_text_puts(svg, "</g>\n");

@@ -109,6 +109,13 @@ const char *yk_synthesis_parameter(const YkSynthesis *s, size_t candidate, size_
     return NULL;
 }
 
+const double *yk_synthesis_angles(const YkSynthesis *s, size_t candidate, size_t *count)
+{
+    const double *angle = candidate < yk_synthesis_count(s) ? s->candidates.items[candidate].angle : NULL;
+    if (count) *count = angle ? s->task->path.count : 0;
+    return angle;
+}
+
 size_t yk_synthesis_curve(const YkSynthesis *s, size_t candidate, const double **xy)
 {
     if (candidate >= yk_synthesis_count(s)) return 0;

@@ -25,10 +25,11 @@ typedef struct YkJourney {
     const char *name, *origin; // its name, and a comment that tells where it comes from
     double *input;             // [count] absolute angles, each reached from the one before by moving straight, rad
     size_t count;
-    bool turns;           // goes round as a whole
-    const YkPose *pose;   // [count] of the body, or NULL
-    const double *output; // [count] absolute angles of the output, rad (NaN: any), or NULL
-    bool exact;           // poses and outputs are met exactly; otherwise only near
+    bool turns;                // goes round as a whole
+    const YkPose *pose;        // [count] of the body, or NULL
+    const double *output;      // [count] absolute angles of the output, rad (NaN: any), or NULL
+    bool exact;                // poses and outputs are met exactly; otherwise only near
+    const YkVec *point, *path; // [count] wanted of the coupler point, and where it passes by its equations, or NULL
 } YkJourney;
 
 enum { YK_CURVE_ROWS = 181 };

@@ -3,7 +3,7 @@
 #include "base/number.h"
 #include "synthesis/design.h"
 
-enum { DIGITS = 12, ALL_DIGITS = 17 }; // of lengths and angles: of a search; of a formula
+enum { DIGITS = 12, PATH_DIGITS = 15, ALL_DIGITS = 17 }; // of lengths and angles: of a search, of a path; of a formula
 
 typedef struct Writer {
     YkText *text;
@@ -81,10 +81,11 @@ static void add_bodies(const Writer *w, const YkDesign *design, const YkJourney 
     bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
     yk_text_puts(w->text, is_four_bar ? "bodies:\n  ground: {points: {A0: [x1, y1], B0: [x2, y2]"
                                       : "bodies:\n  ground: {points: {A0: [x1, y1], R: [x2, y2]");
-    for (size_t k = 0; k < journey->count && journey->pose; k++) {
+    for (size_t k = 0; k < journey->count && (journey->pose || journey->point); k++) {
+        YkVec at = journey->pose ? journey->pose[k].at : journey->point[k];
         yk_text_format(w->text, ", T%z: [", k + 1);
-        add_length(w, "", journey->pose[k].at.x);
-        add_length(w, ", ", journey->pose[k].at.y);
+        add_length(w, "", at.x);
+        add_length(w, ", ", at.y);
         yk_text_puts(w->text, "]");
     }
     yk_text_puts(w->text, "}}\n  input: {points: {A0: [0, 0], A: [a, 0]}}\n  coupler: {points: {A: [0, 0], B: [b, 0]");
@@ -136,7 +137,7 @@ void yk_design_write(const YkDesign *design, const YkJourney *journey, YkText *t
     Writer writer = {.text = text}, *w = &writer;
     const YkModel *sheet = journey->task ? journey->task->sheet : journey->sheet;
     const char *unit = yk_model_unit(sheet, YK_QUANTITY_LENGTH, &writer.unit);
-    writer.digits = journey->task ? DIGITS : ALL_DIGITS;
+    writer.digits = !journey->task ? ALL_DIGITS : journey->point ? PATH_DIGITS : DIGITS;
     add_head(w, design, journey);
     add_parameters(w, design);
     add_bodies(w, design, journey);

@@ -50,6 +50,12 @@ static bool meets(Trial *t, size_t k)
         t->verdict->error += yk_dot(miss, miss) + turned * turned;
         t->verdict->worst = fmax(t->verdict->worst, yk_norm(miss));
         off = fmax(yk_norm(miss), turned) / t->scale;
+    } else if (journey->point) {
+        YkPointMotion p = yk_state_point(t->state, t->point);
+        YkVec at = yk_vec(p.position[0], p.position[1]), miss = yk_sub(at, journey->point[k]);
+        t->verdict->error += yk_dot(miss, miss);
+        t->verdict->worst = fmax(t->verdict->worst, yk_norm(miss));
+        off = yk_norm(yk_sub(at, journey->path[k])) / t->scale;
     } else if (journey->output && !isnan(journey->output[k])) {
         double angle = yk_state_coordinate(t->state, t->output).position - journey->output[k];
         off = fabs(yk_remainder(angle, 2 * YK_PI));

@@ -58,18 +58,19 @@ static YkFound *add(YkSynthesis *s, YkFoundList *list, const YkDesign *design, c
     return found;
 }
 
-void yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *text, const YkVerdict *verdict,
-                       double merit)
+YkFound *yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *text, const YkVerdict *verdict,
+                           double merit)
 {
-    if (yk_pace_is_stopped(&s->pace)) return;
+    if (yk_pace_is_stopped(&s->pace)) return NULL;
     YkFound *found = add(s, &s->candidates, design, verdict);
     double *curve = YK_NEW(s->arena, double, 2 * verdict->rows + 1);
-    if (!found || !curve) return;
+    if (!found || !curve) return NULL;
     memcpy(curve, verdict->curve, 2 * verdict->rows * sizeof *curve);
     found->model = yk_arena_copy(s->arena, yk_text_get(text), text->length);
     found->curve = curve;
     found->rows = verdict->rows;
     found->merit = merit;
+    return found;
 }
 
 void yk_synthesis_leave(YkSynthesis *s, const YkDesign *design, YkDefect defect, const YkVerdict *verdict)
@@ -143,6 +144,8 @@ static bool search(YkSynthesis *s, YkProblems *problems)
         return yk_synthesise_function(s, problems);
     case YK_TASK_STROKE:
         return yk_synthesise_stroke(s, problems);
+    case YK_TASK_PATH:
+        return yk_synthesise_path(s, problems);
     default:
         return false;
     }

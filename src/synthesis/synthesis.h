@@ -15,6 +15,7 @@ typedef struct YkFound {
     size_t order; // in which it was found, to break ties
     const char *model, *file;
     const double *curve; // [2 * rows]
+    const double *angle; // [points of a path] of the input, rad, or NULL
     size_t rows;
 } YkFound;
 
@@ -48,9 +49,9 @@ static inline bool yk_synthesis_goes_on(YkSynthesis *s, size_t microseconds)
 // Writes a design, judges it, and returns what became of it; its file's text is in `text`.
 YkDefect yk_synthesis_try(YkSynthesis *s, const YkDesign *design, const YkJourney *journey, YkText *text,
                           YkVerdict *verdict);
-// Keeps a machine that passed, with its text and verdict.
-void yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *text, const YkVerdict *verdict,
-                       double merit);
+// Keeps a machine that passed, with its text and verdict. Returns it, or NULL where nothing is kept any more.
+YkFound *yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *text, const YkVerdict *verdict,
+                           double merit);
 // Counts one that did not.
 void yk_synthesis_leave(YkSynthesis *s, const YkDesign *design, YkDefect defect, const YkVerdict *verdict);
 
@@ -61,5 +62,6 @@ YkCandidate yk_found_candidate(const YkFound *found);
 bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems);
 bool yk_synthesise_function(YkSynthesis *s, YkProblems *problems);
 bool yk_synthesise_stroke(YkSynthesis *s, YkProblems *problems);
+bool yk_synthesise_path(YkSynthesis *s, YkProblems *problems);
 
 #endif

@@ -14,10 +14,12 @@ static const Kind kinds[YK_TASK_KINDS] = {
     {"motion", yk_task_read_motion, yk_task_check_motion, {"positions"}},
     {"function", yk_task_read_function, yk_task_check_function, {"of", "x", "input", "output", "samples", "pairs"}},
     {"stroke", yk_task_read_stroke, yk_task_check_stroke, {"swing", "stroke", "time_ratio"}},
+    {"path", yk_task_read_path, yk_task_check_path, {"points", "closed", "angles"}},
 };
-static const char *const keys[] = {"name",    "synthesis", "units",     "parameters", "mechanisms", "fix",   "bounds",
-                                   "require", "best",      "positions", "of",         "x",          "input", "output",
-                                   "samples", "pairs",     "swing",     "stroke",     "time_ratio", NULL};
+static const char *const keys[] = {"name",       "synthesis", "units",   "parameters", "mechanisms", "fix",
+                                   "bounds",     "require",   "best",    "positions",  "of",         "x",
+                                   "input",      "output",    "samples", "pairs",      "swing",      "stroke",
+                                   "time_ratio", "points",    "closed",  "angles",     NULL};
 
 const char *yk_task_kind(const YkTask *task)
 {
@@ -27,14 +29,13 @@ const char *yk_task_kind(const YkTask *task)
 static void hint_kinds(YkProblems *problems)
 {
     yk_problem_hint(problems,
-                    "yoke solves motion (a body through positions), function (an angle of another) and stroke "
-                    "(a swing or stroke with its time ratio)");
+                    "yoke solves path (a point through points), motion (a body through positions), function (an angle "
+                    "of another) and stroke (a swing or stroke with its time ratio)");
 }
 
 // Finds the kind that `synthesis:` names; reports a kind that is planned, and any other word.
 static bool find_kind(YkTaskReader *reader)
 {
-    static const char *const planned[] = {"path", "machine"};
     YkLoader *loader = reader->loader;
     const YkNode *node = yk_load_require(loader, loader->root, "synthesis", &(YkSubject){.noun = "a task file"});
     if (!node) hint_kinds(loader->problems);
@@ -46,7 +47,7 @@ static bool find_kind(YkTaskReader *reader)
         reader->task->kind = (YkTaskKind)k;
         return true;
     }
-    bool is_planned = strcmp(node->text, planned[0]) == 0 || strcmp(node->text, planned[1]) == 0;
+    bool is_planned = strcmp(node->text, "machine") == 0;
     yk_problem(loader->problems, YK_CODE_TASK_KIND, node->place,
                is_planned ? "this version cannot solve tasks of the kind %q" : "there is no kind of task %q",
                node->text);
@@ -119,10 +120,13 @@ static void read_require(YkTaskReader *reader)
     yk_task_value(reader, map, "size_ratio", YK_DIM_NUMBER, &task->size_ratio);
 }
 
-// `mechanisms:` may only name what the kinds give: four-bars (and slider-cranks for strokes).
+// `mechanisms:` may only name what the kind gives: four-bars, for paths slider-cranks as well.
 static void read_mechanisms(YkTaskReader *reader)
 {
     YkLoader *loader = reader->loader;
+    YkPathTask *path = &reader->task->path;
+    bool is_path = reader->task->kind == YK_TASK_PATH;
+    path->has_four_bar = !yk_node_get(loader->root, "mechanisms");
     const YkNode *list = yk_node_get(loader->root, "mechanisms");
     if (!list || !yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "value", .part = "mechanisms"}))
         return;
@@ -130,10 +134,21 @@ static void read_mechanisms(YkTaskReader *reader)
         const YkNode *item = list->items[k];
         if (!yk_load_expect(loader, item, YK_NODE_SCALAR, &(YkSubject){.noun = "entry", .owner = "mechanisms"}))
             continue;
-        if (strcmp(item->text, "four-bar") == 0) continue;
+        bool is_four_bar = strcmp(item->text, "four-bar") == 0;
+        bool is_slider = is_path && strcmp(item->text, "slider-crank") == 0;
+        path->has_four_bar |= is_four_bar;
+        path->has_slider |= is_slider;
+        if (is_four_bar || is_slider) continue;
         yk_problem(loader->problems, YK_CODE_WRONG_WORD, item->place,
-                   "this version finds four-bars for this task, no %q", item->text);
-        yk_problem_hint(loader->problems, "write [four-bar], or leave `mechanisms` out");
+                   is_path ? "this version finds four-bars and slider-cranks for a path, no %q"
+                           : "this version finds four-bars for this task, no %q",
+                   item->text);
+        yk_problem_hint(loader->problems, is_path ? "write [four-bar, slider-crank], or one of them"
+                                                  : "write [four-bar], or leave `mechanisms` out");
+    }
+    if (list->count == 0) {
+        yk_problem(loader->problems, YK_CODE_WRONG_WORD, list->place, "`mechanisms` names no machine");
+        yk_problem_hint(loader->problems, "leave it out to have four-bars");
     }
 }
 
@@ -143,12 +158,12 @@ static void read_all(YkLoader *loader, void *context)
     reader->loader = loader;
     read_bounds(reader);
     read_require(reader);
-    read_mechanisms(reader);
     const YkNode *node = yk_node_get(loader->root, "best");
     YkWant want = {.dimension = YK_DIM_NUMBER, .subject = {.noun = "value", .part = "best"}};
     reader->best = 10;
     if (node) yk_load_value(loader, node, &want, &reader->best);
     if (!find_kind(reader)) return;
+    read_mechanisms(reader);
     check_own_keys(reader);
     kinds[reader->task->kind].read(reader);
 }

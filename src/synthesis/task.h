@@ -4,7 +4,7 @@
 #include "model/load.h"
 #include "synthesis/poses.h"
 
-typedef enum YkTaskKind { YK_TASK_MOTION, YK_TASK_FUNCTION, YK_TASK_STROKE, YK_TASK_KINDS } YkTaskKind;
+typedef enum YkTaskKind { YK_TASK_MOTION, YK_TASK_FUNCTION, YK_TASK_STROKE, YK_TASK_PATH, YK_TASK_KINDS } YkTaskKind;
 
 // A range; is_given false: unbounded.
 typedef struct YkBound {
@@ -51,6 +51,24 @@ typedef struct YkStrokeTask {
     YkPlace place;
 } YkStrokeTask;
 
+// How the input's angles at the points of a path are told.
+typedef enum YkPathTiming { YK_TIMING_ANY, YK_TIMING_STEP, YK_TIMING_ANGLES } YkPathTiming;
+
+enum { YK_PATH_POINTS_MAX = 1000 };
+
+// `synthesis: path`
+typedef struct YkPathTask {
+    YkVec *point; // [count], m
+    size_t count;
+    bool is_closed, has_four_bar, has_slider;
+    YkPathTiming timing;
+    double *angle; // [count], absolute, rad; NULL unless they are given
+    double step;   // between successive points, rad
+    YkGivenPoint pivot[YK_SIDES];
+    YkGiven ground_angle;
+    YkPlace place;
+} YkPathTask;
+
 struct YkTask {
     YkModel *sheet; // units, parameters, name, memory
     YkTaskKind kind;
@@ -61,6 +79,7 @@ struct YkTask {
     YkMotionTask motion;
     YkFunctionTask function;
     YkStrokeTask stroke;
+    YkPathTask path;
     YkPlace kind_place;
 };
 
@@ -86,6 +105,8 @@ void yk_task_read_function(YkTaskReader *reader);
 void yk_task_check_function(YkTaskReader *reader);
 void yk_task_read_stroke(YkTaskReader *reader);
 void yk_task_check_stroke(YkTaskReader *reader);
+void yk_task_read_path(YkTaskReader *reader);
+void yk_task_check_path(YkTaskReader *reader);
 
 // Evaluates the function of the task at x. Returns false if it has no value there.
 bool yk_task_function(const YkTask *task, double x, double *value);

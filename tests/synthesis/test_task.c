@@ -3,6 +3,8 @@
 #include "base/codes.h"
 #include "synthesis/task.h"
 
+#define PATH "points: [[0, 0], [1, 1]]\n"
+#define THREE "points: [[0, 0], [1, 1], [2, 0]]\n"
 #define TWO "positions: [{at: [0, 0], angle: 0}, {at: [1, 0], angle: 1}]\n"
 
 static void refuse(const char *text, int code, unsigned line)
@@ -26,7 +28,25 @@ static void every_mistake_has_its_code_and_place(void **state)
     refuse("[1, 2]\n", YK_CODE_MODEL_NOT_MAP, 1);
     refuse("name: x\n", YK_CODE_MISSING_KEY, 1);
     refuse("synthesis: dance\n", YK_CODE_TASK_KIND, 1);
-    refuse("name: x\nsynthesis: path\npoints: [[0, 0]]\n", YK_CODE_TASK_KIND, 2);
+    refuse("name: x\nsynthesis: machine\nmachine: crane.yaml\n", YK_CODE_TASK_KIND, 2);
+    refuse("synthesis: path\n", YK_CODE_MISSING_KEY, 1);
+    refuse("name: x\nsynthesis: path\npoints: [[0, 0]]\n", YK_CODE_TASK_POSITIONS, 3);
+    refuse("synthesis: path\npoints: [[0, 0], [0, 0], [1, 1]]\n", YK_CODE_TASK_POSITIONS, 2);
+    refuse("synthesis: path\npoints: [[0, 0], [1]]\n", YK_CODE_COMPONENTS, 2);
+    refuse("synthesis: path\npoints: [[0, 0], [1, 3 kg]]\n", YK_CODE_WRONG_DIMENSION, 2);
+    refuse("synthesis: path\n" PATH "angles: [0, 1, 2]\n", YK_CODE_COMPONENTS, 3);
+    refuse("synthesis: path\n" THREE "angles: [0, 1, .5]\n", YK_CODE_TASK_FUNCTION, 3);
+    refuse("synthesis: path\n" PATH "angles: {from: free}\n", YK_CODE_MISSING_KEY, 3);
+    refuse("synthesis: path\n" PATH "angles: {from: 3, step: 1}\n", YK_CODE_WRONG_WORD, 3);
+    refuse("synthesis: path\n" PATH "angles: {from: free, step: 0}\n", YK_CODE_TASK_FUNCTION, 3);
+    refuse("synthesis: path\n" PATH "closed: perhaps\n", YK_CODE_WRONG_WORD, 3);
+    refuse("synthesis: path\n" PATH "mechanisms: [watt]\n", YK_CODE_WRONG_WORD, 3);
+    refuse("synthesis: path\n" PATH "mechanisms: []\n", YK_CODE_WRONG_WORD, 3);
+    refuse("synthesis: path\n" PATH "mechanisms: [slider-crank]\nfix: {output_pivot: [1, 1]}\n", YK_CODE_TASK_BOUNDS,
+           4);
+    refuse("synthesis: path\n" PATH "fix: {input_pivot: [1, 1], output_pivot: [1, 1]}\n", YK_CODE_TASK_BOUNDS, 3);
+    refuse("synthesis: path\n" PATH "fix: {input_pivot: [0, 1], output_pivot: [1, 1], ground_angle: 1}\n",
+           YK_CODE_RIVAL_KEYS, 3);
     refuse("synthesis: motion\n", YK_CODE_MISSING_KEY, 1);
     refuse("synthesis: motion\n" TWO "colour: red\n", YK_CODE_UNKNOWN_KEY, 3);
     refuse("synthesis: motion\n" TWO "swing: 3\n", YK_CODE_UNKNOWN_KEY, 3);

@@ -2,6 +2,17 @@
 #include "verbs/new/tasks.h"
 
 const YkTaskExample yk_task_examples[] = {
+    {"path",
+     "# A point of the coupler through points, in order. `yoke synthesize` searches from random starts.\n"
+     "name: my path\n"
+     "synthesis: path\n"
+     "points: [[0, 0], [10, 4], [20, 6], [30, 5], [40, 1]]\n"
+     "angles: {from: free, step: 20 deg}        # of the input; or one for each point; leave it out to have any\n"
+     "mechanisms: [four-bar]                    # also slider-crank\n"
+     "bounds: {lengths: [10, 200], pivots: [[-150, -150], [150, 150]]}   # also coupler_point: [from, to]\n"
+     "require: {transmission: 30 deg}           # also input: turns, order: false, size_ratio: 6\n"
+     "best: 5\n"
+     "units: {length: mm, angle: deg}\n"},
     {"motion",
      "# A body through positions. Two to five are met exactly; `yoke synthesize` finds four-bars that do it.\n"
      "name: my motion\n"

@@ -47,6 +47,7 @@ static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t ind
     YkCandidate c = yk_synthesis_candidate(synthesis, index);
     const char *name;
     double value = 0;
+    size_t count;
     yk_json_object(json, NULL, YK_JSON_LINES);
     yk_json_integer(json, "rank", (long long)index + 1);
     yk_json_string(json, "file", c.file);
@@ -63,6 +64,10 @@ static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t ind
         yk_json_number(json, name, value);
     yk_json_end(json);
     add_dimensions(json, &c);
+    const double *angle = yk_synthesis_angles(synthesis, index, &count);
+    if (angle) yk_json_list(json, "angles", YK_JSON_INLINE);
+    for (size_t k = 0; k < count; k++) yk_json_number(json, NULL, angle[k]);
+    if (angle) yk_json_end(json);
     yk_json_end(json);
 }
 

@@ -129,6 +129,8 @@ void yk_synthesis_text(const YkSynthesisAnswer *answer)
     if (yk_synthesis_solutions(synthesis, &complex_count, &real_count))
         yk_text_format(out, "The equations have %z solutions, %z of them real: all are here.\n", complex_count,
                        real_count);
+    else if (kind[0] == 'p')
+        yk_text_puts(out, "Least squares from random starts: other seeds may find other machines.\n");
     else if (!yk_synthesis_is_complete(synthesis))
         yk_text_puts(out, "The task leaves a choice: samples of it were tried, and the best are shown.\n");
     if (word[0] == 't' || word[0] == 'i') yk_text_puts(out, "The search was ended early: these are the best so far.\n");

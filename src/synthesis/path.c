@@ -1,0 +1,183 @@
+// A point through points: bars by random starts and least squares, each judged by the engine on its file.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "synthesis/path_search.h"
+
+// The search ends after so many batches, or when enough bars pass the points to rounding: where there are more points than
+// a bar can be made to pass, few do, and all of them soon.
+enum { BATCHES = 600, LAST_STEPS = 1500, EXACT = 60, EXACT_OF_MANY = 2, MORE_BATCHES = 40, HARD_WEIGHT = 100000 };
+
+// --- what a bar does on the way
+
+// Returns whether the angles go on and on, within a turn.
+static bool is_in_order(const YkPathProblem *p, const double *angle)
+{
+    double whole = angle[p->count - 1] - angle[0];
+    for (size_t k = 1; k < p->count; k++)
+        if (!((angle[k] - angle[k - 1]) * whole > 0)) return false;
+    return p->is_timed || fabs(whole) <= 2 * YK_PI + 1e-6;
+}
+
+// Finds what can be told without the engine.
+static YkDefect first_look(const YkPathSearch *search, const YkPathTry *try, YkDesign *design)
+{
+    const YkPathProblem *p = &search->problem;
+    const YkTask *task = p->task;
+    YkDefect defect = YK_DEFECT_NONE;
+    if (!yk_bar_design(&try->bar, try->angle[0], design)) return YK_DEFECT_ASSEMBLY;
+    if (!task->any_order && !is_in_order(p, try->angle)) return YK_DEFECT_ORDER;
+    if (p->turns && !yk_design_turns(design)) return YK_DEFECT_INPUT;
+    defect = yk_design_bounds(design, task);
+    for (size_t k = 1; k < p->count && defect == YK_DEFECT_NONE && p->kind == YK_DESIGN_FOUR_BAR; k++) {
+        YkDesign then;
+        if (!yk_bar_design(&try->bar, try->angle[k], &then)) return YK_DEFECT_ASSEMBLY;
+        double angle[2][3];
+        memcpy(angle[0], design->angle, sizeof angle[0]);
+        memcpy(angle[1], then.angle, sizeof angle[1]);
+        defect = yk_design_signs(design, angle, 2);
+    }
+    return defect;
+}
+
+// Gives a machine that is kept its angles.
+static void keep(const YkPathSearch *search, const YkPathTry *try, YkFound *found)
+{
+    size_t n = search->problem.count;
+    double *angle = found ? YK_NEW(search->s->arena, double, n) : NULL;
+    if (!angle) return;
+    memcpy(angle, try->angle, n * sizeof *angle);
+    found->angle = angle;
+}
+
+// Drives the machine on its file, and keeps or leaves it. Returns whether it passed.
+static bool judge(YkPathSearch *search, const YkPathTry *try)
+{
+    YkSynthesis *s = search->s;
+    const YkPathProblem *p = &search->problem;
+    YkDesign design;
+    YkVerdict verdict = {.defect = YK_DEFECT_NONE};
+    YkText text = {0};
+    YkBarPoint at;
+    YkVec *path = search->path;
+    YkJourney journey = {.task = p->task, .input = try->angle, .count = p->count, .turns = p->turns, .exact = true};
+    journey.point = p->point;
+    journey.path = path;
+    for (size_t k = 0; k < p->count; k++) path[k] = yk_bar_point(&try->bar, try->angle[k], &at) ? at.at : p->point[k];
+    YkDefect defect = yk_bar_design(&try->bar, try->angle[0], &design) ? YK_DEFECT_NONE : YK_DEFECT_ASSEMBLY;
+    if (defect == YK_DEFECT_NONE) defect = yk_synthesis_try(s, &design, &journey, &text, &verdict);
+    double noise = (double)p->count * p->size * p->size * 1e-20; // among exact ones the transmission angle decides
+    double merit = verdict.error > noise ? -verdict.error : verdict.transmission[0];
+    if (defect == YK_DEFECT_NONE)
+        keep(search, try, yk_synthesis_keep(s, &design, &text, &verdict, merit));
+    else
+        yk_synthesis_leave(s, &design, defect, &verdict);
+    yk_text_free(&text);
+    return defect == YK_DEFECT_NONE;
+}
+
+// --- the search
+
+static bool is_known(const YkPathSearch *search, const YkPathTry *try)
+{
+    for (size_t k = 0; k < search->pooled; k++) {
+        const YkPathTry *other = &search->pool[k];
+        double apart = 0, size = search->problem.size;
+        for (size_t j = 0; j < YK_BAR_SIZE; j++)
+            apart = fmax(apart, j == YK_BAR_TURN ? 0 : fabs(other->bar.v[j] - try->bar.v[j]));
+        if (other->bar.branch == try->bar.branch && apart < 1e-4 * (size + try->bar.v[YK_BAR_COUPLER])) return true;
+    }
+    return false;
+}
+
+// Brings the first angle into one turn about 0, and the ground's direction as well.
+static void reduce(const YkPathProblem *p, YkPathTry *try)
+{
+    double turns = yk_remainder(try->angle[0], 2 * YK_PI) - try->angle[0];
+    for (size_t k = 0; k < p->count && p->task->path.timing != YK_TIMING_ANGLES; k++) try->angle[k] += turns;
+    if (p->low[YK_BAR_TURN] < p->high[YK_BAR_TURN])
+        try->bar.v[YK_BAR_TURN] = yk_remainder(try->bar.v[YK_BAR_TURN], 2 * YK_PI);
+}
+
+// Improves a try to the end, and judges it where it is among the best.
+static void finish(YkPathSearch *search, YkPathTry *try)
+{
+    const YkPathProblem *p = &search->problem;
+    YkDesign design;
+    const double weight = search->work.weight;
+    bool closes = yk_path_improve(p, &search->work, try, LAST_STEPS);
+    if (closes && try->cost > try->error) { // limits that hold the bar back are then kept within their margin
+        search->work.weight = HARD_WEIGHT;
+        yk_path_improve(p, &search->work, try, LAST_STEPS);
+        search->work.weight = weight;
+    }
+    if (!closes) return;
+    reduce(p, try);
+    YkDefect defect = first_look(search, try, &design);
+    if (defect != YK_DEFECT_NONE) {
+        YkVerdict verdict = {.defect = defect, .error = try->error};
+        yk_synthesis_leave(search->s, &design, defect, &verdict);
+        return;
+    }
+    try->cost = try->error;
+    bool is_full = search->pooled == search->most && !(try->cost < search->pool[search->most - 1].cost);
+    if (is_full || is_known(search, try) || !judge(search, try)) return;
+    if (try->error <= 1e-24 * p->size * p->size) search->exact++;
+    yk_path_insert(p, search->pool, &search->pooled, search->most, try);
+}
+
+// Returns the work of a batch, microseconds.
+static size_t batch_work(const YkPathProblem *p)
+{
+    return 500 + 20 * p->count;
+}
+
+static bool make_room(YkPathSearch *search)
+{
+    YkArena *arena = search->s->arena;
+    size_t n = search->problem.count;
+    bool good = yk_path_thin(search) && yk_path_work(arena, n, &search->work);
+    good &= (search->path = YK_NEW(arena, YkVec, n)) != NULL;
+    good &= (search->whole.angle = YK_NEW(arena, double, n)) != NULL;
+    for (size_t k = 0; k <= YK_PATH_HOPEFUL; k++) good &= (search->try[k].angle = YK_NEW(arena, double, n)) != NULL;
+    for (size_t k = 0; k < search->most; k++) good &= (search->pool[k].angle = YK_NEW(arena, double, n)) != NULL;
+    return good;
+}
+
+// Returns whether so many bars pass the points to rounding that no other can be better.
+static bool has_enough(const YkPathSearch *search, size_t batches, size_t *first)
+{
+    const YkPathProblem *p = &search->problem;
+    size_t conditions = p->is_timed ? 2 * p->count : p->count;
+    if (conditions <= YK_PATH_UNKNOWNS) return search->exact >= EXACT;
+    if (search->exact == 0) *first = batches;
+    return search->exact > 0 &&
+           (search->exact >= EXACT_OF_MANY || 4 * search->exact >= search->most || batches > 2 * *first + MORE_BATCHES);
+}
+
+static void search_kind(YkSynthesis *s, YkDesignKind kind, double from, double to)
+{
+    YkPathSearch *search = YK_NEW(s->arena, YkPathSearch, 1);
+    if (!search) return;
+    search->s = s;
+    search->seed = s->options.seed;
+    size_t best = s->options.best > 0 ? s->options.best : s->task->best;
+    search->most = best < YK_PATH_POOL / 4 ? 4 * best : YK_PATH_POOL;
+    yk_path_pose(s->task, kind, &search->problem);
+    if (!make_room(search)) return;
+    yk_pace_stage(&s->pace, from, to);
+    for (size_t k = 0, first = 0; k < BATCHES && !has_enough(search, k, &first); k++) {
+        yk_pace_reach(&s->pace, (double)k / BATCHES);
+        if (!yk_synthesis_goes_on(s, batch_work(&search->problem))) break;
+        if (yk_path_batch(search, k)) finish(search, &search->whole);
+    }
+}
+
+bool yk_synthesise_path(YkSynthesis *s, YkProblems *problems)
+{
+    const YkPathTask *path = &s->task->path;
+    (void)problems;
+    if (path->has_four_bar) search_kind(s, YK_DESIGN_FOUR_BAR, 0, path->has_slider ? 0.5 : 1);
+    if (path->has_slider) search_kind(s, YK_DESIGN_SLIDER_CRANK, path->has_four_bar ? 0.5 : 0, 1);
+    return true;
+}

@@ -1,0 +1,224 @@
+// Levenberg and Marquardt's steps for a path, within bounds, with the input's free angles eliminated.
+#include "synthesis/path_fit.h"
+#include <math.h>
+#include <string.h>
+#include "num/dense.h"
+
+enum { N = YK_PATH_UNKNOWNS, SHIFT = YK_BAR_SIZE };
+
+static const double weight_at_first = 100;
+static const double margin = 1e-6;  // by which limits are kept, over the size of the points
+static const double turn_max = 0.4; // of the input in one step, rad
+
+bool yk_path_work(YkArena *arena, size_t count, YkPathWork *work)
+{
+    size_t rows = 2 * count + YK_PATH_LIMITS, all = rows + N;
+    *work = (YkPathWork){.count = count, .weight = weight_at_first};
+    work->now = YK_NEW(arena, YkBarPoint, count);
+    work->next = YK_NEW(arena, YkBarPoint, count);
+    work->row = YK_NEW(arena, double, rows *N);
+    work->miss = YK_NEW(arena, double, rows);
+    work->A = YK_NEW(arena, double, all *N);
+    work->b = YK_NEW(arena, double, all);
+    work->angle = YK_NEW(arena, double, count);
+    return work->now && work->next && work->row && work->miss && work->A && work->b && work->angle;
+}
+
+static double squared(double x)
+{
+    return x * x;
+}
+
+// What the limits add to the cost, m^2.
+static double limits_cost(const YkPathProblem *problem, const YkBar *bar, double weight)
+{
+    double excess[YK_PATH_LIMITS], by[YK_PATH_LIMITS][YK_BAR_SIZE], cost = 0;
+    size_t count = yk_path_limits(problem, bar, excess, by);
+    for (size_t k = 0; k < count; k++) cost += squared(weight * fmax(excess[k] + margin * problem->size, 0));
+    return cost;
+}
+
+static bool measure(const YkPathProblem *problem, double weight, YkBarPoint *points, YkPathTry *try)
+{
+    try->error = 0;
+    for (size_t k = 0; k < problem->count; k++) {
+        if (!yk_bar_point(&try->bar, try->angle[k], &points[k])) return false;
+        YkVec miss = yk_sub(points[k].at, problem->point[k]);
+        try->error += yk_dot(miss, miss);
+    }
+    try->cost = try->error + limits_cost(problem, &try->bar, weight);
+    return isfinite(try->cost);
+}
+
+bool yk_path_measure(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try)
+{
+    return measure(problem, work->weight, work->now, try);
+}
+
+// --- the linear problem
+
+static void add_row(YkPathWork *work, size_t *rows, const YkBarPoint *p, YkVec along, YkVec miss, bool shifts)
+{
+    double *row = &work->row[*rows * N];
+    for (size_t j = 0; j < YK_BAR_SIZE; j++) row[j] = yk_dot(along, p->by[j]);
+    row[SHIFT] = shifts ? yk_dot(along, p->by_input) : 0;
+    work->miss[(*rows)++] = yk_dot(along, miss);
+}
+
+static size_t linearise(const YkPathProblem *problem, YkPathWork *work, const YkPathTry *try)
+{
+    size_t rows = 0;
+    for (size_t k = 0; k < problem->count; k++) {
+        const YkBarPoint *p = &work->now[k];
+        YkVec miss = yk_sub(p->at, problem->point[k]);
+        double speed = yk_norm(p->by_input);
+        if (!problem->is_timed && speed > 0) { // along the curve the angle makes up for the miss
+            add_row(work, &rows, p, yk_scale(1 / speed, yk_quarter(p->by_input)), miss, false);
+            continue;
+        }
+        add_row(work, &rows, p, yk_vec(1, 0), miss, problem->shifts);
+        add_row(work, &rows, p, yk_vec(0, 1), miss, problem->shifts);
+    }
+    double excess[YK_PATH_LIMITS], by[YK_PATH_LIMITS][YK_BAR_SIZE];
+    size_t limits = yk_path_limits(problem, &try->bar, excess, by);
+    for (size_t k = 0; k < limits; k++) {
+        double over = excess[k] + margin * problem->size, *row = &work->row[rows * N];
+        if (over <= 0) continue;
+        for (size_t j = 0; j < YK_BAR_SIZE; j++) row[j] = work->weight * by[k][j];
+        row[SHIFT] = 0;
+        work->miss[rows++] = work->weight * over;
+    }
+    return rows;
+}
+
+typedef struct Step {
+    double x[N];      // of the unknowns
+    bool is_held[N];  // at a bound or given
+    double column[N]; // lengths of the columns
+} Step;
+
+// Holds what is given, and what stands at a bound that the cost pushes against.
+static void hold(const YkPathProblem *problem, const YkPathWork *work, const YkPathTry *try, size_t rows, Step *step)
+{
+    for (size_t j = 0; j < N; j++) {
+        double slope = 0, sum = 0;
+        for (size_t r = 0; r < rows; r++) {
+            slope += work->row[r * N + j] * work->miss[r];
+            sum += squared(work->row[r * N + j]);
+        }
+        double at = j < YK_BAR_SIZE ? try->bar.v[j] : 0;
+        step->column[j] = sqrt(sum);
+        step->x[j] = 0;
+        step->is_held[j] = !(problem->low[j] < problem->high[j]) || sum == 0 || (at <= problem->low[j] && slope > 0) ||
+                           (at >= problem->high[j] && slope < 0);
+    }
+}
+
+// Solves for the unknowns that are not held; the others keep their steps.
+static void solve(YkPathWork *work, size_t rows, double damping, Step *step)
+{
+    size_t free[N], count = 0, order[N];
+    double tau[N], x[N];
+    for (size_t j = 0; j < N; j++)
+        if (!step->is_held[j]) free[count++] = j;
+    if (count == 0) return;
+    for (size_t r = 0; r < rows; r++) {
+        const double *row = &work->row[r * N];
+        work->b[r] = -work->miss[r];
+        for (size_t j = 0; j < N; j++)
+            if (step->is_held[j]) work->b[r] -= row[j] * step->x[j];
+        for (size_t j = 0; j < count; j++) work->A[r * count + j] = row[free[j]] / step->column[free[j]];
+    }
+    for (size_t k = 0; k < count; k++) {
+        for (size_t j = 0; j < count; j++) work->A[(rows + k) * count + j] = j == k ? sqrt(damping) : 0;
+        work->b[rows + k] = 0;
+    }
+    size_t rank = yk_qr_factor(rows + count, count, work->A, order, tau, 1e-15);
+    yk_qr_solve(rows + count, count, work->A, order, tau, rank, work->b, x);
+    for (size_t j = 0; j < count; j++) step->x[free[j]] = x[j] / step->column[free[j]];
+}
+
+// Finds a step that stays within the bounds: what would leave goes to its bound and is held there.
+static void find_step(const YkPathProblem *problem, YkPathWork *work, const YkPathTry *try, size_t rows, double damping,
+                      Step *step)
+{
+    for (size_t round = 0; round <= N; round++) {
+        bool is_inside = true;
+        solve(work, rows, damping, step);
+        for (size_t j = 0; j < YK_BAR_SIZE; j++) {
+            double to = try->bar.v[j] + step->x[j];
+            double kept = fmin(fmax(to, problem->low[j]), problem->high[j]);
+            if (step->is_held[j] || kept == to) continue;
+            step->x[j] = kept - try->bar.v[j];
+            step->is_held[j] = true;
+            is_inside = false;
+        }
+        if (is_inside) return;
+    }
+}
+
+// Limits the turn of a free angle: neighbours keep their order where the task has one.
+static double limited(const YkPathProblem *problem, const double *angle, size_t k, double turn)
+{
+    static const double part = 0.45; // of the way to the neighbour
+    double most = turn_max;
+    if (problem->task->any_order) return fmin(fmax(turn, -most), most);
+    size_t last = problem->count - 1;
+    double whole = angle[last] - angle[0], rest = 2 * YK_PI - fabs(whole); // from the last point to the first
+    bool goes_on = turn * whole > 0;
+    if (goes_on && k < last) most = fmin(most, part * fabs(angle[k + 1] - angle[k]));
+    if (!goes_on && k > 0) most = fmin(most, part * fabs(angle[k] - angle[k - 1]));
+    bool is_end = goes_on ? k == last : k == 0;
+    if (problem->task->path.is_closed && is_end) most = fmin(most, fmax(part * rest, 0));
+    return fmin(fmax(turn, -most), most);
+}
+
+// Moves a try by a step, each free angle as its own point asks.
+static void move(const YkPathProblem *problem, const YkPathWork *work, const YkPathTry *from, const Step *step,
+                 YkPathTry *to)
+{
+    to->bar = from->bar;
+    for (size_t j = 0; j < YK_BAR_SIZE; j++)
+        to->bar.v[j] = fmin(fmax(from->bar.v[j] + step->x[j], problem->low[j]), problem->high[j]);
+    for (size_t k = 0; k < problem->count; k++) {
+        const YkBarPoint *p = &work->now[k];
+        double turn = step->x[SHIFT];
+        if (!problem->is_timed) {
+            YkVec miss = yk_sub(p->at, problem->point[k]);
+            for (size_t j = 0; j < YK_BAR_SIZE; j++) miss = yk_add(miss, yk_scale(step->x[j], p->by[j]));
+            double speed = yk_dot(p->by_input, p->by_input);
+            turn = speed > 0 ? -yk_dot(miss, p->by_input) / speed : 0;
+            turn = limited(problem, from->angle, k, turn);
+        }
+        to->angle[k] = from->angle[k] + turn;
+    }
+}
+
+bool yk_path_improve(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try, size_t steps)
+{
+    static const double damping_max = 1e8;
+    double damping = 1e-3, none = squared(1e-16 * problem->size) * (double)problem->count;
+    size_t still = 0, rows = 0;
+    bool is_new = true;
+    if (!measure(problem, work->weight, work->now, try)) return false;
+    for (size_t k = 0; k < steps && still < 10 && damping < damping_max && try->cost > none; k++) {
+        Step step;
+        YkPathTry next = {.angle = work->angle};
+        if (is_new) rows = linearise(problem, work, try);
+        hold(problem, work, try, rows, &step);
+        find_step(problem, work, try, rows, damping, &step);
+        move(problem, work, try, &step, &next);
+        is_new = measure(problem, work->weight, work->next, &next) && next.cost < try->cost;
+        damping = is_new ? fmax(damping * 0.2, 1e-14) : damping * 5;
+        if (!is_new) continue;
+        still = next.cost > (1 - 1e-6) * try->cost ? still + 1 : 0;
+        YkBarPoint *points = work->now;
+        work->now = work->next;
+        work->next = points;
+        memcpy(try->angle, next.angle, problem->count * sizeof *next.angle);
+        try->bar = next.bar;
+        try->error = next.error;
+        try->cost = next.cost;
+    }
+    return true;
+}

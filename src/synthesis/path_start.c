@@ -1,0 +1,163 @@
+// Bars to begin with. The ratios of a bar's lengths and the input's angles from the ground are drawn; what remains - the
+// pivot, size and direction of the bar, and the coupler point - enters the path linearly, as complex numbers:
+// P = A0 + S e^(i theta) + Q e^(i phi). Where dimensions have bounds, every other bar is drawn within them.
+#include "synthesis/path_start.h"
+#include <math.h>
+#include <string.h>
+#include "base/mix.h"
+#include "elementary/elementary.h"
+#include "num/dense.h"
+
+static double between(uint64_t *seed, double low, double high)
+{
+    return low + (high - low) * yk_mix_unit(seed);
+}
+
+static double ratio(uint64_t *seed)
+{
+    return yk_exp(between(seed, -2, 2));
+}
+
+// Draws the input's angles: given, or a start with a step, or going on and on by the way along the points and their number.
+static void draw_angles(const YkPathProblem *problem, uint64_t *seed, double *angle)
+{
+    const YkPathTask *path = &problem->task->path;
+    size_t n = problem->count;
+    double start = between(seed, -YK_PI, YK_PI), way = 0, gone = 0, sense = yk_mix_next(seed) & 1 ? 1 : -1;
+    double mix = yk_mix_unit(seed), span = between(seed, 0.1, 2 * YK_PI * 0.97);
+    if (problem->angle) {
+        memcpy(angle, problem->angle, n * sizeof *angle);
+        return;
+    }
+    bool is_round = path->is_closed || yk_norm(yk_sub(problem->point[n - 1], problem->point[0])) < 1e-9 * problem->size;
+    for (size_t k = 1; k < n; k++) way += yk_norm(yk_sub(problem->point[k], problem->point[k - 1]));
+    double last = path->is_closed ? yk_norm(yk_sub(problem->point[n - 1], problem->point[0])) : 0;
+    double steps = path->is_closed ? (double)n : (double)n - 1;
+    if (is_round) span = 2 * YK_PI;
+    for (size_t k = 0; k < n; k++) {
+        if (k > 0) gone += yk_norm(yk_sub(problem->point[k], problem->point[k - 1]));
+        double part = mix * (double)k / steps + (1 - mix) * gone / (way + last);
+        if (problem->task->any_order && !is_round) part = yk_mix_unit(seed);
+        angle[k] = start + (problem->shifts ? problem->step * (double)k : sense * span * part);
+    }
+}
+
+// Draws the ratios of the lengths to the input's.
+static void draw_shape(const YkPathProblem *problem, uint64_t *seed, YkBar *bar)
+{
+    double *v = bar->v;
+    v[YK_BAR_INPUT] = 1;
+    v[YK_BAR_COUPLER] = ratio(seed);
+    v[YK_BAR_OUTPUT] = ratio(seed);
+    v[YK_BAR_GROUND] = ratio(seed);
+    if (problem->kind == YK_DESIGN_SLIDER_CRANK) v[YK_BAR_GROUND] = between(seed, -2, 2);
+    bar->branch = yk_mix_next(seed) & 1 ? 1 : -1;
+}
+
+// Keeps the dimensions within their bounds.
+static void clip(const YkPathProblem *problem, YkBar *bar)
+{
+    for (size_t j = 0; j < YK_BAR_SIZE; j++) bar->v[j] = fmin(fmax(bar->v[j], problem->low[j]), problem->high[j]);
+}
+
+// Columns of the linear problem: which of A0, S, Q they are.
+typedef struct Columns {
+    double *A, *b;
+    size_t count;
+    bool has_pivot, has_turn; // free: the pivot, the direction
+} Columns;
+
+static void add_rows(const Columns *c, size_t k, YkVec at, YkVec crank, YkVec coupler)
+{
+    for (size_t i = 0; i < 2; i++) {
+        double *row = &c->A[(2 * k + i) * c->count];
+        if (c->has_pivot) *row++ = i == 0;
+        if (c->has_pivot) *row++ = i == 1;
+        *row++ = i == 0 ? crank.x : crank.y;
+        if (c->has_turn) *row++ = i == 0 ? -crank.y : crank.x;
+        *row++ = i == 0 ? coupler.x : coupler.y;
+        *row = i == 0 ? -coupler.y : coupler.x;
+        c->b[2 * k + i] = i == 0 ? at.x : at.y;
+    }
+}
+
+// Finds pivot, size, direction and coupler point. The angles become absolute.
+static bool place(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try, bool has_turn)
+{
+    double *v = try->bar.v, x[6], tau[6], shift = 0;
+    size_t order[6], n = problem->count;
+    bool has_pivot = !(problem->task->path.pivot[0].is_given && !problem->hangs_at_end);
+    Columns c = {work->A, work->b, (size_t)(3 + 2 * has_pivot + has_turn), has_pivot, has_turn};
+    YkVec pivot = has_pivot ? yk_vec(0, 0) : problem->task->path.pivot[0].at, u;
+    if (2 * n < c.count) return false;
+    for (size_t k = 0; k < n; k++) {
+        if (!yk_bar_coupler(&try->bar, try->angle[k], &u)) return false;
+        add_rows(&c, k, yk_sub(problem->point[k], pivot), yk_unit(try->angle[k]), u);
+    }
+    size_t rank = yk_qr_factor(2 * n, c.count, c.A, order, tau, 1e-12);
+    yk_qr_solve(2 * n, c.count, c.A, order, tau, rank, c.b, x);
+    const double *at = x;
+    if (has_pivot) pivot = yk_vec(at[0], at[1]);
+    if (has_pivot) at += 2;
+    YkVec S = yk_vec(at[0], has_turn ? at[1] : 0);
+    at += 1 + has_turn;
+    double size = has_turn ? yk_norm(S) : S.x;
+    if (!(size > 1e-9 * problem->size)) return false;
+    if (has_turn) shift = yk_atan2(S.y, S.x);
+    YkVec p = yk_mul(yk_unit(-shift), yk_vec(at[0], at[1]));
+    for (size_t k = 0; k < n && has_turn; k++) try->angle[k] += shift;
+    v[YK_BAR_TURN] += shift;
+    v[YK_BAR_GROUND] *= size;
+    v[YK_BAR_INPUT] = size;
+    v[YK_BAR_COUPLER] *= size;
+    v[YK_BAR_OUTPUT] *= size;
+    v[YK_BAR_PX] = p.x;
+    v[YK_BAR_PY] = p.y;
+    if (problem->hangs_at_end) pivot = yk_add(pivot, yk_scale(v[YK_BAR_GROUND], yk_unit(v[YK_BAR_TURN])));
+    v[YK_BAR_X] = pivot.x;
+    v[YK_BAR_Y] = pivot.y;
+    return true;
+}
+
+// Pivots and coupler points with wide bounds are drawn near the points.
+static void draw_in_box(const YkPathProblem *problem, uint64_t *seed, YkBar *bar)
+{
+    for (size_t j = 0; j < YK_BAR_SIZE; j++) {
+        bool is_length = j == YK_BAR_GROUND || (j >= YK_BAR_INPUT && j <= YK_BAR_OUTPUT);
+        double middle = j == YK_BAR_X ? problem->middle.x : j == YK_BAR_Y ? problem->middle.y : 0;
+        double reach = j == YK_BAR_TURN ? YK_PI : is_length ? INFINITY : 4 * problem->size;
+        double low = fmax(problem->low[j], middle - reach), high = fmin(problem->high[j], middle + reach);
+        bar->v[j] = low < high ? between(seed, low, high) : problem->low[j];
+    }
+    bar->branch = yk_mix_next(seed) & 1 ? 1 : -1;
+}
+
+// Returns whether the limits are met nearly, so that the first steps can meet them.
+static bool is_near_limits(const YkPathProblem *problem, const YkBar *bar)
+{
+    double excess[YK_PATH_LIMITS], by[YK_PATH_LIMITS][YK_BAR_SIZE];
+    size_t count = problem->turns ? yk_path_limits(problem, bar, excess, by) : 0;
+    for (size_t k = 0; k < count; k++)
+        if (excess[k] > 0.3 * bar->v[YK_BAR_COUPLER]) return false;
+    return true;
+}
+
+bool yk_path_draw(const YkPathProblem *problem, YkPathWork *work, uint64_t *seed, YkPathTry *try)
+{
+    const YkPathTask *path = &problem->task->path;
+    bool is_bounded = problem->task->lengths.is_given;
+    bool has_turn = !problem->angle && !path->ground_angle.is_given;
+    try->bar = (YkBar){.kind = problem->kind, .hangs_at_end = problem->hangs_at_end};
+    draw_angles(problem, seed, try->angle);
+    if (is_bounded && yk_mix_next(seed) & 1) {
+        draw_in_box(problem, seed, &try->bar);
+    } else {
+        draw_shape(problem, seed, &try->bar);
+        try->bar.v[YK_BAR_TURN] = path->ground_angle.is_given ? path->ground_angle.value
+                                  : has_turn                  ? 0
+                                                              : between(seed, -YK_PI, YK_PI);
+        if (!is_near_limits(problem, &try->bar) || !place(problem, work, try, has_turn)) return false;
+        clip(problem, &try->bar);
+    }
+    return is_near_limits(problem, &try->bar) && yk_path_measure(problem, work, try);
+}
