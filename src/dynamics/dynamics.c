@@ -17,10 +17,11 @@ static bool allocate(YkDynamics *d)
     d->load = calloc(2 * bodies, sizeof *d->load);
     d->motion = calloc(bodies, sizeof *d->motion);
     d->joint = calloc(d->mech->model->joint_count + 1, sizeof *d->joint);
+    d->whole = calloc(d->mech->model->joint_count + 1, sizeof *d->whole);
     d->contact = calloc(d->mech->relation_count + 1, sizeof *d->contact);
     d->power = d->loads ? calloc(d->loads->item_count + d->mech->coordinate_count + 1, sizeof *d->power) : NULL;
-    if (!d->is_free || !d->q || !d->loads || !d->bodies || !d->load || !d->motion || !d->joint || !d->contact ||
-        !d->power)
+    if (!d->is_free || !d->q || !d->loads || !d->bodies || !d->load || !d->motion || !d->joint || !d->whole ||
+        !d->contact || !d->power)
         return false;
     if (d->loads->has_dry && !(d->holding = yk_holding_new(d))) return false;
     d->prescribed = d->is_free + inputs;
@@ -73,6 +74,7 @@ void yk_dynamics_free(YkDynamics *d)
     free(d->load);
     free(d->motion);
     free(d->joint);
+    free(d->whole);
     free(d->contact);
     free(d->power);
     free(d);

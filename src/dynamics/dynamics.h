@@ -25,7 +25,8 @@ struct YkDynamics {
     YkLoad *load;                          // per body: all loads including gravity, and the efforts of drives
     YkLoad *reaction;                      // per body: sum over its joints
     YkBodyMotion *motion;                  // per body
-    YkReaction *joint;                     // per joint
+    YkReaction *joint;                     // per joint; of planets that share a load, that of the one in the file
+    YkVec *whole;                          // per joint: its force in the equations, which count all planets in one
     YkReaction *contact;                   // per relation
     double *drive;                         // per input: the effort of its drive
     double stored;                         // in springs, J

@@ -33,6 +33,18 @@ static void push(YkDynamics *d, int32_t body, YkVec at, YkVec force, double mome
     r->moment += moment + yk_cross(yk_sub(at, d->motion[body].at), force);
 }
 
+// Returns the force of a pin on its second body. Of a planet the equations have one mass, but the teeth of all N equal
+// ones: a part N of what the teeth make of the pin's force is its own, and the whole of what its mass does.
+static YkVec own_force(const YkDynamics *d, const YkJoint *pin, YkVec whole)
+{
+    if (pin->copies < 2) return whole;
+    int32_t planet = pin->body[pin->copied_side];
+    double others = 1 - 1.0 / pin->copies, mass = d->mech->model->bodies[planet].mass;
+    YkVec pull = yk_sub(d->motion[planet].acceleration, d->mech->model->gravity);
+    double sign = pin->copied_side == 1 ? 1 : -1;
+    return yk_add(yk_scale(1.0 / pin->copies, whole), yk_scale(sign * others * mass, pull));
+}
+
 static void take_joint(YkDynamics *d, size_t joint)
 {
     const YkJoint *j = &d->mech->model->joints[joint];
@@ -41,9 +53,12 @@ static void take_joint(YkDynamics *d, size_t joint)
     size_t by = yk_model_joint_body(d->mech->model, joint, 0), on = yk_model_joint_body(d->mech->model, joint, 1);
     if (j->is_free) { // it transmits nothing
         d->joint[joint] = (YkReaction){by, on, {0, 0}, 0, {at.x, at.y}, true};
+        d->whole[joint] = yk_vec(0, 0);
         return;
     }
-    d->joint[joint] = (YkReaction){by, on, {f.force.x, f.force.y}, f.moment, {at.x, at.y}, f.is_determinate};
+    YkVec own = own_force(d, j, f.force);
+    d->whole[joint] = f.force;
+    d->joint[joint] = (YkReaction){by, on, {own.x, own.y}, f.moment, {at.x, at.y}, f.is_determinate};
     push(d, j->body[1], at, f.force, f.moment);
     push(d, j->body[0], at, yk_scale(-1, f.force), -f.moment);
     d->largest_force = fmax(d->largest_force, fmax(yk_norm(f.force), fabs(f.moment) / d->mech->size));
@@ -53,6 +68,9 @@ static void take_contact(YkDynamics *d, const YkState *state, size_t relation)
 {
     YkMeshForce f = yk_free_bodies_mesh(d->bodies, &state->space, relation);
     double moment = f.is_couple ? f.moment : 0;
+    const YkRelation *r = &d->mech->relations[relation];
+    int32_t copies = r->kind == YK_RELATION_GEAR ? d->mech->model->gears[r->index].copies : 0;
+    if (copies > 1) f.force = yk_scale(1.0 / copies, f.force);
     d->contact[relation] =
         (YkReaction){(size_t)f.body[0], (size_t)f.body[1], {f.force.x, f.force.y}, moment, {f.at.x, f.at.y}, true};
     d->largest_force = fmax(d->largest_force, yk_norm(f.force));
@@ -311,6 +329,11 @@ YkBalance yk_dynamics_balance(const YkDynamics *d, size_t b)
     YkBalance balance = {wrench(d->load[b].force, d->load[b].moment),
                          wrench(d->reaction[b].force, d->reaction[b].moment),
                          wrench(yk_scale(body->mass, m->acceleration), body->inertia * m->a), 0};
+    if (body->copies > 1) { // the equations have the moments of all
+        balance.loads.moment /= body->copies;
+        balance.reactions.moment /= body->copies;
+        balance.inertia.moment /= body->copies;
+    }
     double x = balance.loads.force[0] + balance.reactions.force[0] - balance.inertia.force[0];
     double y = balance.loads.force[1] + balance.reactions.force[1] - balance.inertia.force[1];
     double moment = balance.loads.moment + balance.reactions.moment - balance.inertia.moment;

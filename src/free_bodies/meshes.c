@@ -7,6 +7,8 @@
 // Flanks of gears lean by the pressure angle: the force across comes with one along the line of centres, towards the
 // first wheel's centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is
 // applied as a load.
+// Where several planets share a load (model/transmissions/planets.c), the column is that of all of them: on the wheel
+// about the axis their forces leave a couple, and the carrier's axis bears the opposite of what pushes the planet.
 #include "elementary/elementary.h"
 #include "free_bodies/inside.h"
 
@@ -18,6 +20,9 @@ static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn 
         c->body[0] = gear->body[0];
         c->body[1] = gear->body[1];
         c->third = gear->center_distance > 0 ? 0 : gear->carrier;
+        if (!yk_gear_is_about_axis(gear)) break;
+        c->body[!gear->planet] = gear->carrier;
+        c->third = gear->body[!gear->planet];
         break;
     case YK_RELATION_BELT:
         c->body[0] = model->belts[r->index].body[0];
@@ -107,10 +112,24 @@ static void set_couples(YkWrenchColumn *c, double a, double b, double third)
     c->third_moment = third / most;
 }
 
+// Sets the force of all planets on the one in the file, its opposite on the carrier's axis, and their couple on the
+// wheel about that axis.
+static void pose_shared(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkGear *gear, YkVec pitch)
+{
+    YkVec axis = wheel_center(f, space, gear->body[!gear->planet]);
+    for (int k = 0; k < 2; k++) {
+        YkVec at = k == gear->planet ? pitch : axis;
+        YkVec arm = yk_sub(at, place_of(f, space, c->body[k], f->reference[c->body[k]]).at);
+        c->moment[k] = (k ? 1 : -1) * yk_cross(arm, c->force) / f->size;
+        c->radial_moment[k] = (k ? 1 : -1) * yk_cross(arm, c->radial);
+    }
+    c->third_moment = (gear->planet ? -1 : 1) * yk_cross(yk_sub(pitch, axis), c->force) / f->size;
+}
+
 static void pose_gear(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkGear *gear)
 {
     double a = (double)gear->teeth[0], b = gear->is_internal ? -(double)gear->teeth[1] : (double)gear->teeth[1];
-    if (c->third != 0 || !(gear->center_distance > 0)) {
+    if (!(gear->center_distance > 0)) {
         set_couples(c, a, b, -a - b);
         return;
     }
@@ -118,6 +137,7 @@ static void pose_gear(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     YkVec pitch = yk_add(A, yk_scale(a / (a + b), line)); // internal: beyond A
     set_force(f, space, c, pitch, yk_scale(1 / yk_norm(line), yk_quarter(line)));
     set_radial(f, space, c, A, pitch, yk_tan(gear->pressure_angle));
+    if (yk_gear_is_about_axis(gear)) pose_shared(f, space, c, gear, pitch);
 }
 
 static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRack *rack)
@@ -291,8 +311,9 @@ YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *f, const YkSpace *space, siz
     YkVec force = yk_add(yk_scale(c->share, c->force), yk_scale(fabs(c->share), c->radial));
     bool is_couple = c->force.x == 0 && c->force.y == 0;
     YkVec at = is_couple ? yk_body_motion(f->mech, space, (size_t)c->body[1]).at : c->at;
-    return (YkMeshForce){force, c->share * c->moment[1] * f->size, c->share < 0, is_couple,
-                         at,    {c->body[0], c->body[1]}};
+    const YkRelation *r = &f->mech->relations[relation];
+    const int32_t *body = r->kind == YK_RELATION_GEAR ? f->mech->model->gears[r->index].body : c->body;
+    return (YkMeshForce){force, c->share * c->moment[1] * f->size, c->share < 0, is_couple, at, {body[0], body[1]}};
 }
 
 void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)

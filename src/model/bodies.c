@@ -35,7 +35,7 @@ void yk_load_bodies(YkLoader *loader)
 {
     const YkNode *section = yk_load_section(loader, "bodies");
     YkModel *model = loader->model;
-    size_t room = 1 + (section ? section->count : 0) + yk_load_count_free(loader);
+    size_t room = 1 + (section ? section->count : 0) + yk_load_count_free(loader) + yk_load_count_planets(loader);
     const YkNode **nodes = YK_NEW(loader->arena, const YkNode *, room);
     model->bodies = YK_NEW(loader->arena, YkBody, room);
     if (!model->bodies || !nodes) return;

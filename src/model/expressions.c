@@ -144,7 +144,7 @@ void yk_load_keep_uses(YkLoader *loader)
     YkModel *model = loader->model;
     size_t formulas = 0;
     for (size_t i = 0; i < model->law_count; i++) formulas += model->laws[i].source->part_count;
-    model->uses = YK_NEW(loader->arena, YkModelUse, loader->use_count + formulas + 1);
+    model->uses = YK_NEW(loader->arena, YkModelUse, loader->use_count + formulas + 8 * model->gear_count + 1);
     for (size_t i = 0; model->uses && i < loader->use_count; i++) {
         const YkUse *use = &loader->uses[i];
         if (use->target) model->uses[model->use_count++] = (YkModelUse){use->expr, use->target};

@@ -148,7 +148,8 @@ void yk_load_joints(YkLoader *loader)
     const YkNode *section = yk_load_section(loader, "joints");
     YkModel *model = loader->model;
     if (!section || section->count == 0) return;
-    model->joints = YK_NEW(loader->arena, YkJoint, section->count + model->carriage_count);
+    model->joints =
+        YK_NEW(loader->arena, YkJoint, section->count + model->carriage_count + yk_load_count_planets(loader));
     if (!model->joints) return;
     model->joint_count = model->shown_joints = section->count;
     for (size_t i = 0; i < section->count && yk_load_goes_on(loader); i++) {

@@ -41,13 +41,13 @@ static const Step after_bodies[] = {yk_load_wheels, yk_load_joints,  yk_load_law
                                     yk_load_starts, yk_load_efforts, yk_load_forces, yk_load_springs, yk_load_stops,
                                     yk_load_gears,  yk_load_racks,   yk_load_belts,  yk_load_locks};
 // The second pass: names, dimensions, values; then the checks that need values.
-static const Step second_pass[] = {yk_load_check_uses,      yk_load_infer,           yk_load_eval_parameters,
-                                   yk_load_check_overrides, yk_load_eval_uses,       yk_load_keep_uses,
-                                   yk_load_check_gravity,   yk_load_finish_laws,     yk_load_finish_masses,
-                                   yk_load_finish_joints,   yk_load_finish_cams,     yk_load_finish_forces,
-                                   yk_load_finish_springs,  yk_load_finish_stops,    yk_load_finish_friction,
-                                   yk_load_finish_gears,    yk_load_finish_racks,    yk_load_finish_belts,
-                                   yk_load_engage,          yk_load_check_connected, yk_load_check_links};
+static const Step second_pass[] = {
+    yk_load_check_uses,      yk_load_infer,         yk_load_eval_parameters, yk_load_check_overrides,
+    yk_load_eval_uses,       yk_load_keep_uses,     yk_load_check_gravity,   yk_load_finish_laws,
+    yk_load_finish_masses,   yk_load_finish_joints, yk_load_finish_cams,     yk_load_finish_forces,
+    yk_load_finish_springs,  yk_load_finish_stops,  yk_load_finish_friction, yk_load_finish_gears,
+    yk_load_finish_racks,    yk_load_finish_belts,  yk_load_share_planets,   yk_load_engage,
+    yk_load_check_connected, yk_load_check_links};
 
 // Runs one step after the other, until the caller of the long call stops it.
 static void run(YkLoader *loader, const Step *steps, size_t count)

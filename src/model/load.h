@@ -178,10 +178,11 @@ int32_t yk_load_law(YkLoader *loader, const YkNode *node); // a law by name; YK_
 int32_t yk_load_make_law(YkLoader *loader, const char *name, YkPlace place);
 void yk_load_cam_arcs(YkLoader *loader, YkCam *cam, const YkNode *node); // cam_arcs_read.c: reads them
 void yk_load_finish_cam_arcs(YkLoader *loader, const YkCam *cam);        // makes the law of the lift
-void yk_load_cams(YkLoader *loader);                       // after the laws
+void yk_load_cams(YkLoader *loader);                                     // after the laws
 // free_joints.c: joints that leave all three freedoms.
 size_t yk_load_count_free(YkLoader *loader);
-void yk_load_carriages(YkLoader *loader); // after the bodies of the file, whose room has to suffice
+size_t yk_load_count_planets(YkLoader *loader); // room for bodies, and joints, that yk_load_share_planets may add
+void yk_load_carriages(YkLoader *loader);       // after the bodies of the file, whose room has to suffice
 // Makes joint `index`, whose bodies are read, of itself and the joint `slide` with the carriage between them.
 void yk_load_free_joint(YkLoader *loader, int32_t index, int32_t carriage, int32_t slide, const YkNode *node);
 void yk_load_joint_points(YkLoader *loader, YkJoint *joint, const YkNode *node);
@@ -217,6 +218,7 @@ void yk_load_finish_springs(YkLoader *loader);  // model/loads/springs.c
 void yk_load_finish_stops(YkLoader *loader);    // model/loads/stops.c
 void yk_load_finish_friction(YkLoader *loader); // model/loads/friction.c
 void yk_load_finish_gears(YkLoader *loader);    // model/transmissions/gears.c: after the joints, like the next two
+void yk_load_share_planets(YkLoader *loader);   // model/transmissions/planets.c: after all loads and transmissions
 void yk_load_finish_racks(YkLoader *loader);    // model/transmissions/racks.c
 void yk_load_finish_belts(YkLoader *loader);    // model/transmissions/belts.c
 void yk_load_check_connected(YkLoader *loader); // connected.c
@@ -234,13 +236,13 @@ bool yk_load_yes_or_no(YkLoader *loader, const YkNode *map, const char *key, con
 int32_t yk_load_carrier(YkLoader *loader, const YkNode *map);
 // Finds the body that holds the axes of both wheels. Pins and welds that coincide on a body turn about one axis.
 // `carrier` is the file's, or YK_NONE to infer it. Returns it, or YK_NONE with the reason reported; *distance is that
-// of the two axes on it, m. Cost O(joints).
+// of the two axes on it, m, and `center` (may be NULL) where they lie on it. Cost O(joints).
 typedef struct YkWheelPair {
     const char *noun, *name; // "gears", the entry's name
     YkPlace place;
     int32_t body[2], carrier;
 } YkWheelPair;
-int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *distance);
+int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *distance, YkVec center[2]);
 
 // placeless_problems.c: passes on the problems of a value that has no place in the file; each message begins with the
 // value and, unless NULL, the name of what it sets.

@@ -39,7 +39,9 @@ typedef struct YkBody {
     YkVec center;                                           // of mass, in the body's axes, m
     YkExpr *mass_expr, *inertia_expr, *center_x, *center_y; // NULL if not given
     int32_t rod[2];                                         // points of `rod`, or YK_NONE
-    bool is_carriage; // massless, within a free joint; behind all others, and never shown
+    int32_t copies;    // a planet that shares its load: how many there are; its inertia is that of all. 0: none
+    int32_t copies_of; // the planet of which this body has the other copies' masses (transmissions/planets.c); 0: none
+    bool is_carriage;  // massless, within a free joint; behind all others, and never shown
 } YkBody;
 
 // Friction of a joint. In a pin: a moment coulomb * radius * |reaction| against the rotation, and viscous * rate; in a
@@ -71,6 +73,8 @@ typedef struct YkJoint {
     // pin-slot of the carriage and its second body in its own place. A free joint transmits nothing.
     bool is_free;
     int32_t partner; // the other half
+    // The pin of a planet that shares its load with equal ones: their number, otherwise 0; which body is the planet.
+    int32_t copies, copied_side;
 } YkJoint;
 
 // A coordinate that the file declares: by `angle:` or `distance:` at its joint, or by mentioning `JOINT.angle` or
@@ -185,8 +189,18 @@ typedef struct YkGear {
     double pressure_angle;  // rad; 20 deg if not given
     double planets;         // number of identical, equally spaced planets here; 0: not given
     double center_distance; // between the two centres on the carrier, m
+    YkVec center[2];        // the two centres, in the carrier's axes, m
+    int32_t copies;         // so many equal planets share the load of this pair (transmissions/planets.c); 0: one
+    int32_t planet;         // which of the two wheels is the planet; 2: both
     YkExpr *teeth_expr[2], *module_expr, *pressure_angle_expr, *planets_expr;
 } YkGear;
+
+// Returns whether one of the wheels is a planet that shares its load with equal ones, and the other turns about the
+// carrier's axis.
+static inline bool yk_gear_is_about_axis(const YkGear *gear)
+{
+    return gear->copies > 1 && gear->planet < 2;
+}
 
 // A pinion that rolls on a rack, which slides along a line of the carrier. Looking along that line, a pinion on its
 // left that turns counter-clockwise (relative to the carrier) moves the rack forwards; a pinion on its right,

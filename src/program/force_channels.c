@@ -13,10 +13,14 @@ static YkRefVec contact_force(YkBalanceSystem *w, size_t k)
 {
     YkGraph *g = &w->f->program->graph;
     const YkUnknown *c = &w->columns[k];
+    const YkRelation *r = &w->f->program->mech->relations[c->relation];
+    int32_t copies = r->kind == YK_RELATION_GEAR ? w->f->program->model->gears[r->index].copies : 0;
     YkRefVec force = yk_graph_vec_scale(g, yk_balance_value(w, k), c->force);
-    if (c->radial == 0) return force;
-    YkRef size = yk_graph_unary(g, YK_VALUE_SIZE, yk_balance_value(w, k));
-    return yk_graph_vec_add(g, force, yk_graph_vec_scale(g, size, w->radial[c->radial]));
+    if (c->radial != 0) {
+        YkRef size = yk_graph_unary(g, YK_VALUE_SIZE, yk_balance_value(w, k));
+        force = yk_graph_vec_add(g, force, yk_graph_vec_scale(g, size, w->radial[c->radial]));
+    }
+    return copies > 1 ? yk_graph_vec_scale(g, yk_graph_number(g, 1.0 / copies), force) : force;
 }
 
 // index: of a joint, or the number of joints plus that of a contact.

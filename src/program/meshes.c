@@ -53,6 +53,26 @@ static YkRefVec center_of(YkProgram *p, int32_t body)
     return yk_program_at(p, body, yk_graph_vec_number(&p->graph, 0, 0));
 }
 
+// Adds the force of teeth on the second wheel and its opposite on the first. Where planets share it, the carrier's axis
+// bears the opposite of what acts on the planet, and the wheel about the axis takes their couple.
+static void push_teeth(YkBalanceSystem *w, size_t column, const YkGear *gear, YkRefVec pitch, YkRefVec force)
+{
+    YkProgram *p = w->f->program;
+    YkGraph *g = &p->graph;
+    if (!yk_gear_is_about_axis(gear)) {
+        yk_meshes_force(w, column, gear->body, pitch, force);
+        return;
+    }
+    int32_t wheel = gear->body[!gear->planet];
+    double sign = gear->planet ? 1 : -1;
+    YkRefVec axis = center_of(p, wheel), none = yk_graph_vec_number(g, 0, 0);
+    YkRef couple = yk_graph_cross(g, yk_graph_vec_subtract(g, pitch, axis), force);
+    *(column < w->n ? &w->columns[column].force : &w->radial[column - w->n]) = force;
+    yk_balance_push(w, column, gear->body[gear->planet], sign, pitch, force);
+    yk_balance_push(w, column, gear->carrier, -sign, axis, force);
+    if (column < w->n) yk_balance_add(w, column, wheel, none, yk_graph_multiply(g, yk_graph_number(g, -sign), couple));
+}
+
 // At the pitch point: a force across the line of centres and, per newton of it, a force on the second wheel away from
 // the first centre, from the pressure angle.
 static void enter_gear(YkBalanceSystem *w, size_t column, const YkGear *gear)
@@ -70,11 +90,11 @@ static void enter_gear(YkBalanceSystem *w, size_t column, const YkGear *gear)
     YkRefVec pitch = yk_graph_vec_add(g, A, out);
     YkRef per = yk_graph_inverse(g, yk_graph_vec_length(g, line));
     YkRefVec unit = yk_graph_vec_scale(g, per, line);
-    yk_meshes_force(w, column, gear->body, pitch, yk_graph_vec_quarter(g, unit));
+    push_teeth(w, column, gear, pitch, yk_graph_vec_quarter(g, unit));
     if (w->columns[column].radial == 0) return;
     double slope = (a / (a + b) < 0 ? -1 : 1) * yk_tan(gear->pressure_angle);
     YkRefVec radial = yk_graph_vec_scale(g, yk_graph_number(g, slope), unit);
-    yk_meshes_force(w, w->n + w->columns[column].radial, gear->body, pitch, radial);
+    push_teeth(w, w->n + w->columns[column].radial, gear, pitch, radial);
 }
 
 static void enter_rack(YkBalanceSystem *w, size_t column, const YkRack *rack)

@@ -132,6 +132,25 @@ YkRef yk_balance_value(const YkBalanceSystem *w, size_t k)
     return value;
 }
 
+// Turns the force of a planet's pin in the equations, which count the teeth of all N equal planets and the mass of one,
+// into that of the one in the file.
+static void take_own(YkBalanceSystem *w, const YkJoint *pin, YkRef *out)
+{
+    YkProgram *p = w->f->program;
+    YkGraph *g = &p->graph;
+    int32_t planet = pin->body[pin->copied_side];
+    YkRefVec force = yk_graph_vec_scale(g, yk_graph_number(g, 1.0 / pin->copies), (YkRefVec){out[0], out[1]});
+    if (p->model->bodies[planet].has_mass) {
+        YkRefVec center = yk_forces_center(p, planet);
+        YkRefVec pull = yk_program_at_accel(p, planet, center, &w->velocities, &w->accelerations);
+        double others = (pin->copied_side == 1 ? 1 : -1) * (1 - 1.0 / pin->copies);
+        YkRef mass = yk_graph_multiply(g, yk_graph_number(g, others), yk_forces_mass(p, planet));
+        pull = yk_graph_vec_scale(g, mass, yk_graph_vec_subtract(g, pull, w->f->gravity));
+        force = yk_graph_vec_add(g, force, pull);
+    }
+    out[0] = force.x, out[1] = force.y;
+}
+
 // Couples are unknown over the unit, as the rows of moments are. Free joints transmit nothing: what their halves do is
 // that of efforts on the way past the carriage.
 bool yk_balance_read(YkBalanceSystem *w)
@@ -152,6 +171,8 @@ bool yk_balance_read(YkBalanceSystem *w)
             out[1] = yk_graph_add(g, out[1], yk_graph_multiply(g, value, c->force.y));
         }
     }
+    for (size_t j = 0; j < p->model->joint_count; j++)
+        if (p->model->joints[j].copies > 1) take_own(w, &p->model->joints[j], reaction + 3 * j);
     return true;
 }
 

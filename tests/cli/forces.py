@@ -44,6 +44,8 @@ def channels(configuration):
     for name, reaction in configuration.get("reactions", {}).items():
         values[name + ".force.x"], values[name + ".force.y"] = reaction["force"]
         values[name + ".moment"] = reaction["moment"]
+    for name, contact in configuration.get("contacts", {}).items():
+        values[name + ".force.x"], values[name + ".force.y"] = contact["force"]
     for name, effort in configuration.get("efforts", {}).items():
         values[name + ".effort"] = effort
     return values

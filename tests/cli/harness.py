@@ -40,7 +40,7 @@ def some(examples):
 
 
 # Machines added since samples of every third one were chosen: a new one must not move the others into or out of a sample.
-LATER = ("arc-cam", "formula-cam")
+LATER = ("arc-cam", "formula-cam", "planetary-gear")
 
 
 def third(examples, first):

@@ -62,6 +62,7 @@ static const Run runs[] = {
     {"draw @rocking-four-bar --animate told.svg --to 0.02s", false},
     {"check @arc-cam", false},
     {"check @formula-cam --format json", false},
+    {"solve @planetary-gear --format json", false},
     {"cam @cep-cam", false},
     {"cam @cep-cam --steps 8 --format json", false},
     {"cam @flat-faced-cam --steps 8 --format csv", false},

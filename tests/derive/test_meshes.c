@@ -142,7 +142,9 @@ static const char *const machines[] = {GEARED_FIVE_BAR,
                                        WHEEL_IN_LOOP,
                                        FOLLOW_DISTANCE,
                                        WHEEL_ON_WHEEL,
-                                       CAM_IN_LOOP};
+                                       CAM_IN_LOOP,
+                                       PLANETS_ON_PLATE,
+                                       PLANETS_IN_PAIRS};
 enum { MACHINES = sizeof machines / sizeof *machines };
 
 static void they_do_the_work_that_the_relation_asks_for(void **state)

@@ -82,4 +82,51 @@
     "  B: {pin: [ground, q], angle: y}\nbelts: {b: {between: [p, q], radii: [0.1, 0.25], crossed: true}}\n"            \
     "efforts: {x: 2}\nstart: {x: 0}\n"
 
+// Three planets share the load of a set whose axis moves; friction in their pins.
+#define PLANETS_ON_PLATE                                                                                               \
+    "gravity: [0, -9.81]\n"                                                                                            \
+    "parameters: {Zs: 20, Zp: 16, mod: 2 mm, N: 3, m: 0.3 kg, r: mod*(Zs + Zp)/2}\n"                                   \
+    "bodies:\n"                                                                                                        \
+    "  ground: {points: {A: [0, 0]}}\n"                                                                                \
+    "  plate: {points: {A: [0, 0], O: [0.3, 0.1]}, mass: 2, center: [0.1, 0], inertia: 0.05}\n"                        \
+    "  sun: {mass: 0.5, inertia: 0.0002}\n"                                                                            \
+    "  arm: {points: {O: [0, 0], P: [r, 0]}, mass: 0.2, inertia: 0.0003, center: [0.01, 0]}\n"                         \
+    "  planet: {mass: m, inertia: 0.0001}\n"                                                                           \
+    "  ring: {mass: 1, inertia: 0.004}\n"                                                                              \
+    "joints:\n"                                                                                                        \
+    "  A: {pin: [ground, plate], angle: a}\n"                                                                          \
+    "  S: {pin: [plate, sun], at: O, angle: s}\n"                                                                      \
+    "  C: {pin: [plate, arm], at: O, angle: c}\n"                                                                      \
+    "  R: {pin: [plate, ring], at: O, angle: q}\n"                                                                     \
+    "  P: {pin: [arm, planet], angle: p, friction: {viscous: 0.01}}\n"                                                 \
+    "gears:\n"                                                                                                         \
+    "  inner: {mesh: [sun, planet], teeth: [Zs, Zp], module: mod, planets: N, carrier: arm}\n"                         \
+    "  outer: {mesh: [planet, ring], teeth: [Zp, Zs + 2*Zp], module: mod, internal: true, carrier: arm}\n"             \
+    "efforts: {s: 0.3, q: -1}\n"                                                                                       \
+    "start: {a: 0.2, s: 0, c: 0.4, a.rate: 2, s.rate: 5, c.rate: 3}\n"
+
+// Two pairs of planets between sun and ring, their pins written either way.
+#define PLANETS_IN_PAIRS                                                                                               \
+    "gravity: [0, -9.81]\n"                                                                                            \
+    "parameters: {r: 52 mm, m: 0.25 kg}\n"                                                                             \
+    "bodies:\n"                                                                                                        \
+    "  ground: {points: {O: [0, 0]}}\n"                                                                                \
+    "  sun: {points: {O: [0, 0]}, mass: 0.5, inertia: 0.0002}\n"                                                       \
+    "  arm: {points: {O: [0, 0], P: [36 mm, 0], Q: [30 mm, 32 mm]}, mass: 0.2, inertia: 0.0003}\n"                     \
+    "  first: {mass: m, inertia: 0.0001}\n"                                                                            \
+    "  second: {mass: 0.3, inertia: 0.00012}\n"                                                                        \
+    "  ring: {points: {O: [0, 0]}}\n"                                                                                  \
+    "joints:\n"                                                                                                        \
+    "  S: {pin: [ground, sun], at: O, angle: s}\n"                                                                     \
+    "  C: {pin: [ground, arm], at: O, angle: c}\n"                                                                     \
+    "  P: {pin: [arm, first], angle: p}\n"                                                                             \
+    "  Q: {pin: [second, arm], at: Q, angle: q}\n"                                                                     \
+    "  R: {weld: [ground, ring], at: O}\n"                                                                             \
+    "gears:\n"                                                                                                         \
+    "  a: {mesh: [first, sun], teeth: [16, 20], planets: 2, carrier: arm}\n"                                           \
+    "  b: {mesh: [first, second], teeth: [16, 17], carrier: arm}\n"                                                    \
+    "  c: {mesh: [second, ring], teeth: [17, 60], internal: true, carrier: arm}\n"                                     \
+    "efforts: {s: 0.3}\n"                                                                                              \
+    "start: {s: 0, s.rate: 5}\n"
+
 #endif

@@ -98,6 +98,38 @@ static const YkPoisson *line_of_action(YkMeshMaking *m, const YkGear *gear)
     return yk_ring_multiply(ring, yk_ring_i(ring), lean);
 }
 
+// Adds the force of the teeth of all equal planets on the one in the file, its opposite on the carrier's axis, and their
+// couple on the wheel about that axis.
+static void push_planets(YkMeshMaking *m, const YkGear *gear, const YkMeshAxis axes[2], const YkPoisson *arm[2],
+                         const YkPoisson *force)
+{
+    YkRing *ring = m->ring;
+    int k = gear->planet;
+    int32_t wheel = gear->body[!k], bodies[2] = {gear->body[0], gear->body[1]};
+    const YkPoisson *lever = yk_ring_subtract(ring, arm[!k], yk_mesh_center(m, wheel));
+    const YkPoisson *couple = yk_ring_cross(ring, lever, force);
+    YkMeshHeld held[2] = {{NULL, 0}, {NULL, 0}};
+    const YkPoisson *at[2] = {arm[0], arm[1]};
+    at[!k] = yk_mesh_arm(m, gear->carrier, yk_derive_origin(m->d, wheel));
+    bodies[!k] = gear->carrier;
+    held[k] = axes[k].held;
+    yk_mesh_couple(m, wheel, yk_ring_scale(ring, yk_ring_coefficient(ring, couple, m->mesh->symbol, 1), k ? -1 : 1, 1));
+    yk_mesh_force(m, "N", bodies, held, at, force);
+}
+
+// Returns what the unknown is, for its legend.
+static const char *force_in_words(YkMeshMaking *m, const YkGear *gear)
+{
+    bool is_shared = gear->copies > 1;
+    return yk_derive_text(
+        m->d,
+        is_shared ? "the sum of the forces that the teeth of all equal planets exert, turned to pitch point "
+                  : "the force between these gears at their pitch point ",
+        m->point,
+        is_shared ? ", along the line of action; the forces of the planets' pins are such sums too"
+                  : ", along their line of action");
+}
+
 void yk_mesh_gear(YkMeshMaking *m, const YkRelation *of)
 {
     const YkGear *gear = &m->d->model->gears[of->index];
@@ -112,9 +144,7 @@ void yk_mesh_gear(YkMeshMaking *m, const YkRelation *of)
         return;
     }
     m->point = yk_derive_pitch_name(m->d, (size_t)of->index);
-    yk_mesh_unknown(m, "N", gear->body,
-                    yk_derive_text(m->d, "the force between these gears at their pitch point ", m->point,
-                                   ", along their line of action"));
+    yk_mesh_unknown(m, "N", gear->body, force_in_words(m, gear));
     YkMeshAxis axes[2];
     for (int k = 0; k < 2; k++) axes[k] = yk_mesh_axis(m, gear->body[k], gear->carrier);
     const YkPoisson *direction, *distance = length_of(m, line_of_centers(m, gear, axes), &direction);
@@ -132,7 +162,10 @@ void yk_mesh_gear(YkMeshMaking *m, const YkRelation *of)
         arm[k] = yk_ring_add(ring, yk_mesh_center(m, gear->body[k]), yk_ring_multiply(ring, radius, line));
     }
     const YkPoisson *force = yk_ring_product(ring, (const YkPoisson *[]){m->unknown, line, action}, 3);
-    yk_mesh_force(m, "N", gear->body, (YkMeshHeld[]){axes[0].held, axes[1].held}, arm, force);
+    if (yk_gear_is_about_axis(gear))
+        push_planets(m, gear, axes, arm, force);
+    else
+        yk_mesh_force(m, "N", gear->body, (YkMeshHeld[]){axes[0].held, axes[1].held}, arm, force);
     const YkPoisson *lever = yk_ring_scale(ring, yk_ring_multiply(ring, half, across), -sign, 1);
     m->mesh->effort = yk_ring_multiply(ring, lever, m->unknown);
 }

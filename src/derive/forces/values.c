@@ -74,13 +74,21 @@ static void add_part(const YkDeriveForces *f, size_t k, const YkReaction *r, dou
     }
 }
 
+// The equations of planets that share a load have the forces of all of them together.
+static YkReaction whole_reaction(const YkDynamics *dynamics, size_t joint)
+{
+    YkReaction r = yk_dynamics_reaction(dynamics, joint);
+    r.force[0] = dynamics->whole[joint].x, r.force[1] = dynamics->whole[joint].y;
+    return r;
+}
+
 static void fill_reaction(const YkDeriveForces *f, size_t k, YkDynamics *dynamics, double *values)
 {
     const YkModel *model = f->d->model;
     int32_t joint = f->reaction_joint[k], body = f->reaction_body[k];
     values[f->reactions[k]] = 0;
     if (body == YK_NONE) {
-        YkReaction r = yk_dynamics_reaction(dynamics, (size_t)joint);
+        YkReaction r = whole_reaction(dynamics, (size_t)joint);
         add_part(f, k, &r, 1, values);
         return;
     }
@@ -88,7 +96,7 @@ static void fill_reaction(const YkDeriveForces *f, size_t k, YkDynamics *dynamic
     for (; j != YK_NONE; j = f->next_at_junction[j]) // all pins of the junction on this body
         for (int side = 0; side < 2; side++) {
             if (model->joints[j].body[side] != body) continue;
-            YkReaction r = yk_dynamics_reaction(dynamics, (size_t)j);
+            YkReaction r = whole_reaction(dynamics, (size_t)j);
             add_part(f, k, &r, side ? 1 : -1, values);
         }
 }

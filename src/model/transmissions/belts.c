@@ -41,7 +41,7 @@ void yk_load_finish_belts(YkLoader *loader)
         YkBelt *belt = &model->belts[i];
         double distance = 0;
         const YkWheelPair pair = {"belt", belt->name, belt->place, {belt->body[0], belt->body[1]}, belt->carrier};
-        belt->carrier = yk_load_find_carrier(loader, &pair, &distance);
+        belt->carrier = yk_load_find_carrier(loader, &pair, &distance, NULL);
         for (int k = 0; k < 2; k++) {
             if (!belt->radius_expr[k]) continue;
             belt->exact_radius[k] = yk_model_exact(model, belt->radius_expr[k]);

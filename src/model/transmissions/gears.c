@@ -126,42 +126,6 @@ static void check_distance(YkLoader *loader, const YkGear *gear)
                     (int)gear->teeth[!gear->is_internal]);
 }
 
-// Returns the joint that pins a wheel to its carrier beside the carrier's own axis, as a planet is; NULL if there is
-// none.
-static const YkJoint *planet_pin(const YkModel *model, const YkGear *gear, int32_t body)
-{
-    const YkJoint *own = NULL;
-    YkVec at = {0, 0};
-    for (size_t j = 0; j < model->joint_count; j++) {
-        const YkJoint *joint = &model->joints[j];
-        int side = joint->body[0] == gear->carrier ? 0 : 1;
-        if (joint->kind != YK_PIN || joint->body[side] != gear->carrier || joint->body[!side] != body) continue;
-        own = joint;
-        at = joint->at[side];
-    }
-    for (size_t j = 0; own && j < model->joint_count; j++) {
-        const YkJoint *joint = &model->joints[j];
-        int side = joint->body[0] == gear->carrier ? 0 : 1;
-        bool is_axis = joint != own && joint->kind == YK_PIN && joint->body[side] == gear->carrier;
-        if (is_axis && yk_norm(yk_sub(joint->at[side], at)) == 0) return NULL;
-    }
-    return own;
-}
-
-// Warns where a set of planets has a mass: the equations of motion have one planet.
-static void check_planets(YkLoader *loader, const YkGear *gear)
-{
-    const YkModel *model = loader->model;
-    for (int k = 0; k < 2 && gear->planets >= 2 && gear->carrier > 0; k++) {
-        const YkBody *body = &model->bodies[gear->body[k]];
-        if (!body->has_mass || !planet_pin(model, gear, gear->body[k])) continue;
-        yk_problem(loader->problems, YK_CODE_PLANETS_ONCE, gear->planets_expr->place,
-                   "gears %q: masses and forces count %q once, not %d times", gear->name, body->name,
-                   (int)gear->planets);
-        yk_problem_hint(loader->problems, "give %q the mass and the inertia of all %d", body->name, (int)gear->planets);
-    }
-}
-
 void yk_load_finish_gears(YkLoader *loader)
 {
     YkModel *model = loader->model;
@@ -171,8 +135,7 @@ void yk_load_finish_gears(YkLoader *loader)
         bool has_teeth = finish_teeth(loader, gear);
         if (has_teeth) check_ring(loader, gear);
         check_sizes(loader, gear);
-        gear->carrier = yk_load_find_carrier(loader, &pair, &gear->center_distance);
+        gear->carrier = yk_load_find_carrier(loader, &pair, &gear->center_distance, gear->center);
         if (has_teeth && gear->carrier != YK_NONE) check_distance(loader, gear);
-        check_planets(loader, gear);
     }
 }

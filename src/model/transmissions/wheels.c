@@ -234,7 +234,7 @@ static int32_t check_given(YkLoader *loader, const YkWheelPair *pair, const Axis
     return pair->carrier;
 }
 
-int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *distance)
+int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *distance, YkVec center[2])
 {
     *distance = 0;
     if (loader->has_bad_joint || pair->body[0] == YK_NONE || pair->body[1] == YK_NONE) return YK_NONE;
@@ -242,6 +242,8 @@ int32_t yk_load_find_carrier(YkLoader *loader, const YkWheelPair *pair, double *
     const Axis axes[2] = {axis_of(loader, pair->body[0]), axis_of(loader, pair->body[1])};
     if (yk_arena_failed(loader->arena)) return YK_NONE;
     int32_t carrier = pair->carrier == YK_NONE ? infer(loader, pair, axes) : check_given(loader, pair, axes);
-    if (carrier != YK_NONE) *distance = yk_norm(yk_sub(axes[0].at[carrier], axes[1].at[carrier]));
+    if (carrier == YK_NONE) return YK_NONE;
+    *distance = yk_norm(yk_sub(axes[0].at[carrier], axes[1].at[carrier]));
+    for (int k = 0; center && k < 2; k++) center[k] = axes[k].at[carrier];
     return carrier;
 }
