@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "session.h"
+#include "solve/gap.h"
 #include "verbs/map/map.h"
 #include "write/table.h"
 
@@ -48,11 +49,8 @@ static double off_from(const Reach *r, const double *values)
     const YkMechanism *mech = r->answer->session->mech;
     double most = 0;
     for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
-        double off = r->row[c] - values[c];
         if (isnan(values[c]) || c == yk_map_coordinate(r->answer->map)) continue;
-        bool is_distance = yk_coordinate_info(mech, c).is_distance;
-        off = is_distance ? off / yk_mechanism_size(mech) : remainder(off, 6.28318530717958647692);
-        most = fmax(most, fabs(off));
+        most = fmax(most, yk_gap(mech, yk_coordinate_info(mech, c).is_distance, r->row[c] - values[c]));
     }
     return most;
 }
