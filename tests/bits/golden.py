@@ -36,6 +36,8 @@ ALONE = ["new", "new four-bar", "explain E0300", "gears examples/gearbox-8hp70.y
          "study examples/four-bar.yaml --vary b=110mm:130mm:3 --sensitivities --of theta4,coupler.P.y --format json",
          "sweep examples/quick-return.yaml --over theta1=0:180deg --of d5,d5.rate,d5.accel,A.force.x --format csv",
          "draw examples/quick-return.yaml --over theta1=0:180deg --poses 9 --trace ram.C",
+         "map examples/four-bar.yaml --over theta4", "map examples/jansen.yaml --format json", "map examples/stephenson-awkward.yaml --format json",
+         "map examples/parallelogram.yaml --format json", "map examples/non-grashof.yaml --over theta4 --reach theta4=100deg --format json",
          "simulate examples/double-pendulum.yaml --to 2s --every 0.5s --of theta1,theta2,energy --format json",
          "simulate examples/andrews.yaml --to 0.01s --steps 5 --method sdirk4 --format json",
          "derive examples/quick-return.yaml --check 'l1*cos(theta1) - d3*cos(theta2) = 0'"]

@@ -82,7 +82,7 @@ class Map(Case):
         column = answer["coordinates"].index("theta2")
         self.assertAlmostEqual(abs(answer["way"][1][column]), math.radians(116.103881137), 7)
         run = Run("map", example("four-bar"), "--reach", "theta2=100deg", "--reach",
-                  "theta4=%r rad" % self.other_rocker(math.radians(100)), "--format", "json")
+                  "theta4=%r rad" % self.other_rocker("100deg"), "--format", "json")
         self.assertEqual((run.code, run.json()["reachable"]), (1, False))
         self.assertIn("circuit 2", run.json()["reason"])
         far = Run("map", file, "--reach", "theta2=170deg")

@@ -2,9 +2,9 @@
 // random inputs is on the map, and no other.
 #include <yoke/configurations.h>
 #include <yoke/map.h>
-#include "solve/machine.h"
+#include "configurations/truss.h"
 
-enum { ALL_MAX = 64, COORDINATES_MAX = 24 };
+enum { ALL_MAX = 64, COORDINATES_MAX = 24, RANDOM_TRIES = 12 };
 
 static YkMap *map_of(Machine *m)
 {
@@ -135,35 +135,24 @@ static bool gather(void *context, YkState *state)
     return true;
 }
 
-// Returns the distance of a configuration from the nearest pose of the map at this input: rows on both sides of it are
-// joined by a line, which misses by the square of their distance.
-static double off_the_map(const Machine *m, const YkMap *map, const double *q, size_t *branches)
+// Returns the distance of a configuration from the nearest one of the map at this input; counts those.
+static double off_the_map(const Machine *m, YkMap *map, double at, const double *q, size_t *count)
 {
-    size_t over = yk_map_coordinate(map);
-    double nearest = INFINITY;
-    YkRange domain = yk_map_domain(map);
-    bool is_distance = yk_coordinate_info(m->mech, over).is_distance;
-    double turn = is_distance ? 1 : domain.to - domain.from;
-    *branches = 0;
-    for (size_t c = 0; c < yk_map_circuit_count(map); c++)
-        for (size_t b = 0; b < yk_map_circuit(map, c).branches; b++) {
-            YkMapBranch branch = yk_map_branch(map, c, b);
-            for (size_t r = 0; r + 1 < branch.rows; r++) {
-                const double *x = yk_map_row(map, c, b, r), *y = yk_map_row(map, c, b, r + 1);
-                double at = q[over];
-                if (!is_distance) at += turn * ceil((x[over] - at) / turn);
-                if (!(x[over] <= at && at < y[over])) continue;
-                double part = (at - x[over]) / (y[over] - x[over]), off = 0;
-                for (size_t k = 0; k < yk_coordinate_count(m->mech); k++) {
-                    double d = x[k] + part * (y[k] - x[k]) - q[k];
-                    if (k == over) continue;
-                    if (!yk_coordinate_info(m->mech, k).is_distance) d = yk_nearest_turn(d, 0);
-                    off = fmax(off, fabs(d));
-                }
-                nearest = fmin(nearest, off);
-                ++*branches;
-            }
+    YkMapPlace places[ALL_MAX];
+    double nearest = INFINITY, row[COORDINATES_MAX];
+    *count = yk_map_places(map, at, places, ALL_MAX);
+    assert_true(*count <= ALL_MAX);
+    for (size_t p = 0; p < *count && q; p++) {
+        double most = 0;
+        assert_true(yk_map_coordinates_at(map, places[p], row));
+        for (size_t k = 0; k < yk_coordinate_count(m->mech); k++) {
+            double off = row[k] - q[k];
+            if (k == yk_map_coordinate(map)) continue;
+            if (!yk_coordinate_info(m->mech, k).is_distance) off = yk_nearest_turn(off, 0);
+            most = fmax(most, fabs(off));
         }
+        nearest = fmin(nearest, most);
+    }
     return nearest;
 }
 
@@ -179,7 +168,7 @@ static double nearest_event(const YkMap *map, double at)
 }
 
 // Compares a map with all configurations at random inputs.
-static void compare(Machine *m, const YkMap *map, const char *name, int tries, double close)
+static void compare(Machine *m, YkMap *map, const char *name, int tries)
 {
     YkConfigurations *all = yk_configurations_new(m->mech);
     YkRange domain = yk_map_domain(map);
@@ -188,23 +177,21 @@ static void compare(Machine *m, const YkMap *map, const char *name, int tries, d
     for (int k = 0; k < tries; k++) {
         All at = {.count = 0};
         YkConfigurationsReport report;
-        double u = check_uniform(&seed, domain.from, domain.to);
-        if (nearest_event(map, u) < 1e-3) continue;
+        YkRange over = k % 2 == 0 ? domain : yk_map_range(map, 0, 0);
+        double u = check_uniform(&seed, over.from, over.to);
+        if (nearest_event(map, u) < 1e-3 * (over.to - over.from)) continue;
         yk_state_set_input(m->state, 0, (YkMotion){u, 0, 0});
         yk_configurations_each(all, m->state, NULL, gather, &at, &report);
         assert_true(report.complete);
-        size_t branches = 0;
+        size_t count = 0;
+        off_the_map(m, map, u, NULL, &count);
+        if (count != at.count) print_error("%s at %.17g: %zu of %zu\n", name, u, count, at.count);
+        assert_int_equal(count, at.count);
         for (size_t c = 0; c < at.count; c++) {
-            double off = off_the_map(m, map, at.q[c], &branches);
-            if (!(off < close)) print_error("%s at %.17g: off by %g\n", name, u, off);
-            assert_true(off < close);
+            double off = off_the_map(m, map, u, at.q[c], &count);
+            if (!(off < 1e-9)) print_error("%s at %.17g: off by %g\n", name, u, off);
+            assert_true(off < 1e-9);
         }
-        if (at.count > 0 && branches != at.count) print_error("%s at %.17g: %zu of %zu\n", name, u, branches, at.count);
-        if (at.count > 0) assert_int_equal(branches, at.count);
-        double none[COORDINATES_MAX] = {0};
-        none[yk_map_coordinate(map)] = u;
-        if (at.count == 0) off_the_map(m, map, none, &branches);
-        if (at.count == 0) assert_int_equal(branches, 0);
         found += at.count;
     }
     assert_true(found > (size_t)tries / 4);
@@ -236,7 +223,7 @@ static void test_every_configuration_is_on_the_map(void **unused)
         assert_true(yk_map_is_complete(map));
         assert_int_equal(yk_map_circuit_count(map), machines[k].circuits);
         assert_true(yk_map_circuit(map, 0).contains_start);
-        compare(&m, map, machines[k].file, 60, 3e-3);
+        compare(&m, map, machines[k].file, 60);
         yk_map_free(map);
         machine_free(&m);
     }
@@ -248,7 +235,7 @@ static void test_the_double_butterfly_is_mapped(void **unused)
     Machine m = open_over("double-butterfly", NULL);
     YkMap *map = map_of(&m);
     assert_true(yk_map_is_complete(map));
-    compare(&m, map, "double-butterfly", 40, 3e-3);
+    compare(&m, map, "double-butterfly", 40);
     yk_map_free(map);
     machine_free(&m);
 }
@@ -278,6 +265,35 @@ static void test_the_count_changes_at_limits_alone(void **unused)
     yk_configurations_free(all);
     yk_map_free(map);
     machine_free(&m);
+}
+
+// Random machines of two and three loops, the last of them with a triad; dimensions from one configuration, in which all
+// angles are 0.
+static void check_machine(const char *links, uint64_t seed, size_t *found, size_t *incomplete)
+{
+    Truss truss = {.links = links};
+    truss_scatter(&truss, seed);
+    Machine m = truss_machine(&truss);
+    assert_true(yk_state_set_time(m.state, 0, m.problems) >= 0 && yk_state_assemble(m.state) >= 0);
+    YkMap *map = map_of(&m);
+    // A few have two events so near each other that they are not proved apart, and say so.
+    *incomplete += !yk_map_is_complete(map);
+    assert_true(yk_map_circuit(map, 0).contains_start);
+    compare(&m, map, links, 12);
+    for (size_t c = 0; c < yk_map_circuit_count(map); c++) *found += yk_map_circuit(map, c).events;
+    yk_map_free(map);
+    machine_free(&m);
+}
+
+static void test_random_machines_agree_with_solve_all(void **unused)
+{
+    (void)unused;
+    static const char *const links[] = {"abc ad be def fg cg", "ab ac cde bdf eg fg", "hbc ha ad be cf def",
+                                        "abk ac cd bdef eg fgh hi ki"};
+    size_t events = 0, incomplete = 0;
+    for (size_t k = 0; k < sizeof links / sizeof *links; k++)
+        for (uint64_t seed = 1; seed <= RANDOM_TRIES; seed++) check_machine(links[k], seed, &events, &incomplete);
+    assert_true(events > 20 && incomplete <= 1);
 }
 
 // --- change points, gears, sliders
@@ -331,7 +347,7 @@ static void test_a_geared_five_bar_repeats_after_whole_turns_of_both(void **unus
         YkRange domain = yk_map_domain(map);
         assert_true(yk_map_is_complete(map));
         CHECK_NEAR((domain.to - domain.from) / (2 * YK_PI), teeth[k][2], 1e-12);
-        compare(&m, map, "geared five-bar", 40, 3e-3);
+        compare(&m, map, "geared five-bar", 40);
         yk_map_free(map);
         machine_free(&m);
     }
@@ -356,7 +372,7 @@ static void test_a_slider_turns_back_at_its_dead_centres(void **unused)
         CHECK_NEAR(fabs(range.to), c == 0 ? 4 : 2, 1e-10);
         assert_true(yk_map_turn(map, c, 0).is_full);
     }
-    compare(&m, map, "slider-crank over s", 100, 3e-3);
+    compare(&m, map, "slider-crank over s", 100);
     yk_map_free(map);
     machine_free(&m);
 }
@@ -498,6 +514,7 @@ int main(void)
         cmocka_unit_test(test_every_configuration_is_on_the_map),
         cmocka_unit_test(test_the_double_butterfly_is_mapped),
         cmocka_unit_test(test_the_count_changes_at_limits_alone),
+        cmocka_unit_test(test_random_machines_agree_with_solve_all),
         cmocka_unit_test(test_branches_cross_at_change_points),
         cmocka_unit_test(test_a_geared_five_bar_repeats_after_whole_turns_of_both),
         cmocka_unit_test(test_a_slider_turns_back_at_its_dead_centres),
