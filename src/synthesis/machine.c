@@ -20,8 +20,20 @@ typedef struct Search {
     uint64_t seed;
 } Search;
 
-// Writes the machine's file with these values, in the units that it gives them. Returns false when out of memory.
-static bool write_model(const YkMachineTask *machine, const double *value, YkText *text)
+// Reads a model. Returns YK_OK, YK_BAD_MODEL or YK_NO_MEMORY.
+static YkStatus parse(const char *text, size_t length, const YkLoadOptions *options, YkModel **model)
+{
+    YkProblems *problems = yk_problems_new();
+    YkStatus status = YK_BAD_MODEL;
+    *model = problems ? yk_model_parse(text, length, "machine", options, problems) : NULL;
+    for (size_t k = 0; problems && k < yk_problems_count(problems); k++)
+        if (yk_problems_get(problems, k)->code == YK_CODE_OUT_OF_MEMORY) status = YK_NO_MEMORY;
+    yk_problems_free(problems);
+    return *model ? YK_OK : problems ? status : YK_NO_MEMORY;
+}
+
+// Writes the machine's file with these values, in the units that it gives them.
+static YkStatus write_model(const YkMachineTask *machine, const double *value, YkText *text)
 {
     YkOverride parameters[YK_FREE_MAX];
     char digits[YK_FREE_MAX][YK_NUMBER_SIZE];
@@ -33,13 +45,13 @@ static bool write_model(const YkMachineTask *machine, const double *value, YkTex
     YkLoadOptions options = yk_default_load_options();
     options.parameters = parameters;
     options.parameter_count = machine->free_count;
-    const YkModel *own = machine->model;
-    YkModel *model = yk_model_parse(own->source, own->source_length, "machine", &options, NULL);
+    YkModel *model;
+    YkStatus status = parse(machine->model->source, machine->model->source_length, &options, &model);
     yk_text_clear(text);
     yk_text_puts(text, "# Found by `yoke synthesize` for a task of the kind machine.\n");
     if (model) yk_text_puts(text, yk_model_text(model));
     yk_model_free(model);
-    return model != NULL && !text->failed;
+    return text->failed ? YK_NO_MEMORY : status;
 }
 
 // A machine read back from its file.
@@ -57,12 +69,13 @@ static YkStatus stand(const YkMachineTask *machine, const char *text, Standing *
     YkCompileOptions options = yk_default_compile_options();
     options.inputs = &coordinate;
     options.input_count = 1;
-    t->model = yk_model_parse(text, strlen(text), "candidate", NULL, NULL);
-    t->mech = t->model ? yk_mechanism_compile(t->model, &options, NULL) : NULL;
+    YkStatus status = parse(text, strlen(text), NULL, &t->model);
+    if (status < 0) return status;
+    t->mech = yk_mechanism_compile(t->model, &options, NULL);
     t->state = t->mech ? yk_state_new(t->mech) : NULL;
     t->dynamics = t->mech ? yk_dynamics_new(t->mech, NULL) : NULL;
     if (!t->state || !t->dynamics) return YK_NO_MEMORY;
-    YkStatus status = yk_state_set_time(t->state, 0, NULL);
+    status = yk_state_set_time(t->state, 0, NULL);
     return status < 0 ? status : yk_state_assemble(t->state);
 }
 
@@ -109,8 +122,8 @@ static YkDefect judge(Search *search, YkMachineTry *try, YkText *text, YkVerdict
     Standing t = {0};
     YkMachineTry again = *try;
     YkDefect defect = YK_DEFECT_NONE;
-    bool good = write_model(machine, try->value, text);
-    YkStatus status = good ? stand(machine, yk_text_get(text), &t) : YK_NO_MEMORY;
+    YkStatus status = write_model(machine, try->value, text);
+    if (status >= 0) status = stand(machine, yk_text_get(text), &t);
     if (status < 0) defect = YK_DEFECT_ASSEMBLY;
     if (status >= 0 && (status = sweep(machine, &t)) < 0) defect = YK_DEFECT_BRANCH;
     if (defect == YK_DEFECT_NONE) {

@@ -67,12 +67,25 @@ static double *take_goal(const YkMachineFit *fit, const YkGoal *goal, double *co
     return miss;
 }
 
+// Returns whether every value is a number: an effort may not be one where friction holds the machine.
+static bool is_known(const YkMachineFit *fit, double *const *value)
+{
+    for (size_t c = 0; c < fit->task->machine.channel_count; c++)
+        for (size_t r = 0; r < fit->rows; r++)
+            if (!isfinite(value[c][r])) return false;
+    return true;
+}
+
 void yk_machine_judge(const YkMachineFit *fit, double *const *value, double *miss, YkMachineTry *try)
 {
     static const double strict = 1e-6; // claims are met with a little to spare
     const YkMachineTask *machine = &fit->task->machine;
     double *end = miss, scale = 0;
     try->error = try->worst = try->lack = 0;
+    if (!is_known(fit, value)) {
+        try->error = try->cost = INFINITY;
+        return;
+    }
     for (size_t k = 0; k < machine->goal_count; k++) end = take_goal(fit, &machine->goal[k], value, end, &try->worst);
     for (double *m = miss; m < end; m++) try->error += *m * *m;
     try->cost = try->error;

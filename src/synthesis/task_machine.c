@@ -120,8 +120,13 @@ static void read_through(YkTaskReader *reader, const YkNode *map, YkGoal *goal)
         if (goal->channel[i] == YK_NOT_FOUND) return;
     }
     if (!list || !yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "value", .part = "through"})) return;
-    goal->point = YK_NEW(loader->arena, YkVec, list->count + 1);
-    for (size_t k = 0; goal->point && k < list->count && k < YK_PATH_POINTS_MAX; k++) {
+    if (list->count < 1 || list->count > YK_PATH_POINTS_MAX) {
+        yk_problem(loader->problems, YK_CODE_TASK_POSITIONS, list->place, "`through` has 1 to %d points; here are %z",
+                   (int)YK_PATH_POINTS_MAX, list->count);
+        return;
+    }
+    goal->point = YK_NEW(loader->arena, YkVec, list->count);
+    for (size_t k = 0; goal->point && k < list->count; k++) {
         goal->point[k] = yk_vec(NAN, NAN);
         yk_load_pair(loader, list->items[k], &want, expr, &goal->point[k]);
         goal->count = k + 1;
