@@ -75,6 +75,8 @@ static YkStatus stand(const YkMachineTask *machine, const char *text, Standing *
     t->state = t->mech ? yk_state_new(t->mech) : NULL;
     t->dynamics = t->mech ? yk_dynamics_new(t->mech, NULL) : NULL;
     if (!t->state || !t->dynamics) return YK_NO_MEMORY;
+    for (size_t i = 0; i < yk_input_count(t->mech); i++)
+        yk_dynamics_prescribe(t->dynamics, i, true); // as the batch does
     status = yk_state_set_time(t->state, 0, NULL);
     return status < 0 ? status : yk_state_assemble(t->state);
 }

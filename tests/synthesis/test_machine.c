@@ -95,7 +95,7 @@ static void claims_hold_on_the_files(void **state)
     answer_free(&a);
 }
 
-static void points_are_passed_and_efforts_kept_small(void **state)
+static void points_are_passed_and_rates_kept_small(void **state)
 {
     (void)state;
     Answer a = solve("free: {l1: [1.5, 3.5], l3: [2, 5]}\nover: {input: theta, range: [0 deg, 360 deg], steps: 72}\n"
@@ -112,6 +112,29 @@ static void points_are_passed_and_efforts_kept_small(void **state)
               NULL);
     assert_true(yk_synthesis_count(a.synthesis) == 1);
     answer_free(&a);
+}
+
+static void the_largest_effort_becomes_small(void **state)
+{
+    (void)state;
+    // Lifting a weight on a crank takes its weight times the crank's length at most: the shortest crank is the best.
+    static const char lift[] = "gravity: [0, -10]\nparameters: {a: 2}\nbodies:\n  ground: {points: {O: [0, 0]}}\n"
+                               "  crank: {points: {O: [0, 0], A: [a, 0]}, mass: 3, center: [a, 0], inertia: 1}\n"
+                               "joints: {O: {pin: [ground, crank], angle: theta}}\ndrives: {theta: 1 rad/s * t}\n";
+    static const char task[] = "synthesis: machine\nmachine: lift.yaml\nfree: {a: [0.5, 4]}\n"
+                               "over: {input: theta, range: [0 deg, 180 deg], steps: 12}\n"
+                               "goals: [{least: max(abs(theta.effort))}]\nbest: 1\n";
+    double a = 0;
+    FILE *file = fopen("lift.yaml", "w");
+    assert_non_null(file);
+    assert_true(fputs(lift, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+    Answer answer = answer_to(task);
+    assert_string_equal(yk_synthesis_parameter(answer.synthesis, 0, 0, &a), "a");
+    CHECK_NEAR(a, 0.5, 1e-9);
+    CHECK_NEAR(sqrt(yk_synthesis_candidate(answer.synthesis, 0).error), 15, 1e-9);
+    answer_free(&answer);
+    remove("lift.yaml");
 }
 
 static void a_seed_determines_the_machines(void **state)
@@ -179,7 +202,8 @@ int main(void)
         cmocka_unit_test(a_straight_line_becomes_straighter_than_hoekens),
         cmocka_unit_test(dimensions_are_found_again_from_their_motion),
         cmocka_unit_test(claims_hold_on_the_files),
-        cmocka_unit_test(points_are_passed_and_efforts_kept_small),
+        cmocka_unit_test(points_are_passed_and_rates_kept_small),
+        cmocka_unit_test(the_largest_effort_becomes_small),
         cmocka_unit_test(a_seed_determines_the_machines),
         cmocka_unit_test(wrong_tasks_are_refused_with_their_place),
     };
