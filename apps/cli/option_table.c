@@ -109,7 +109,7 @@ const YkOption yk_options[] = {
      "what the flywheel allows: (largest - least speed) / mean (default 0.05)"},
     {"defects", 0, YK_OPTION_SWITCH, FIELD(defects), NULL, " synthesize ",
      "also show the machines that were left out, each with its reason"},
-    {"task", 0, YK_OPTION_WORD, FIELD(task), "KIND", " new ", "a task file to begin with: path, motion, function or stroke"},
+    {"task", 0, YK_OPTION_WORD, FIELD(task), "KIND", " new ", "a task file to begin with: path, motion, function, stroke or machine"},
     {"prefix", 0, YK_OPTION_WORD, FIELD(prefix), "NAME", " code ",
      "what all names in the file begin with (default: made of the machine's name)"},
     {"kinematics", 0, YK_OPTION_SWITCH, FIELD(kinematics), NULL, " code ", "the motion alone, no forces"},

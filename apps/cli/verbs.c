@@ -84,9 +84,9 @@ const YkVerb yk_verbs[] = {
      "yoke code examples/quick-return.yaml -o quick_return.c", yk_run_code},
     {"synthesize", "from a task to machines that do it", "TASK [options]",
      "Finds machines for a task: a point through points, a body through two to five positions, an angle that follows\n"
-     "another, a swing or a stroke with its time ratio. Every machine is written as a model file and driven through the task by the\n"
-     "ordinary engine: without changing branch or circuit, in order. What fails is counted by its reason. -o DIR\n"
-     "writes the files, one picture of all, and task.json.",
+     "another, a swing or a stroke with its time ratio, or parameters of a machine that meet goals. Every machine is\n"
+     "written as a model file and driven through the task by the ordinary engine: without changing branch or circuit,\n"
+     "in order. What fails is counted by its reason. -o DIR writes the files, one picture of all, and task.json.",
      "yoke synthesize examples/tasks/five-positions.yaml -o machines", yk_run_synthesize},
     {"studio", "draw the machine, move it and read it, in the browser", "[FILE] [options]",
      "Opens Studio, a page on which a machine is drawn, moved and read, for this file: it saves into the file and\n"

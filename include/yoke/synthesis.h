@@ -26,6 +26,10 @@ YK_API const char *yk_task_kind(const YkTask *task); // "path", "motion", "funct
 // Returns the unit in which the file gives lengths or angles: its name ("mm"), and its size in SI.
 YK_API const char *yk_task_unit(const YkTask *task, YkQuantity quantity, double *size);
 
+// Returns the unit in which the machine of a task gives a free parameter: its name ("mm"), and its size in SI; NULL where
+// the task has no machine, past the last parameter, and for plain numbers (of size 1).
+YK_API const char *yk_task_parameter_unit(const YkTask *task, size_t index, double *size);
+
 typedef struct YkSynthesisOptions {
     uint64_t seed; // of samples, where a task leaves a choice; default 1
     size_t best;   // how many candidates are kept; 0: as the task says, or 10
@@ -73,6 +77,7 @@ typedef enum YkDefect {
     YK_DEFECT_TRANSMISSION, // its angle falls below the one required
     YK_DEFECT_BOUNDS,       // a length, pivot or coupler point lies outside its bounds
     YK_DEFECT_SIZE,         // the longest link over the shortest is more than allowed
+    YK_DEFECT_REQUIRE,      // a claim of `require` does not hold
     YK_DEFECT_COUNT
 } YkDefect;
 YK_API const char *yk_defect_name(YkDefect defect); // "branch"
@@ -81,7 +86,7 @@ YK_API const char *yk_defect_name(YkDefect defect); // "branch"
 typedef struct YkCandidate {
     const char *file;       // "01-four-bar.yaml"; NULL for one that was left out
     const char *model;      // the model file
-    const char *mechanism;  // "four-bar", "slider-crank"
+    const char *mechanism;  // "four-bar", "slider-crank", "machine" (which has parameters and no other dimensions)
     const char *type;       // "crank-rocker", ...: as driven
     double error;           // sum of squares: of distances (path, m^2), angles (rad^2), or both by weight (motion)
     double worst;           // largest single deviation: m, or rad of a function

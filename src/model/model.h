@@ -342,6 +342,8 @@ static inline const YkJoint *yk_joint_end(const YkModel *model, size_t joint, in
     const YkJoint *j = &model->joints[joint];
     return !j->is_free || (side == 1) == (j->kind == YK_PIN_SLOT) ? j : &model->joints[j->partner];
 }
+// Returns the dimension of a quantity.
+YkDimension yk_quantity_dimension(YkQuantity quantity);
 
 // How a text is read, besides as yk_model_parse reads it.
 typedef struct YkReading {

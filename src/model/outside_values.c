@@ -4,7 +4,7 @@
 #include <yoke/variant.h>
 #include "model/load.h"
 
-static YkDimension quantity_dimension(YkQuantity quantity)
+YkDimension yk_quantity_dimension(YkQuantity quantity)
 {
     switch (quantity) {
     case YK_QUANTITY_ANGLE:
@@ -106,7 +106,7 @@ YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantity quant
                         YkProblems *problems)
 {
     YkProblems *found = yk_problems_new();
-    bool done = found && read_apart(model, text, quantity_dimension(quantity), value, found);
+    bool done = found && read_apart(model, text, yk_quantity_dimension(quantity), value, found);
     if (found) {
         yk_load_pass_on(problems, found, text, NULL);
     } else {
@@ -142,6 +142,6 @@ double yk_model_parameter_unit(const YkModel *model, const char *name)
 const char *yk_model_unit(const YkModel *model, YkQuantity quantity, double *size)
 {
     if ((unsigned)quantity >= YK_QUANTITY_COUNT) return NULL;
-    if (size) *size = yk_units_size(&model->units, quantity_dimension(quantity));
+    if (size) *size = yk_units_size(&model->units, yk_quantity_dimension(quantity));
     return model->unit_names[quantity];
 }

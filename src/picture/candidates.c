@@ -43,6 +43,19 @@ static void place(const YkDesign *d, YkVec at[3])
     at[2] = d->has_point ? yk_add(at[0], yk_mul(along, d->point)) : at[1];
 }
 
+// A machine that is there is shown by the curve of its point alone.
+static Cell fit_curve(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec corner)
+{
+    const YkMachineTask *machine = &s->task->machine;
+    Box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (size_t r = 0; r < found->rows; r++) include(&box, yk_vec(found->curve[2 * r], found->curve[2 * r + 1]));
+    for (size_t k = 0; k < machine->goal_count; k++)
+        for (size_t i = 0; i < machine->goal[k].count; i++) include(&box, machine->goal[k].point[i]);
+    double size = fmax(fmax(box.high.x - box.low.x, box.high.y - box.low.y), 1e-12);
+    YkVec middle = yk_scale(0.5, yk_add(box.low, box.high)), origin = yk_vec(CELL / 2.0, CELL / 2.0);
+    return (Cell){svg, middle, yk_add(corner, origin), (CELL - 2 * MARGIN) / size};
+}
+
 static Cell fit(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec corner)
 {
     YkVec at[3];
@@ -74,10 +87,9 @@ static void draw_positions(const Cell *cell, const YkMotionTask *motion)
     }
 }
 
-static void draw_points(const Cell *cell, const YkPathTask *path)
+static void draw_points(const Cell *cell, const YkVec *point, size_t count)
 {
-    for (size_t k = 0; k < path->count; k++)
-        yk_svg_circle(cell->svg, pixel(cell, path->point[k]), 2.5, "fill=\"#c0392b\"");
+    for (size_t k = 0; k < count; k++) yk_svg_circle(cell->svg, pixel(cell, point[k]), 2.5, "fill=\"#c0392b\"");
 }
 
 static void draw_curve(const Cell *cell, const YkFound *found)
@@ -149,17 +161,43 @@ static void add_caption(const YkSynthesis *s, const YkFound *found, size_t rank,
     yk_text_free(&text);
 }
 
+static void draw_machine_cell(const YkSynthesis *s, size_t index, YkVec corner, YkText *svg)
+{
+    const YkFound *found = &s->candidates.items[index];
+    const YkMachineTask *machine = &s->task->machine;
+    YkText caption = {0};
+    char digits[YK_NUMBER_SIZE];
+    yk_text_format(svg, "<g class=\"candidate\">\n");
+    if (found->rows > 0) {
+        Cell cell = fit_curve(svg, s, found, corner);
+        draw_curve(&cell, found);
+        for (size_t k = 0; k < machine->goal_count; k++)
+            draw_points(&cell, machine->goal[k].point, machine->goal[k].count);
+    }
+    digits[yk_number_write_digits(found->error, 4, digits)] = '\0';
+    yk_text_format(&caption, "%z  error %s", index + 1, digits);
+    yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 8), yk_text_get(&caption),
+                "font-size=\"13\" fill=\"#212f3c\"");
+    if (caption.failed) yk_text_fail(svg);
+    yk_text_free(&caption);
+    yk_text_puts(svg, "</g>\n");
+}
+
 static void draw_cell(const YkSynthesis *s, size_t index, YkText *svg)
 {
     const YkFound *found = &s->candidates.items[index];
     YkVec corner = yk_vec((double)(index % COLUMNS) * CELL, (double)(index / COLUMNS) * (CELL + CAPTION));
+    if (s->task->kind == YK_TASK_MACHINE) {
+        draw_machine_cell(s, index, corner, svg);
+        return;
+    }
     Cell cell = fit(svg, s, found, corner);
     bool has_error = s->task->kind == YK_TASK_FUNCTION && s->task->function.of && found->rows > 0;
     yk_text_format(svg, "<g class=\"candidate\">\n");
     if (found->design.has_point && found->rows > 0) draw_curve(&cell, found);
     draw_links(&cell, &found->design);
     draw_positions(&cell, &s->task->motion);
-    draw_points(&cell, &s->task->path);
+    draw_points(&cell, s->task->path.point, s->task->path.count);
     if (has_error) draw_error(svg, found, corner);
     add_caption(s, found, index + 1, corner, svg);
     yk_text_puts(svg, "</g>\n");

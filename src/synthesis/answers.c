@@ -36,6 +36,13 @@ YkCandidate yk_found_candidate(const YkFound *found)
     const YkDesign *design = &found->design;
     YkCandidate c = {.file = found->file, .model = found->model, .defect = found->defect};
     bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
+    if (found->value) {
+        c.mechanism = c.type = "machine";
+        c.error = found->error;
+        c.worst = found->worst;
+        c.dyads[0] = c.dyads[1] = -1;
+        return c;
+    }
     c.mechanism = is_four_bar ? "four-bar" : "slider-crank";
     c.type = yk_design_type(design);
     c.error = found->error;
@@ -87,6 +94,12 @@ YkCandidate yk_synthesis_defect(const YkSynthesis *s, size_t index)
 const char *yk_synthesis_parameter(const YkSynthesis *s, size_t candidate, size_t index, double *value)
 {
     if (candidate >= yk_synthesis_count(s)) return NULL;
+    const YkMachineTask *machine = &s->task->machine;
+    if (s->task->kind == YK_TASK_MACHINE) {
+        if (index >= machine->free_count) return NULL;
+        if (value) *value = s->candidates.items[candidate].value[index];
+        return machine->name[index];
+    }
     const YkDesign *d = &s->candidates.items[candidate].design;
     const struct {
         const char *name;

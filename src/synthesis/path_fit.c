@@ -1,8 +1,8 @@
-// Levenberg and Marquardt's steps for a path, within bounds, with the input's free angles eliminated.
+// Levenberg and Marquardt's way for a path, with the input's free angles eliminated.
 #include "synthesis/path_fit.h"
 #include <math.h>
 #include <string.h>
-#include "num/dense.h"
+#include "synthesis/least_squares.h"
 
 enum { N = YK_PATH_UNKNOWNS, SHIFT = YK_BAR_SIZE };
 
@@ -91,72 +91,6 @@ static size_t linearise(const YkPathProblem *problem, YkPathWork *work, const Yk
     return rows;
 }
 
-typedef struct Step {
-    double x[N];      // of the unknowns
-    bool is_held[N];  // at a bound or given
-    double column[N]; // lengths of the columns
-} Step;
-
-// Holds what is given, and what stands at a bound that the cost pushes against.
-static void hold(const YkPathProblem *problem, const YkPathWork *work, const YkPathTry *try, size_t rows, Step *step)
-{
-    for (size_t j = 0; j < N; j++) {
-        double slope = 0, sum = 0;
-        for (size_t r = 0; r < rows; r++) {
-            slope += work->row[r * N + j] * work->miss[r];
-            sum += squared(work->row[r * N + j]);
-        }
-        double at = j < YK_BAR_SIZE ? try->bar.v[j] : 0;
-        step->column[j] = sqrt(sum);
-        step->x[j] = 0;
-        step->is_held[j] = !(problem->low[j] < problem->high[j]) || sum == 0 || (at <= problem->low[j] && slope > 0) ||
-                           (at >= problem->high[j] && slope < 0);
-    }
-}
-
-// Solves for the unknowns that are not held; the others keep their steps.
-static void solve(YkPathWork *work, size_t rows, double damping, Step *step)
-{
-    size_t free[N], count = 0, order[N];
-    double tau[N], x[N];
-    for (size_t j = 0; j < N; j++)
-        if (!step->is_held[j]) free[count++] = j;
-    if (count == 0) return;
-    for (size_t r = 0; r < rows; r++) {
-        const double *row = &work->row[r * N];
-        work->b[r] = -work->miss[r];
-        for (size_t j = 0; j < N; j++)
-            if (step->is_held[j]) work->b[r] -= row[j] * step->x[j];
-        for (size_t j = 0; j < count; j++) work->A[r * count + j] = row[free[j]] / step->column[free[j]];
-    }
-    for (size_t k = 0; k < count; k++) {
-        for (size_t j = 0; j < count; j++) work->A[(rows + k) * count + j] = j == k ? sqrt(damping) : 0;
-        work->b[rows + k] = 0;
-    }
-    size_t rank = yk_qr_factor(rows + count, count, work->A, order, tau, 1e-15);
-    yk_qr_solve(rows + count, count, work->A, order, tau, rank, work->b, x);
-    for (size_t j = 0; j < count; j++) step->x[free[j]] = x[j] / step->column[free[j]];
-}
-
-// Finds a step that stays within the bounds: what would leave goes to its bound and is held there.
-static void find_step(const YkPathProblem *problem, YkPathWork *work, const YkPathTry *try, size_t rows, double damping,
-                      Step *step)
-{
-    for (size_t round = 0; round <= N; round++) {
-        bool is_inside = true;
-        solve(work, rows, damping, step);
-        for (size_t j = 0; j < YK_BAR_SIZE; j++) {
-            double to = try->bar.v[j] + step->x[j];
-            double kept = fmin(fmax(to, problem->low[j]), problem->high[j]);
-            if (step->is_held[j] || kept == to) continue;
-            step->x[j] = kept - try->bar.v[j];
-            step->is_held[j] = true;
-            is_inside = false;
-        }
-        if (is_inside) return;
-    }
-}
-
 // Limits the turn of a free angle: neighbours keep their order where the task has one.
 static double limited(const YkPathProblem *problem, const double *angle, size_t k, double turn)
 {
@@ -174,18 +108,18 @@ static double limited(const YkPathProblem *problem, const double *angle, size_t 
 }
 
 // Moves a try by a step, each free angle as its own point asks.
-static void move(const YkPathProblem *problem, const YkPathWork *work, const YkPathTry *from, const Step *step,
+static void move(const YkPathProblem *problem, const YkPathWork *work, const YkPathTry *from, const double *step,
                  YkPathTry *to)
 {
     to->bar = from->bar;
     for (size_t j = 0; j < YK_BAR_SIZE; j++)
-        to->bar.v[j] = fmin(fmax(from->bar.v[j] + step->x[j], problem->low[j]), problem->high[j]);
+        to->bar.v[j] = fmin(fmax(from->bar.v[j] + step[j], problem->low[j]), problem->high[j]);
     for (size_t k = 0; k < problem->count; k++) {
         const YkBarPoint *p = &work->now[k];
-        double turn = step->x[SHIFT];
+        double turn = step[SHIFT];
         if (!problem->is_timed) {
             YkVec miss = yk_sub(p->at, problem->point[k]);
-            for (size_t j = 0; j < YK_BAR_SIZE; j++) miss = yk_add(miss, yk_scale(step->x[j], p->by[j]));
+            for (size_t j = 0; j < YK_BAR_SIZE; j++) miss = yk_add(miss, yk_scale(step[j], p->by[j]));
             double speed = yk_dot(p->by_input, p->by_input);
             turn = speed > 0 ? -yk_dot(miss, p->by_input) / speed : 0;
             turn = limited(problem, from->angle, k, turn);
@@ -202,12 +136,13 @@ bool yk_path_improve(const YkPathProblem *problem, YkPathWork *work, YkPathTry *
     bool is_new = true;
     if (!measure(problem, work->weight, work->now, try)) return false;
     for (size_t k = 0; k < steps && still < 10 && damping < damping_max && try->cost > none; k++) {
-        Step step;
         YkPathTry next = {.angle = work->angle};
+        double at[N] = {0}, step[N];
         if (is_new) rows = linearise(problem, work, try);
-        hold(problem, work, try, rows, &step);
-        find_step(problem, work, try, rows, damping, &step);
-        move(problem, work, try, &step, &next);
+        memcpy(at, try->bar.v, sizeof try->bar.v);
+        YkLinear linear = {N, rows, work->row, work->miss, at, problem->low, problem->high, work->A, work->b};
+        yk_linear_step(&linear, damping, step);
+        move(problem, work, try, step, &next);
         is_new = measure(problem, work->weight, work->next, &next) && next.cost < try->cost;
         damping = is_new ? fmax(damping * 0.2, 1e-14) : damping * 5;
         if (!is_new) continue;

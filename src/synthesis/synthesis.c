@@ -12,7 +12,7 @@ YkSynthesisOptions yk_default_synthesis_options(void)
 const char *yk_defect_name(YkDefect defect)
 {
     static const char *const names[YK_DEFECT_COUNT] = {"none",  "assembly",     "circuit", "branch", "order",
-                                                       "input", "transmission", "bounds",  "size"};
+                                                       "input", "transmission", "bounds",  "size",   "require"};
     return (size_t)defect < YK_DEFECT_COUNT ? names[defect] : NULL;
 }
 
@@ -124,12 +124,14 @@ static void rank(YkSynthesis *s)
     YkText name = {0};
     size_t best = s->options.best > 0 ? s->options.best : s->task->best;
     if (list->count > 0) qsort(list->items, list->count, sizeof *list->items, by_merit);
-    if (!s->is_complete) keep_different(list, best);
+    if (!s->is_complete && s->task->kind != YK_TASK_MACHINE) keep_different(list, best);
     if (list->count > best) list->count = best;
     for (size_t k = 0; k < list->count; k++) {
         yk_text_clear(&name);
         yk_text_format(&name, "%s%z-%s.yaml", k < 9 ? "0" : "", k + 1,
-                       list->items[k].design.kind == YK_DESIGN_FOUR_BAR ? "four-bar" : "slider-crank");
+                       s->task->kind == YK_TASK_MACHINE                   ? "machine"
+                       : list->items[k].design.kind == YK_DESIGN_FOUR_BAR ? "four-bar"
+                                                                          : "slider-crank");
         list->items[k].file = yk_arena_copy(s->arena, yk_text_get(&name), name.length);
     }
     yk_text_free(&name);
@@ -146,6 +148,8 @@ static bool search(YkSynthesis *s, YkProblems *problems)
         return yk_synthesise_stroke(s, problems);
     case YK_TASK_PATH:
         return yk_synthesise_path(s, problems);
+    case YK_TASK_MACHINE:
+        return yk_synthesise_machine(s, problems);
     default:
         return false;
     }

@@ -15,6 +15,7 @@ typedef struct YkFound {
     size_t order; // in which it was found, to break ties
     const char *model, *file;
     const double *curve; // [2 * rows]
+    const double *value; // [free parameters] of a machine, SI, or NULL
     const double *angle; // [points of a path] of the input, rad, or NULL
     size_t rows;
 } YkFound;
@@ -63,5 +64,6 @@ bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems);
 bool yk_synthesise_function(YkSynthesis *s, YkProblems *problems);
 bool yk_synthesise_stroke(YkSynthesis *s, YkProblems *problems);
 bool yk_synthesise_path(YkSynthesis *s, YkProblems *problems);
+bool yk_synthesise_machine(YkSynthesis *s, YkProblems *problems);
 
 #endif

@@ -15,11 +15,12 @@ static const Kind kinds[YK_TASK_KINDS] = {
     {"function", yk_task_read_function, yk_task_check_function, {"of", "x", "input", "output", "samples", "pairs"}},
     {"stroke", yk_task_read_stroke, yk_task_check_stroke, {"swing", "stroke", "time_ratio"}},
     {"path", yk_task_read_path, yk_task_check_path, {"points", "closed", "angles"}},
+    {"machine", yk_task_read_machine, yk_task_check_machine, {"machine", "free", "over", "goals"}},
 };
-static const char *const keys[] = {"name",       "synthesis", "units",   "parameters", "mechanisms", "fix",
-                                   "bounds",     "require",   "best",    "positions",  "of",         "x",
-                                   "input",      "output",    "samples", "pairs",      "swing",      "stroke",
-                                   "time_ratio", "points",    "closed",  "angles",     NULL};
+static const char *const keys[] = {"name",    "synthesis", "units",     "parameters", "mechanisms", "fix",    "bounds",
+                                   "require", "best",      "positions", "of",         "x",          "input",  "output",
+                                   "samples", "pairs",     "swing",     "stroke",     "time_ratio", "points", "closed",
+                                   "angles",  "machine",   "free",      "over",       "goals",      NULL};
 
 const char *yk_task_kind(const YkTask *task)
 {
@@ -30,7 +31,7 @@ static void hint_kinds(YkProblems *problems)
 {
     yk_problem_hint(problems,
                     "yoke solves path (a point through points), motion (a body through positions), function (an angle "
-                    "of another) and stroke (a swing or stroke with its time ratio)");
+                    "of another), stroke (a swing or stroke with its time ratio) and machine (parameters of a file)");
 }
 
 // Finds the kind that `synthesis:` names; reports a kind that is planned, and any other word.
@@ -47,10 +48,7 @@ static bool find_kind(YkTaskReader *reader)
         reader->task->kind = (YkTaskKind)k;
         return true;
     }
-    bool is_planned = strcmp(node->text, "machine") == 0;
-    yk_problem(loader->problems, YK_CODE_TASK_KIND, node->place,
-               is_planned ? "this version cannot solve tasks of the kind %q" : "there is no kind of task %q",
-               node->text);
+    yk_problem(loader->problems, YK_CODE_TASK_KIND, node->place, "there is no kind of task %q", node->text);
     hint_kinds(loader->problems);
     return false;
 }
@@ -152,18 +150,35 @@ static void read_mechanisms(YkTaskReader *reader)
     }
 }
 
+// Reports keys about dimensions that synthesis chooses: those of a machine that is there are its parameters.
+static void check_no_dimensions(YkTaskReader *reader)
+{
+    static const char *const others[] = {"mechanisms", "fix", "bounds"};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++) {
+        const YkNode *key = yk_load_key(reader->loader->root, others[k]);
+        if (!key) continue;
+        yk_problem(reader->loader->problems, YK_CODE_UNKNOWN_KEY, key->place,
+                   "a task of the kind machine has no key %q", key->text);
+        yk_problem_hint(reader->loader->problems, "`free: {length: [20 mm, 80 mm]}` gives parameters their ranges");
+    }
+}
+
 static void read_all(YkLoader *loader, void *context)
 {
     YkTaskReader *reader = context;
     reader->loader = loader;
-    read_bounds(reader);
-    read_require(reader);
+    bool is_known = find_kind(reader), is_machine = is_known && reader->task->kind == YK_TASK_MACHINE;
+    if (!is_machine) read_bounds(reader);
+    if (!is_machine) read_require(reader);
     const YkNode *node = yk_node_get(loader->root, "best");
     YkWant want = {.dimension = YK_DIM_NUMBER, .subject = {.noun = "value", .part = "best"}};
     reader->best = 10;
     if (node) yk_load_value(loader, node, &want, &reader->best);
-    if (!find_kind(reader)) return;
-    read_mechanisms(reader);
+    if (!is_known) return;
+    if (is_machine)
+        check_no_dimensions(reader);
+    else
+        read_mechanisms(reader);
     check_own_keys(reader);
     kinds[reader->task->kind].read(reader);
 }
@@ -206,7 +221,7 @@ YkTask *yk_task_parse(const char *text, size_t length, const char *name, YkProbl
     }
     task->sheet = yk_model_read(text, length, name, &(YkReading){.sheet = &sheet}, problems);
     if (task->sheet) return task;
-    free(task);
+    yk_task_free(task);
     return NULL;
 }
 
@@ -222,6 +237,8 @@ YkTask *yk_task_load(const char *path, YkProblems *problems)
 void yk_task_free(YkTask *task)
 {
     if (!task) return;
+    yk_mechanism_free(task->machine.mech);
+    yk_model_free(task->machine.model);
     yk_model_free(task->sheet);
     free(task);
 }

@@ -3,8 +3,16 @@
 #define SYNTHESIS_TASK_H
 #include "model/load.h"
 #include "synthesis/poses.h"
+#include <yoke/mechanism.h>
 
-typedef enum YkTaskKind { YK_TASK_MOTION, YK_TASK_FUNCTION, YK_TASK_STROKE, YK_TASK_PATH, YK_TASK_KINDS } YkTaskKind;
+typedef enum YkTaskKind {
+    YK_TASK_MOTION,
+    YK_TASK_FUNCTION,
+    YK_TASK_STROKE,
+    YK_TASK_PATH,
+    YK_TASK_MACHINE,
+    YK_TASK_KINDS
+} YkTaskKind;
 
 // A range; is_given false: unbounded.
 typedef struct YkBound {
@@ -69,6 +77,45 @@ typedef struct YkPathTask {
     YkPlace place;
 } YkPathTask;
 
+// A goal of `synthesis: machine`: points that a point passes, a value that a channel keeps, or one that is to be small.
+typedef enum YkGoalKind { YK_GOAL_THROUGH, YK_GOAL_EQUALS, YK_GOAL_LEAST } YkGoalKind;
+typedef struct YkGoal {
+    YkGoalKind kind;
+    size_t channel[2]; // of the task; a point's x and y
+    YkVec *point;      // [count], m
+    size_t count;
+    double equals, weight;
+    YkBound where; // of the input
+} YkGoal;
+
+// A claim such as min(B.transmission) > 35 deg.
+typedef enum YkMeasure { YK_MEASURE_MIN, YK_MEASURE_MAX, YK_MEASURE_MAX_ABS } YkMeasure;
+typedef struct YkClaim {
+    size_t channel;
+    YkMeasure measure;
+    bool is_below; // the measure is to be less than the limit; otherwise greater
+    double limit;
+} YkClaim;
+
+enum { YK_FREE_MAX = 32, YK_TASK_CHANNELS = 64 };
+
+// `synthesis: machine`
+typedef struct YkMachineTask {
+    YkModel *model;
+    YkMechanism *mech; // the swept coordinate is its first input
+    const char **name; // [free_count]
+    YkBound *range;    // [free_count], SI
+    size_t free_count, coordinate, steps;
+    double steps_read;
+    YkBound over; // of the coordinate
+    YkGoal *goal; // [goal_count]
+    YkClaim *claim;
+    size_t goal_count, claim_count;
+    YkChannel channel[YK_TASK_CHANNELS];
+    size_t channel_count;
+    YkPlace place;
+} YkMachineTask;
+
 struct YkTask {
     YkModel *sheet; // units, parameters, name, memory
     YkTaskKind kind;
@@ -80,6 +127,7 @@ struct YkTask {
     YkFunctionTask function;
     YkStrokeTask stroke;
     YkPathTask path;
+    YkMachineTask machine;
     YkPlace kind_place;
 };
 
@@ -105,8 +153,17 @@ void yk_task_read_function(YkTaskReader *reader);
 void yk_task_check_function(YkTaskReader *reader);
 void yk_task_read_stroke(YkTaskReader *reader);
 void yk_task_check_stroke(YkTaskReader *reader);
+void yk_task_read_machine(YkTaskReader *reader);
+void yk_task_check_machine(YkTaskReader *reader);
 void yk_task_read_path(YkTaskReader *reader);
 void yk_task_check_path(YkTaskReader *reader);
+
+// task_claims.c: the channel of a machine task by its name, reported if there is none. Returns YK_NOT_FOUND then.
+size_t yk_task_channel(YkTaskReader *reader, const YkNode *node, const char *name);
+// Reads max(abs(CHANNEL)), max(CHANNEL) or min(CHANNEL). Returns where it ends, or NULL after a mistake.
+const char *yk_task_measure(YkTaskReader *reader, const YkNode *node, YkMeasure *measure, size_t *channel);
+// Reads a claim such as `min(B.transmission) > 35 deg`.
+bool yk_task_claim(YkTaskReader *reader, const YkNode *node, YkClaim *claim);
 
 // Evaluates the function of the task at x. Returns false if it has no value there.
 bool yk_task_function(const YkTask *task, double x, double *value);

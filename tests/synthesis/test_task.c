@@ -28,7 +28,6 @@ static void every_mistake_has_its_code_and_place(void **state)
     refuse("[1, 2]\n", YK_CODE_MODEL_NOT_MAP, 1);
     refuse("name: x\n", YK_CODE_MISSING_KEY, 1);
     refuse("synthesis: dance\n", YK_CODE_TASK_KIND, 1);
-    refuse("name: x\nsynthesis: machine\nmachine: crane.yaml\n", YK_CODE_TASK_KIND, 2);
     refuse("synthesis: path\n", YK_CODE_MISSING_KEY, 1);
     refuse("name: x\nsynthesis: path\npoints: [[0, 0]]\n", YK_CODE_TASK_POSITIONS, 3);
     refuse("synthesis: path\npoints: [[0, 0], [0, 0], [1, 1]]\n", YK_CODE_TASK_POSITIONS, 2);

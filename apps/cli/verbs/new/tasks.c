@@ -44,5 +44,16 @@ const YkTaskExample yk_task_examples[] = {
                "time_ratio: 1.2\n"
                "fix: {output: 80 mm}                      # one length settles the size of a crank-rocker\n"
                "units: {length: mm, angle: deg}\n"},
+    {"machine", "# Parameters of a machine that is there: write `yoke new four-bar > four-bar.yaml` beside this file.\n"
+                "name: my machine\n"
+                "synthesis: machine\n"
+                "machine: four-bar.yaml\n"
+                "free: {a: [20 mm, 60 mm], b: [80 mm, 200 mm]}   # parameters of the machine with their ranges\n"
+                "over: {input: theta2, range: [0 deg, 360 deg], steps: 72}\n"
+                "goals:\n"
+                "  - {value: coupler.P.y, equals: 100 mm, where: [60 deg, 120 deg]}\n"
+                "# - {point: coupler.P, through: [[10 mm, 80 mm], [50 mm, 90 mm]], weight: 10}\n"
+                "require: [\"min(B.transmission) > 20 deg\"]\n"
+                "best: 3\n"},
 };
 const size_t yk_task_example_count = sizeof yk_task_examples / sizeof *yk_task_examples;

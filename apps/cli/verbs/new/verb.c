@@ -53,7 +53,7 @@ static int new_task(YkSession *session, const char *kind)
         yk_text_puts(&session->out, yk_task_examples[k].text);
         return yk_session_finish(session, YK_EXIT_DONE);
     }
-    yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--task takes path, motion, function or stroke, not %q", kind);
+    yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--task takes path, motion, function, stroke or machine, not %q", kind);
     return YK_EXIT_WRONG;
 }
 

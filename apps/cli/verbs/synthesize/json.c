@@ -55,15 +55,18 @@ static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t ind
     yk_json_string(json, "mechanism", c.mechanism);
     yk_json_number(json, "error", c.error);
     yk_json_number(json, "worst", c.worst);
-    add_two(json, "transmission", c.transmission);
-    yk_json_number(json, "size", c.size);
-    yk_json_integer(json, "circuits", (long long)c.circuits);
+    bool has_dimensions = c.circuits > 0; // a machine that is there has parameters alone
+    if (has_dimensions) {
+        add_two(json, "transmission", c.transmission);
+        yk_json_number(json, "size", c.size);
+        yk_json_integer(json, "circuits", (long long)c.circuits);
+    }
     yk_json_string(json, "type", c.type);
     yk_json_object(json, "parameters", YK_JSON_INLINE);
     for (size_t k = 0; (name = yk_synthesis_parameter(synthesis, index, k, &value)) != NULL; k++)
         yk_json_number(json, name, value);
     yk_json_end(json);
-    add_dimensions(json, &c);
+    if (has_dimensions) add_dimensions(json, &c);
     const double *angle = yk_synthesis_angles(synthesis, index, &count);
     if (angle) yk_json_list(json, "angles", YK_JSON_INLINE);
     for (size_t k = 0; k < count; k++) yk_json_number(json, NULL, angle[k]);

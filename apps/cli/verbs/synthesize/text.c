@@ -84,6 +84,33 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
     end_table(out, table);
 }
 
+// Parameters of a machine, each in the unit of its file.
+static void add_machines(YkText *out, const YkSynthesisAnswer *answer)
+{
+    const YkSynthesis *synthesis = answer->synthesis;
+    size_t count = yk_synthesis_count(synthesis), free_count = 0;
+    double value = 0;
+    if (count == 0) return;
+    while (yk_synthesis_parameter(synthesis, 0, free_count, &value)) free_count++;
+    YkTable *table = yk_table_new(2 + free_count);
+    yk_table_head(table, "rank", NULL);
+    yk_table_head(table, "error", "SI");
+    for (size_t i = 0; i < free_count; i++)
+        yk_table_head(table, yk_synthesis_parameter(synthesis, 0, i, NULL),
+                      yk_task_parameter_unit(answer->task, i, NULL));
+    for (size_t k = 0; k < count; k++) {
+        add_number_word(table, k + 1);
+        yk_table_number(table, yk_synthesis_candidate(synthesis, k).error, DIGITS);
+        for (size_t i = 0; i < free_count; i++) {
+            double size = 1;
+            yk_task_parameter_unit(answer->task, i, &size);
+            yk_synthesis_parameter(synthesis, k, i, &value);
+            yk_table_number(table, value / size, DIGITS);
+        }
+    }
+    end_table(out, table);
+}
+
 static void add_left_out(YkText *out, const YkSynthesis *synthesis)
 {
     size_t kinds = 0;
@@ -129,12 +156,17 @@ void yk_synthesis_text(const YkSynthesisAnswer *answer)
     if (yk_synthesis_solutions(synthesis, &complex_count, &real_count))
         yk_text_format(out, "The equations have %z solutions, %z of them real: all are here.\n", complex_count,
                        real_count);
-    else if (kind[0] == 'p')
+    else if (kind[1] == 'a') // path, machine
         yk_text_puts(out, "Least squares from random starts: other seeds may find other machines.\n");
     else if (!yk_synthesis_is_complete(synthesis))
         yk_text_puts(out, "The task leaves a choice: samples of it were tried, and the best are shown.\n");
     if (word[0] == 't' || word[0] == 'i') yk_text_puts(out, "The search was ended early: these are the best so far.\n");
     add_dyads(out, synthesis, &u);
+    if (kind[0] == 'm' && kind[1] == 'a') { // "machine"
+        add_machines(out, answer);
+        add_left_out(out, synthesis);
+        return;
+    }
     add_candidates(out, synthesis, &u,
                    kind[0] == 'f' || (kind[0] == 's' && yk_synthesis_candidate(synthesis, 0).lengths[3] > 0));
     add_left_out(out, synthesis);

@@ -1,0 +1,235 @@
+// Parameters of a machine that is there, varied so that it meets goals; each answer is judged on its file.
+#include <math.h>
+#include <string.h>
+#include "base/mix.h"
+#include "base/number.h"
+#include "synthesis/machine_fit.h"
+#include "synthesis/synthesis.h"
+#include <yoke/builder.h>
+#include <yoke/move.h>
+
+enum { BATCHES = 30, STARTS = 20, STEPS = 100, KEPT = 40 };
+
+static const double weight_at_first = 100, weight_at_last = 1e8, harder = 100; // of claims
+
+typedef struct Search {
+    YkSynthesis *s;
+    YkMachineFit fit;
+    YkMachineTry pool[KEPT]; // that passed, best first
+    size_t pooled, most;
+    uint64_t seed;
+} Search;
+
+// Reads a model. Returns YK_OK, YK_BAD_MODEL or YK_NO_MEMORY.
+static YkStatus parse(const char *text, size_t length, const YkLoadOptions *options, YkModel **model)
+{
+    YkProblems *problems = yk_problems_new();
+    YkStatus status = YK_BAD_MODEL;
+    *model = problems ? yk_model_parse(text, length, "machine", options, problems) : NULL;
+    for (size_t k = 0; problems && k < yk_problems_count(problems); k++)
+        if (yk_problems_get(problems, k)->code == YK_CODE_OUT_OF_MEMORY) status = YK_NO_MEMORY;
+    yk_problems_free(problems);
+    return *model ? YK_OK : problems ? status : YK_NO_MEMORY;
+}
+
+// Writes the machine's file with these values, in the units that it gives them.
+static YkStatus write_model(const YkMachineTask *machine, const double *value, YkText *text)
+{
+    YkOverride parameters[YK_FREE_MAX];
+    char digits[YK_FREE_MAX][YK_NUMBER_SIZE];
+    for (size_t k = 0; k < machine->free_count; k++) {
+        double unit = yk_model_parameter_unit(machine->model, machine->name[k]);
+        digits[k][yk_number_write_digits(value[k] / unit, 15, digits[k])] = '\0';
+        parameters[k] = (YkOverride){machine->name[k], digits[k]};
+    }
+    YkLoadOptions options = yk_default_load_options();
+    options.parameters = parameters;
+    options.parameter_count = machine->free_count;
+    YkModel *model;
+    YkStatus status = parse(machine->model->source, machine->model->source_length, &options, &model);
+    yk_text_clear(text);
+    yk_text_puts(text, "# Found by `yoke synthesize` for a task of the kind machine.\n");
+    if (model) yk_text_puts(text, yk_model_text(model));
+    yk_model_free(model);
+    return text->failed ? YK_NO_MEMORY : status;
+}
+
+// A machine read back from its file.
+typedef struct Standing {
+    YkModel *model;
+    YkMechanism *mech;
+    YkState *state;
+    YkDynamics *dynamics;
+    YkSweep *sweep;
+} Standing;
+
+static YkStatus stand(const YkMachineTask *machine, const char *text, Standing *t)
+{
+    const char *coordinate = yk_coordinate_info(machine->mech, machine->coordinate).name;
+    YkCompileOptions options = yk_default_compile_options();
+    options.inputs = &coordinate;
+    options.input_count = 1;
+    YkStatus status = parse(text, strlen(text), NULL, &t->model);
+    if (status < 0) return status;
+    t->mech = yk_mechanism_compile(t->model, &options, NULL);
+    t->state = t->mech ? yk_state_new(t->mech) : NULL;
+    t->dynamics = t->mech ? yk_dynamics_new(t->mech, NULL) : NULL;
+    if (!t->state || !t->dynamics) return YK_NO_MEMORY;
+    for (size_t i = 0; i < yk_input_count(t->mech); i++)
+        yk_dynamics_prescribe(t->dynamics, i, true); // as the batch does
+    status = yk_state_set_time(t->state, 0, NULL);
+    return status < 0 ? status : yk_state_assemble(t->state);
+}
+
+// Drives it through the range.
+static YkStatus sweep(const YkMachineTask *machine, Standing *t)
+{
+    YkSweepOptions options = yk_default_sweep_options();
+    YkMotion goal[YK_FREE_MAX];
+    size_t inputs = yk_input_count(t->mech);
+    if (inputs > YK_FREE_MAX) return YK_BAD_ARGUMENT;
+    for (size_t i = 0; i < inputs; i++) goal[i] = yk_state_coordinate(t->state, yk_input_coordinate(t->mech, i));
+    goal[0].position = machine->over.low;
+    YkStatus status = yk_state_move_to(t->state, goal, NULL, NULL);
+    if (status < 0) return status;
+    options.coordinate = (int)yk_input_coordinate(t->mech, 0);
+    options.from = machine->over.low;
+    options.to = machine->over.high;
+    options.steps = machine->steps;
+    options.dynamics = t->dynamics;
+    t->sweep = yk_sweep_run(t->state, &options, machine->channel, machine->channel_count, NULL);
+    return t->sweep ? yk_sweep_status(t->sweep) : YK_NO_MEMORY;
+}
+
+// The curve of the first point that has points to pass.
+static void take_curve(const Search *search, YkVerdict *verdict)
+{
+    const YkMachineTask *machine = &search->fit.task->machine;
+    const YkMachineFit *fit = &search->fit;
+    const YkGoal *goal = NULL;
+    for (size_t k = 0; k < machine->goal_count && !goal; k++)
+        if (machine->goal[k].kind == YK_GOAL_THROUGH) goal = &machine->goal[k];
+    size_t stride = (fit->rows + YK_CURVE_ROWS - 1) / YK_CURVE_ROWS;
+    for (size_t r = 0; goal && r < fit->rows; r += stride) {
+        verdict->curve[2 * verdict->rows] = fit->value[goal->channel[0]][r];
+        verdict->curve[2 * verdict->rows++ + 1] = fit->value[goal->channel[1]][r];
+    }
+}
+
+// Judges a try by its file. Its error becomes what the engine measured.
+static YkDefect judge(Search *search, YkMachineTry *try, YkText *text, YkVerdict *verdict)
+{
+    YkMachineFit *fit = &search->fit;
+    const YkMachineTask *machine = &fit->task->machine;
+    Standing t = {0};
+    YkMachineTry again = *try;
+    YkDefect defect = YK_DEFECT_NONE;
+    YkStatus status = write_model(machine, try->value, text);
+    if (status >= 0) status = stand(machine, yk_text_get(text), &t);
+    if (status < 0) defect = YK_DEFECT_ASSEMBLY;
+    if (status >= 0 && (status = sweep(machine, &t)) < 0) defect = YK_DEFECT_BRANCH;
+    if (defect == YK_DEFECT_NONE) {
+        for (size_t r = 0; r < fit->rows; r++)
+            for (size_t c = 0; c < machine->channel_count; c++) fit->value[c][r] = yk_sweep_value(t.sweep, r, c);
+        yk_machine_judge(fit, fit->value, fit->low_miss, &again);
+        double room =
+            1e-6 * (fabs(try->error) + yk_mechanism_size(machine->mech) * yk_mechanism_size(machine->mech) * 1e-6);
+        if (!(fabs(again.error - try->error) <= room)) defect = YK_DEFECT_ASSEMBLY; // another configuration
+        if (defect == YK_DEFECT_NONE && again.lack > 0) defect = YK_DEFECT_REQUIRE;
+        if (defect == YK_DEFECT_NONE) take_curve(search, verdict);
+    }
+    if (status == YK_NO_MEMORY) search->s->failed = true;
+    verdict->defect = defect;
+    verdict->error = try->error = again.error;
+    verdict->worst = try->worst = again.worst;
+    yk_sweep_free(t.sweep);
+    yk_dynamics_free(t.dynamics);
+    yk_state_free(t.state);
+    yk_mechanism_free(t.mech);
+    yk_model_free(t.model);
+    return defect;
+}
+
+static bool is_known(const Search *search, const YkMachineTry *try)
+{
+    const YkMachineTask *machine = &search->fit.task->machine;
+    for (size_t k = 0; k < search->pooled; k++) {
+        double apart = 0;
+        for (size_t j = 0; j < machine->free_count; j++)
+            apart = fmax(apart, fabs(search->pool[k].value[j] - try->value[j]) /
+                                    (machine->range[j].high - machine->range[j].low));
+        if (apart < 1e-3) return true;
+    }
+    return false;
+}
+
+static void take(Search *search, YkMachineTry *try)
+{
+    YkSynthesis *s = search->s;
+    size_t n = search->fit.task->machine.free_count;
+    YkDesign none = {.dyad = {-1, -1}};
+    YkVerdict verdict = {.defect = YK_DEFECT_NONE};
+    YkText text = {0};
+    bool is_full = search->pooled == search->most && !(try->error < search->pool[search->most - 1].error);
+    if (is_full || is_known(search, try)) return;
+    YkDefect defect = try->lack > 0 ? YK_DEFECT_REQUIRE : judge(search, try, &text, &verdict);
+    if (defect != YK_DEFECT_NONE) {
+        yk_synthesis_leave(s, &none, defect, &verdict);
+    } else {
+        YkFound *found = yk_synthesis_keep(s, &none, &text, &verdict, -verdict.error);
+        double *value = found ? YK_NEW(s->arena, double, n) : NULL;
+        if (value) memcpy(value, try->value, n * sizeof *value);
+        if (found) found->value = value;
+        size_t k = search->pooled < search->most ? search->pooled++ : search->most - 1;
+        for (; k > 0 && try->error < search->pool[k - 1].error; k--) search->pool[k] = search->pool[k - 1];
+        search->pool[k] = *try;
+    }
+    yk_text_free(&text);
+}
+
+// Draws parameters; the first try has those of the file.
+static void draw(Search *search, bool is_first, YkMachineTry *try)
+{
+    const YkMachineTask *machine = &search->fit.task->machine;
+    for (size_t j = 0; j < machine->free_count; j++) {
+        const YkBound *range = &machine->range[j];
+        double own = yk_model_parameter(machine->model, machine->name[j]);
+        try->value[j] = is_first ? fmin(fmax(own, range->low), range->high)
+                                 : range->low + (range->high - range->low) * yk_mix_unit(&search->seed);
+    }
+}
+
+static void run_batch(Search *search, size_t batch)
+{
+    YkMachineTry best = {.cost = INFINITY}, try;
+    search->fit.weight = weight_at_first;
+    for (size_t k = 0; k < (batch == 0 ? 1 : STARTS); k++) {
+        draw(search, batch == 0, &try);
+        if (yk_machine_measure(&search->fit, search->fit.miss, &try) && try.cost < best.cost) best = try;
+    }
+    if (!isfinite(best.cost)) return;
+    for (search->fit.weight = weight_at_first; search->fit.weight <= weight_at_last; search->fit.weight *= harder) {
+        yk_machine_improve(&search->fit, &best, STEPS); // claims that hold it back are kept more and more strictly
+        if (best.lack <= 0) break;
+    }
+    take(search, &best);
+}
+
+bool yk_synthesise_machine(YkSynthesis *s, YkProblems *problems)
+{
+    const YkMachineTask *machine = &s->task->machine;
+    Search *search = YK_NEW(s->arena, Search, 1);
+    if (!search) return true;
+    *search = (Search){.s = s, .seed = s->options.seed};
+    size_t best = s->options.best > 0 ? s->options.best : s->task->best;
+    search->most = best < KEPT ? best : KEPT;
+    bool good = yk_machine_fit_new(s->task, s->arena, &search->fit, problems);
+    size_t work = (machine->steps + 1) * (2 * machine->free_count + 1) * STEPS / 5; // some 0.2 us a pose
+    for (size_t k = 0; good && k < BATCHES; k++) {
+        yk_pace_reach(&s->pace, (double)k / BATCHES);
+        if (!yk_synthesis_goes_on(s, work)) break;
+        run_batch(search, k);
+    }
+    yk_machine_fit_free(&search->fit);
+    return good;
+}
