@@ -15,6 +15,7 @@ typedef struct Reader {
     YkProblems *problems;
     bool used[OPTIONS_MAX]; // by place in yk_options
     bool has_ended;         // after "--" all words are files
+    bool has_unknown;       // an unknown option: a word too many may be its value
     size_t words;           // verb and file, so far
 } Reader;
 
@@ -42,12 +43,20 @@ static const YkOption *find_letter(char letter)
     return NULL;
 }
 
+// Lists the names of the options that the verb takes; of all options if the verb is not known yet.
+static size_t list_options(const YkVerb *verb, const char **names)
+{
+    size_t count = 0;
+    for (const YkOption *option = yk_options; option->name && count < OPTIONS_MAX; option++)
+        if (!verb || yk_option_is_for(option, verb->name)) names[count++] = option->name;
+    return count;
+}
+
 static void refuse_unknown(Reader *reader, const char *word, size_t length)
 {
     const char *names[OPTIONS_MAX];
-    size_t count = 0;
-    for (const YkOption *option = yk_options; option->name && count < OPTIONS_MAX; option++)
-        names[count++] = option->name;
+    size_t count = list_options(reader->request->verb, names);
+    reader->has_unknown = true;
     const char *own = yk_arena_copy(reader->request->arena, word, length);
     if (!own) {
         run_out(reader);
@@ -179,7 +188,7 @@ static void read_word(Reader *reader, const char *word)
         read_verb(reader, word);
     } else if (place == 1) {
         reader->request->file = word;
-    } else if (place == WORDS_IN_LIST - 1) {
+    } else if (place == WORDS_IN_LIST - 1 && !reader->has_unknown) {
         yk_problem(reader->problems, YK_CODE_TOO_MANY_FILES, nowhere, "one file at a time: %q is one too many", word);
     }
 }

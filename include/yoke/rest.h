@@ -54,7 +54,8 @@ YK_API YkState *yk_rest_state(YkRest *rest, size_t index);
 YK_API const double *yk_rest_mass(const YkRest *rest, size_t index);
 YK_API const double *yk_rest_damping(const YkRest *rest, size_t index);
 YK_API const double *yk_rest_stiffness(const YkRest *rest, size_t index);
-// Mode k of f, by rising frequency of the undamped motion.
+// Mode k of f, by rising frequency, of the motion without damping and without loads that have no potential: the
+// eigenvectors of the symmetric part of K. yk_rest_root has the motion with both.
 typedef struct YkMode {
     double frequency;     // undamped, rad/s; negative: grows at that rate (K has a negative direction)
     double damping_ratio; // of the mode alone: shape' C shape / (2 omega)

@@ -53,6 +53,15 @@ class Mistakes(Case):
         self.assertIn("did you mean `--format`?", self.wrong(802, "solve", self.four_bar, "--fromat", "json").err)
         self.wrong(802, "solve", self.four_bar, "-z")
 
+    def test_only_options_of_the_verb_are_proposed(self):
+        self.assertNotIn("did you mean", self.wrong(802, "solve", self.four_bar, "--frob").err)  # nor `--from`
+        self.assertIn("did you mean `--from`?", self.wrong(802, "simulate", self.four_bar, "--frob").err)
+
+    def test_the_value_of_an_unknown_option_is_not_a_second_file(self):
+        for words in ([self.four_bar, "--fromat", "json"], ["--fromat", "json", self.four_bar]):
+            self.assertNotIn("[E0809]", self.wrong(802, "solve", *words).err)
+        self.assertIn("[E0809]", self.wrong(809, "solve", self.four_bar, self.four_bar).err)
+
     def test_an_option_of_another_verb_is_refused(self):
         self.assertIn("--over", self.wrong(803, "solve", self.four_bar, "--over", "theta1=0:1").err)
 

@@ -1,5 +1,6 @@
 """Forces, motion in time and rest at the command: shapes, units, messages, exit codes, interruptions. Run: YOKE=path/of/yoke python3
 test_forces.py. The numbers themselves are the matter of test_dynamics.py and test_simulations.py."""
+import cmath
 import json
 import math
 import os
@@ -521,6 +522,49 @@ class Rest(Machine):
         self.assertRegex(text, r"mode +frequency \[Hz\] +period \[s\] +damping ratio +growth \[1/s\] +theta1 +theta2")
         self.assertNotIn("K (SI)", text)
         self.assertIn("K (SI)", self.good("rest", example("double-pendulum"), "--modes").out)
+
+    def motions(self, name, text):
+        """The table of small motions with everything: [word, frequency, growth], by rows."""
+        out = self.good("rest", self.write(name, text)).out.split("\n\n")
+        tables = [part.splitlines()[2:] for part in out if "the small motions are:" in part]
+        return [[line.split()[:-3], *[None if x == "-" else float(x) for x in (line.split()[-3], line.split()[-1])]]
+                for lines in tables for line in lines]
+
+    def test_damping_slows_the_growth_that_the_mode_has_without_it(self):
+        rows = self.motions("oil.yaml", """gravity: [0, -9.81]
+bodies:
+  ground: {points: {O: [0, 0]}}
+  bar: {points: {O: [0, 0]}, mass: 1, center: [0, 2], inertia: 0}
+joints: {O: {pin: [ground, bar], angle: q, friction: {viscous: 50}}}
+start: {q: 0.01}
+""")
+        rate, push = 50 / 4, GRAVITY / 2  # q'' + rate q' -+ push q = 0 above and below
+        for (word, hertz, growth), sign, root in zip(rows, (1, 1, -1, -1), (1, -1, 1, -1)):
+            expected = -rate / 2 + root * math.sqrt(rate ** 2 / 4 + sign * push)
+            self.assertEqual(word, ["grows"] if expected > 0 else ["dies", "out"])
+            self.assertIsNone(hertz)
+            self.assertAlmostEqual(growth, expected, delta=1e-5 * abs(expected))
+        self.assertEqual(len(rows), 4)
+
+    def test_a_column_under_a_follower_load_flutters(self):
+        # Ziegler 1952, masses 2 and 1: |K - w M| = 2 w^2 - w + 1 = 0 for w = -root^2, at a load of 3.
+        rows = self.motions("column.yaml", """bodies:
+  ground: {points: {O: [0, 0]}}
+  a: {points: {O: [0, 0], A: [1, 0]}, mass: 2, center: [1, 0], inertia: 0}
+  b: {points: {A: [0, 0], B: [1, 0]}, mass: 1, center: [1, 0], inertia: 0}
+joints: {O: {pin: [ground, a], angle: q1}, A: {pin: [a, b], angle: q2}}
+springs: {k1: {along: q1, stiffness: 1}, k2: {along: q2, stiffness: 1}}
+forces: {P: {body: b, at: B, value: [-3, 0], axes: body}}
+start: {q1: 0, q2: 0}
+""")
+        root = cmath.sqrt(-(1 + cmath.sqrt(1 - 8)) / 4)
+        self.assertEqual(sorted(word for word, _, _ in rows), [["dies", "out"], ["grows"]])
+        for _, hertz, growth in rows:
+            self.assertAlmostEqual(hertz, abs(root.imag) / (2 * math.pi), places=5)
+            self.assertAlmostEqual(abs(growth), abs(root.real), places=5)
+
+    def test_modes_that_leave_nothing_out_stand_alone(self):
+        self.assertNotIn("small motions", self.good("rest", example("double-pendulum")).out)
 
     def test_csv_has_a_line_for_each(self):
         lines = self.good("rest", self.pendulum, "--format", "csv").out.splitlines()

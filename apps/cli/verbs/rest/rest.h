@@ -12,6 +12,8 @@ typedef struct YkRestAnswer {
 const char *yk_stability_word(YkStability stability); // "stable", "unstable", "neutral"
 // Returns the frequency of the undamped motion, Hz; NaN if the mode does not vibrate.
 double yk_mode_hertz(YkMode mode);
+// Adds the motions with damping and follower loads to the text; nothing if the modes are the whole motion.
+void yk_rest_motions(const YkRestAnswer *answer, size_t index);
 void yk_rest_text(const YkRestAnswer *answer);
 void yk_rest_json(const YkRestAnswer *answer);
 void yk_rest_csv(const YkRestAnswer *answer);

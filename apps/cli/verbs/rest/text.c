@@ -124,6 +124,7 @@ static void add_equilibrium(const YkRestAnswer *answer, size_t index)
     add_coordinates(answer, state, false);
     add_coordinates(answer, state, true);
     add_modes(answer, index);
+    yk_rest_motions(answer, index);
     if (!session->request->modes) return;
     add_matrix(answer, "M (SI)", yk_rest_mass(answer->rest, index), index);
     add_matrix(answer, "C (SI)", yk_rest_damping(answer->rest, index), index);
