@@ -1,5 +1,5 @@
-# Debian packages by component: `cpack` in the build folder gives yoke, libyoke-dev, yoke-doc and, where the Python package is built,
-# python3-yoke.
+# Debian packages by component: `cpack` in the build folder gives yoke, libyoke-dev, yoke-doc and, where they are built, python3-yoke and
+# yoke-mpi.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME yoke)
 set(CPACK_PACKAGE_CONTACT "The Yoke developers <yoke@localhost>")
@@ -9,6 +9,9 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL runtime dev doc)
 if(TARGET yoke_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+if(TARGET yoke_mpi)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
@@ -40,4 +43,10 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-cffi-backend,
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-tqdm, python3-matplotlib")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/cmake/python3-yoke/postinst ${CMAKE_SOURCE_DIR}/cmake/python3-yoke/prerm)
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Yoke in Python: planar machines in programs and notebooks, with NumPy.")
+
+set(CPACK_DEBIAN_MPI_PACKAGE_NAME yoke-mpi)
+set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "yoke (= ${PROJECT_VERSION}), openmpi-bin")
+set(CPACK_COMPONENT_MPI_DESCRIPTION "Yoke on many computers: studies under mpirun, by Open MPI.")
 include(CPack)

@@ -3,15 +3,35 @@
 #include <stdio.h>
 #include "help.h"
 #include "options.h"
+#include "ranks.h"
 #include "session.h"
 #include "stop.h"
+
+// Several ranks would all do the same: only a study shares its work among them, and rank 0 alone tells the rest.
+static bool refuse_ranks(YkSession *session)
+{
+    yk_session_refuse(session, YK_CODE_RANKS_VERB, "mpirun started `yoke %s` on several ranks, which it cannot use",
+                      session->request->verb->name);
+    yk_problem_hint(session->problems, "start it without mpirun: `yoke study` alone shares its work among ranks");
+    return false;
+}
+
+static void tell_version(YkSession *session)
+{
+    const char *plugin = yk_ranks_plugin();
+    yk_text_format(&session->out, "yoke %s\n", yk_version());
+    if (plugin) yk_text_format(&session->out, "yoke-mpi %s\n", plugin);
+}
 
 static int run(YkSession *session)
 {
     const YkRequest *request = session->request;
+    bool has_ranks = yk_ranks_count() > 1, is_asked = request->verb && !request->version && !request->help;
     if (yk_problems_error_count(session->problems) > 0) return YK_EXIT_WRONG;
+    if (has_ranks && is_asked && request->verb->run != yk_run_study && !refuse_ranks(session)) return YK_EXIT_WRONG;
+    if (!is_asked && yk_ranks_rank() > 0) return YK_EXIT_DONE;
     if (request->version) {
-        yk_text_format(&session->out, "yoke %s\n", yk_version());
+        tell_version(session);
         return yk_session_finish(session, YK_EXIT_DONE);
     }
     if (!request->verb || request->help) {
@@ -39,6 +59,7 @@ int main(int argc, char **argv)
 {
     ignore_file_limit();
     yk_stop_catch();
+    if (yk_ranks_rank() > 0) yk_ranks_hush();
     YkRequest request = {.arena = yk_arena_new()};
     YkSession session = {.request = &request, .problems = yk_problems_new()};
     int exit_code = YK_EXIT_WRONG;

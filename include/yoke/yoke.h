@@ -43,6 +43,7 @@
 #include <yoke/train.h>
 #include <yoke/cam.h>
 #include <yoke/study.h>
+#include <yoke/blocks.h>
 #include <yoke/draw.h>
 #include <yoke/code.h>
 #include <yoke/report.h>

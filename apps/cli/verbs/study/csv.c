@@ -3,7 +3,7 @@
 #include "write/csv.h"
 
 // Writes design, parameters, status, poses, then the answers; SI and radians. Invalid answers are empty.
-void yk_study_csv(const YkStudyAnswer *a)
+void yk_study_csv(YkStudyAnswer *a)
 {
     YkCsv csv = {.text = &a->session->out};
     YkText name = {0};
@@ -21,9 +21,10 @@ void yk_study_csv(const YkStudyAnswer *a)
         const double *row = yk_study_row(a, d);
         yk_csv_number(&csv, (double)d);
         for (size_t k = 0; k < a->axis_count; k++) yk_csv_number(&csv, row[k]);
-        yk_csv_name(&csv, yk_status_name(yk_study_status(a, d)));
+        yk_csv_name(&csv, yk_status_name(yk_row_status(a, row)));
         for (size_t k = first - 1; k < a->width; k++) yk_csv_number(&csv, row[k]);
         yk_csv_row(&csv);
+        yk_study_flush(a, YK_STUDY_PIECE);
     }
     yk_text_free(&name);
 }

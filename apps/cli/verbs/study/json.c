@@ -71,16 +71,17 @@ static void add_sensitivities(const YkStudyAnswer *a, YkJson *json)
     yk_json_end(json);
 }
 
-static void add_rows(const YkStudyAnswer *a, YkJson *json)
+static void add_rows(YkStudyAnswer *a, YkJson *json)
 {
     yk_json_list(json, "rows", YK_JSON_LINES);
     for (size_t d = 0; d < a->done; d++) {
         const double *row = yk_study_row(a, d);
         yk_json_list(json, NULL, YK_JSON_INLINE);
         for (size_t k = 0; k < a->axis_count; k++) yk_json_number(json, NULL, row[k]);
-        yk_json_string(json, NULL, yk_status_name(yk_study_status(a, d)));
+        yk_json_string(json, NULL, yk_status_name(yk_row_status(a, row)));
         for (size_t k = a->axis_count + 1; k < a->width; k++) yk_json_number(json, NULL, row[k]);
         yk_json_end(json);
+        yk_study_flush(a, YK_STUDY_PIECE);
     }
     yk_json_end(json);
 }
@@ -100,7 +101,7 @@ static void add_columns(const YkStudyAnswer *a, YkJson *json)
     yk_text_free(&name);
 }
 
-void yk_study_json(const YkStudyAnswer *a)
+void yk_study_json(YkStudyAnswer *a)
 {
     YkJson json = {.text = &a->session->out};
     yk_json_object(&json, NULL, YK_JSON_LINES);

@@ -26,19 +26,27 @@ static void add_head(const YkStudyAnswer *a, YkText *head)
     yk_text_free(&name);
 }
 
-void yk_study_npy(const YkStudyAnswer *a)
+static void add_row(const double *row, size_t width, YkText *out)
+{
+    for (size_t k = 0; k < width; k++) {
+        uint64_t bits;
+        char bytes[8];
+        memcpy(&bits, &row[k], sizeof bits);
+        for (int b = 0; b < 8; b++) bytes[b] = (char)(bits >> (8 * b) & 255);
+        yk_text_add(out, bytes, sizeof bytes);
+    }
+}
+
+void yk_study_npy(YkStudyAnswer *a)
 {
     YkText head = {0}, *out = &a->session->out;
     add_head(a, &head);
     char magic[10] = {(char)0x93, 'N', 'U', 'M', 'P', 'Y', 1, 0, (char)(head.length & 255), (char)(head.length >> 8)};
     yk_text_add(out, magic, sizeof magic);
     yk_text_add(out, yk_text_get(&head), head.length);
-    for (size_t k = 0; k < a->done * a->width; k++) {
-        uint64_t bits;
-        char bytes[8];
-        memcpy(&bits, &a->rows[k], sizeof bits);
-        for (int b = 0; b < 8; b++) bytes[b] = (char)(bits >> (8 * b) & 255);
-        yk_text_add(out, bytes, sizeof bytes);
+    for (size_t d = 0; d < a->done; d++) {
+        add_row(yk_study_row(a, d), a->width, out);
+        yk_study_flush(a, YK_STUDY_PIECE);
     }
     out->failed |= head.failed || head.length > 65535;
     yk_text_free(&head);

@@ -16,22 +16,42 @@ YkQuantity yk_study_quantity(const YkStudyAnswer *a, size_t k)
     return a->columns[k / yk_study_kinds(a)].channel.quantity;
 }
 
+const double *yk_study_row(YkStudyAnswer *a, size_t design)
+{
+    if (a->rows) return a->rows + design * a->width;
+    const double *row = yk_blocks_row(a->blocks, design);
+    a->has_missing |= !row;
+    return row ? row : a->missing;
+}
+
 // Source: Welford 1962.
+static void add_number(YkMoments *m, double x)
+{
+    double off = x - m->mean;
+    m->count++;
+    m->mean += off / (double)m->count;
+    m->deviation += off * (x - m->mean);
+    m->least = fmin(m->least, x);
+    m->largest = fmax(m->largest, x);
+}
+
+void yk_study_note(YkStudyAnswer *a, size_t design, const double *row)
+{
+    YkStudySum *sum = &a->sum;
+    YkStatus status = yk_row_status(a, row);
+    size_t first = yk_study_first(a);
+    yk_note_status(a->session, status);
+    if (status >= YK_NO_MEMORY && status <= YK_SINGULAR) sum->statuses[status - YK_NO_MEMORY]++;
+    sum->without += row[a->axis_count + 1] == 0;
+    if (status == YK_BAD_MODEL && sum->bad == YK_NOT_FOUND) sum->bad = design;
+    for (size_t k = first; status >= 0 && k < a->width; k++)
+        if (!isnan(row[k])) add_number(&sum->moments[k - first], row[k]);
+}
+
 YkMoments yk_study_moments(const YkStudyAnswer *a, size_t k)
 {
-    YkMoments m = {0, 0, 0, INFINITY, -INFINITY};
-    double square = 0;
-    for (size_t d = 0; d < a->done; d++) {
-        double x = yk_study_row(a, d)[yk_study_first(a) + k];
-        if (isnan(x) || yk_study_status(a, d) < 0) continue;
-        double off = x - m.mean;
-        m.count++;
-        m.mean += off / (double)m.count;
-        square += off * (x - m.mean);
-        m.least = fmin(m.least, x);
-        m.largest = fmax(m.largest, x);
-    }
-    m.deviation = m.count > 1 ? sqrt(square / (double)(m.count - 1)) : 0;
+    YkMoments m = a->sum.moments[k];
+    m.deviation = m.count > 1 ? sqrt(m.deviation / (double)(m.count - 1)) : 0;
     return m;
 }
 
@@ -59,7 +79,5 @@ YkTolerance yk_study_tolerance(const YkStudyAnswer *a, size_t column)
 
 size_t yk_study_count(const YkStudyAnswer *a, YkStatus status)
 {
-    size_t count = 0;
-    for (size_t d = 0; d < a->done; d++) count += yk_study_status(a, d) == status;
-    return count;
+    return a->sum.statuses[status - YK_NO_MEMORY];
 }

@@ -4,12 +4,32 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/number.h"
+#include "ranks.h"
 #include "reach.h"
 #include "session.h"
 #include "stop.h"
 #include "verbs/study/study.h"
 
-enum { DESIGNS_MAX = 10000000, DESIGNS = 1000, STEPS_MAX = 1000000, STEPS = 36, THREADS_MAX = 1024 };
+enum { DESIGNS = 1000, STEPS_MAX = 1000000, STEPS = 36, THREADS_MAX = 1024 };
+
+// Rows that stay in memory are fewer than those that go to a file.
+static const uint64_t designs_in_memory = 10000000, designs_in_file = 1000000000000;
+
+static size_t most_designs(const YkRequest *request)
+{
+    uint64_t most = yk_partial_is_kept(request) ? designs_in_file : designs_in_memory;
+    return most < SIZE_MAX ? (size_t)most : SIZE_MAX;
+}
+
+static bool refuse_many(const YkStudyAnswer *answer, const char *what)
+{
+    YkSession *session = answer->session;
+    bool is_kept = yk_partial_is_kept(session->request);
+    yk_problem(session->problems, YK_CODE_OPTION_VALUE, (YkPlace){0}, "%s has more than %s designs", what,
+               is_kept ? "a million million" : "10 million");
+    if (!is_kept) yk_problem_hint(session->problems, "with -o FILE a study may have a million million");
+    return false;
+}
 
 // --- --vary NAME=FROM:TO:N
 
@@ -42,7 +62,7 @@ static bool read_axis(YkStudyAnswer *answer, const char *text, YkAxis *axis)
                *to = yk_arena_copy(arena, first + 1, (size_t)(second - first - 1));
     if (!name || !from || !to) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     *axis = (YkAxis){.name = name};
-    return yk_session_count(session, "--vary", second + 1, DESIGNS_MAX, 1, &axis->count) &&
+    return yk_session_count(session, "--vary", second + 1, most_designs(session->request), 1, &axis->count) &&
            read_value(session, name, from, &axis->from) && read_value(session, name, to, &axis->to);
 }
 
@@ -56,9 +76,7 @@ static bool read_grid(YkStudyAnswer *answer)
         if (!read_axis(answer, vary->items[k], &answer->axes[k])) return false;
         designs *= (double)answer->axes[k].count;
     }
-    if (designs > DESIGNS_MAX)
-        return yk_session_refuse(answer->session, YK_CODE_OPTION_VALUE,
-                                 "--vary: the grid has more than 10 million designs%s", "");
+    if (designs > (double)most_designs(answer->session->request)) return refuse_many(answer, "--vary: the grid");
     answer->design_count = (size_t)designs;
     return answer->axes != NULL;
 }
@@ -79,11 +97,9 @@ static bool read_sample(YkStudyAnswer *answer)
     size_t designs = DESIGNS;
     uint64_t seed = 0;
     if (yk_tolerances_designs(answer->tolerances) > 0) designs = (size_t)yk_tolerances_designs(answer->tolerances);
-    if (!yk_session_count(session, "--designs", request->designs, DESIGNS_MAX, designs, &answer->design_count))
-        return false;
-    if (answer->design_count > DESIGNS_MAX)
-        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q: a study has at most 10 million designs",
-                                 request->sample);
+    const size_t most = most_designs(request);
+    if (!yk_session_count(session, "--designs", request->designs, most, designs, &answer->design_count)) return false;
+    if (answer->design_count > most) return refuse_many(answer, "--sample: the file");
     answer->seed = yk_tolerances_seed(answer->tolerances);
     if (!yk_session_whole(session, "--seed", request->seed, (uint64_t)1 << 53, 0, &seed)) return false;
     if (request->seed) answer->seed = seed;
@@ -95,21 +111,9 @@ static bool read_sample(YkStudyAnswer *answer)
     return answer->axes != NULL;
 }
 
-void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *values)
+YkDesigns yk_study_designs(const YkStudyAnswer *answer)
 {
-    size_t rest = design;
-    for (size_t k = answer->axis_count; k-- > 0;) { // the last axis varies fastest
-        const YkAxis *axis = &answer->axes[k];
-        if (answer->is_sample) {
-            values[k] = yk_distribution_draw(&axis->distribution, answer->seed, design, k);
-        } else {
-            size_t at = rest % axis->count, last = axis->count - 1;
-            rest /= axis->count;
-            values[k] = at == 0      ? axis->from
-                        : at == last ? axis->to
-                                     : axis->from + (axis->to - axis->from) * (double)at / (double)last;
-        }
-    }
+    return (YkDesigns){answer->axes, answer->axis_count, answer->is_sample, answer->seed};
 }
 
 // --- columns and poses
@@ -187,19 +191,19 @@ static bool missing(YkSession *session, const char *what, const char *hint)
 
 static bool read_format(YkStudyAnswer *answer)
 {
-    static const char *const words[] = {"text", "json", "csv", "npy"};
+    static const char *const words[] = {"text", "json", "csv", "npy", "jsonl"};
     const YkRequest *request = answer->session->request;
     const char *output = request->output, *dot = output ? strrchr(output, '.') : NULL;
     if (!request->format_word && dot) // by the output's ending
-        for (size_t k = 1; k < 4; k++)
+        for (size_t k = 1; k < 5; k++)
             if (strcmp(dot + 1, words[k]) == 0) answer->format = (YkStudyFormat)k;
     if (!request->format_word) return true;
-    for (size_t k = 0; k < 4; k++) {
+    for (size_t k = 0; k < 5; k++) {
         answer->format = (YkStudyFormat)k;
         if (strcmp(request->format_word, words[k]) == 0) return true;
     }
     return yk_session_refuse(answer->session, YK_CODE_OPTION_VALUE,
-                             "--format takes text, json, csv or npy here, not %q", request->format_word);
+                             "--format takes text, json, jsonl, csv or npy here, not %q", request->format_word);
 }
 
 static bool check_request(YkStudyAnswer *answer)
@@ -259,6 +263,7 @@ bool yk_study_read(YkStudyAnswer *answer)
     const YkRequest *request = session->request;
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     size_t steps = STEPS, fallback = processors > 0 && processors <= THREADS_MAX ? (size_t)processors : 1;
+    fallback = yk_ranks_share(fallback);
     bool good = check_request(answer);
     good = good && (!request->over || yk_over_split(session, request->over, &answer->over));
     good = good && yk_session_count(session, "--steps", request->steps, STEPS_MAX, STEPS, &steps);

@@ -4,17 +4,27 @@
 #include "answer.h"
 #include "range.h"
 #include "verbs/sweep/sweep.h"
+#include "write/stream.h"
 
-enum { YK_REDUCTIONS = 4 }; // least, largest, mean, range of a cycle
+enum { YK_REDUCTIONS = 4, YK_PARTIAL_PATH = 4096, YK_STUDY_PIECE = 1 << 20 }; // least, largest, mean, range of a cycle
 
-typedef enum YkStudyFormat { YK_STUDY_TEXT, YK_STUDY_JSON, YK_STUDY_CSV, YK_STUDY_NPY } YkStudyFormat;
+typedef enum YkStudyFormat { YK_STUDY_TEXT, YK_STUDY_JSON, YK_STUDY_CSV, YK_STUDY_NPY, YK_STUDY_JSONL } YkStudyFormat;
 
-typedef struct YkAxis { // a parameter that varies
-    const char *name;
-    double from, to; // of a grid
+typedef YkDesignAxis YkAxis; // a parameter that varies
+
+// Of an answer, over the valid designs, at every pose.
+typedef struct YkMoments {
     size_t count;
-    YkDistribution distribution; // of a sample
-} YkAxis;
+    double mean, deviation, least, largest;
+} YkMoments;
+
+// What is known of all rows so far: it is gathered as they come, since they need not stay in memory.
+typedef struct YkStudySum {
+    YkMoments *moments;                              // [answer]; the deviation is a sum of squares
+    size_t statuses[YK_SINGULAR - YK_NO_MEMORY + 1]; // designs with this status
+    size_t without;                                  // designs without a valid pose
+    size_t bad;                                      // the first that makes no machine; YK_NOT_FOUND: none
+} YkStudySum;
 
 // The table has a row per design: values of the parameters, status, number of valid poses, then the answers.
 typedef struct YkStudyAnswer {
@@ -36,8 +46,16 @@ typedef struct YkStudyAnswer {
     YkState *timed; // the session's state at the time that is asked
     YkState *start; // if other inputs gave the assembly: its pose with these; otherwise NULL
     YkStudy *study;
-    double *rows; // [design][width]
+    double *rows;     // [design][width]; NULL: they are in the blocks
+    YkBlocks *blocks; // OUTPUT.partial, if the output is a file; otherwise NULL
+    char partial[YK_PARTIAL_PATH];
+    double *missing;  // [width]: in place of a row that cannot be read any more
+    bool has_missing; // there was such a row
+    YkStream stream;  // the output, while rows go to it
+    YkStudySum sum;
     size_t width, done;
+    double began, next_line; // s of real time: when computing began; when the next line of progress is due
+    size_t found; // designs that were done already
     bool is_interrupted;
     double *derivative, *difference;           // [column][axis], with --sensitivities
     YkStatus start_status, sensitivity_status; // below 0: the file itself has no valid pose, and no design has
@@ -50,21 +68,37 @@ void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *val
 // partial.c: keeps what is done beside the output. Reads the rows of an interrupted run; returns false with a problem
 // added if they are of another study.
 bool yk_partial_open(YkStudyAnswer *answer);
-bool yk_partial_add(YkStudyAnswer *answer, size_t from, size_t to); // rows [from, to)
-void yk_partial_close(bool is_finished);                            // finished: removes it
-void yk_partial_tell(YkProblems *problems);                         // where it is, if it is: a hint to the last problem
+bool yk_partial_add(YkStudyAnswer *answer, const double *rows, size_t count);
+void yk_partial_close(YkStudyAnswer *answer, bool is_finished); // finished: removes it
+void yk_partial_tell(const YkStudyAnswer *answer);              // where it is, if it is: a hint to the last problem
+bool yk_partial_is_kept(const YkRequest *request);              // whether the output is a file that can have one
+// Returns a number that tells the study from others: of the version, the files and all options that decide its rows.
+uint64_t yk_study_signature(const YkStudyAnswer *answer);
+
+// run.c: computes the designs that are missing, in order. Returns false with a problem added.
+bool yk_study_compute(YkStudyAnswer *answer);
+// Takes the rows of the next designs, wherever they were computed. Returns false with a problem added.
+bool yk_study_take(YkStudyAnswer *answer, const double *rows, size_t count);
+YkRowCase yk_study_case(const YkStudyAnswer *answer, const YkDesigns *designs);
+YkDesigns yk_study_designs(const YkStudyAnswer *answer);
+// Shows how far it is, and what time is left, if anybody watches.
+void yk_study_show(YkStudyAnswer *answer, bool is_last);
+
+// spread.c: computes them on all ranks of mpirun (ranks.h). Returns false with a problem added.
+bool yk_study_spread(YkStudyAnswer *answer);
+// What ranks other than 0 do, whether the study could be read or not. Returns the exit code.
+int yk_study_serve(YkStudyAnswer *answer, bool is_read);
+// Ends the ranks of a study that rank 0 could not begin.
+void yk_study_dismiss(void);
 
 // why.c: if designs make no machine, says why the first of them does not, as a hint to the last problem.
 void yk_study_tell_why(const YkStudyAnswer *answer);
 
 // Places in a row.
-static inline double *yk_study_row(const YkStudyAnswer *a, size_t design)
+const double *yk_study_row(YkStudyAnswer *answer, size_t design); // numbers.c
+static inline YkStatus yk_row_status(const YkStudyAnswer *a, const double *row)
 {
-    return a->rows + design * a->width;
-}
-static inline YkStatus yk_study_status(const YkStudyAnswer *a, size_t design)
-{
-    return (YkStatus)yk_study_row(a, design)[a->axis_count];
+    return (YkStatus)row[a->axis_count];
 }
 static inline size_t yk_study_first(const YkStudyAnswer *a) // answer
 {
@@ -78,11 +112,8 @@ static inline size_t yk_study_kinds(const YkStudyAnswer *a) // answers a column 
 void yk_study_name(const YkStudyAnswer *answer, size_t k, YkText *name);
 YkQuantity yk_study_quantity(const YkStudyAnswer *answer, size_t k);
 
-// Over the valid designs, at every pose.
-typedef struct YkMoments {
-    size_t count;
-    double mean, deviation, least, largest;
-} YkMoments;
+// Gathers a row into the sum.
+void yk_study_note(YkStudyAnswer *answer, size_t design, const double *row);
 YkMoments yk_study_moments(const YkStudyAnswer *answer, size_t k);
 typedef struct YkTolerance { // of a column, from the derivatives: sum of |S| t, and root of the sum of (S s)^2
     double worst, root;
@@ -91,9 +122,13 @@ double yk_study_tolerance_of(const YkStudyAnswer *answer, size_t axis);
 YkTolerance yk_study_tolerance(const YkStudyAnswer *answer, size_t column);
 size_t yk_study_count(const YkStudyAnswer *answer, YkStatus status); // designs with it
 
-void yk_study_text(const YkStudyAnswer *answer);
-void yk_study_json(const YkStudyAnswer *answer);
-void yk_study_csv(const YkStudyAnswer *answer);
-void yk_study_npy(const YkStudyAnswer *answer);
+// Hands on what the writers have made so far, if it is much and the output is a file.
+void yk_study_flush(YkStudyAnswer *answer, size_t most);
+
+void yk_study_text(YkStudyAnswer *answer);
+void yk_study_json(YkStudyAnswer *answer);
+void yk_study_jsonl(YkStudyAnswer *answer);
+void yk_study_csv(YkStudyAnswer *answer);
+void yk_study_npy(YkStudyAnswer *answer);
 
 #endif

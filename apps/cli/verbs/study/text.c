@@ -18,7 +18,7 @@ static double shown_parameter(const YkStudyAnswer *a, size_t axis, double value)
 }
 
 // Writes the designs one by one if there are few.
-static void add_rows(const YkStudyAnswer *a)
+static void add_rows(YkStudyAnswer *a)
 {
     if (a->done > ROWS_SHOWN) return;
     size_t first = yk_study_first(a);
@@ -33,7 +33,7 @@ static void add_rows(const YkStudyAnswer *a)
     for (size_t d = 0; d < a->done; d++) {
         const double *row = yk_study_row(a, d);
         for (size_t k = 0; k < a->axis_count; k++) yk_table_number(table, shown_parameter(a, k, row[k]), YK_DIGITS);
-        yk_table_word(table, yk_status_name(yk_study_status(a, d)));
+        yk_table_word(table, yk_status_name(yk_row_status(a, row)));
         for (size_t k = first; k < a->width; k++)
             yk_table_number(table, yk_shown(a->session, row[k], yk_study_quantity(a, k - first)), YK_DIGITS);
     }
@@ -99,7 +99,7 @@ static void find_scale(const YkStudyAnswer *a)
     }
 }
 
-void yk_study_text(const YkStudyAnswer *a)
+void yk_study_text(YkStudyAnswer *a)
 {
     YkText *out = &a->session->out;
     find_scale(a);

@@ -5,14 +5,6 @@
 #include "base/number.h"
 #include "study.h"
 
-// Returns the first design that makes no machine, or `done` if there is none.
-static size_t first_bad(const YkStudyAnswer *a)
-{
-    size_t d = 0;
-    while (d < a->done && yk_study_status(a, d) != YK_BAD_MODEL) d++;
-    return d;
-}
-
 // Reads and compiles the file with the values of a design; its problems go to `found`.
 static void read_design(const YkStudyAnswer *a, char (*texts)[YK_NUMBER_SIZE], YkProblems *found)
 {
@@ -37,17 +29,20 @@ static const YkProblem *first_error(const YkProblems *found)
 
 void yk_study_tell_why(const YkStudyAnswer *a)
 {
-    const size_t design = first_bad(a);
-    if (design == a->done) return;
+    const size_t design = a->sum.bad;
+    const YkDesigns designs = yk_study_designs(a);
+    if (design == YK_NOT_FOUND) return;
+    double *own = calloc(a->axis_count + 1, sizeof *own);
     char(*texts)[YK_NUMBER_SIZE] = calloc(a->axis_count + 1, sizeof *texts);
     YkProblems *found = yk_problems_new();
     YkText values = {0};
-    for (size_t k = 0; texts && k < a->axis_count; k++) {
+    if (own) yk_designs_at(&designs, design, own);
+    for (size_t k = 0; own && texts && k < a->axis_count; k++) {
         const char *name = a->axes[k].name;
-        yk_number_write(yk_study_row(a, design)[k] / yk_model_parameter_unit(a->session->model, name), texts[k]);
+        yk_number_write(own[k] / yk_model_parameter_unit(a->session->model, name), texts[k]);
         yk_text_format(&values, "%s%s = %s", k > 0 ? ", " : "", name, texts[k]);
     }
-    if (texts && found) read_design(a, texts, found);
+    if (own && texts && found) read_design(a, texts, found);
     const YkProblem *error = found ? first_error(found) : NULL;
     if (error)
         yk_problem_hint(a->session->problems, "design %z (%s) makes no machine: %s [E0%d]", design,
@@ -55,4 +50,5 @@ void yk_study_tell_why(const YkStudyAnswer *a)
     yk_text_free(&values);
     yk_problems_free(found);
     free(texts);
+    free(own);
 }

@@ -1,0 +1,162 @@
+// The ranks of mpirun: what its environment says, and the plugin through which they speak.
+#include "ranks.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "session.h"
+#ifdef YOKE_HAS_RANKS
+#include <dlfcn.h>
+#endif
+
+static const YkRanks *table;
+
+// --- the environment of Open MPI
+
+static int number_of(const char *name, int fallback)
+{
+    const char *text = getenv(name);
+    char *end = NULL;
+    long value = text ? strtol(text, &end, 10) : fallback;
+    return !text || end == text || *end || value < 0 || value > 100000000 ? fallback : (int)value;
+}
+
+int yk_ranks_count(void)
+{
+    int count = number_of("OMPI_COMM_WORLD_SIZE", 1);
+    return count > 1 ? count : 1;
+}
+
+int yk_ranks_rank(void)
+{
+    return yk_ranks_count() > 1 ? number_of("OMPI_COMM_WORLD_RANK", 0) : 0;
+}
+
+size_t yk_ranks_share(size_t processors)
+{
+    size_t here = (size_t)(yk_ranks_count() > 1 ? number_of("OMPI_COMM_WORLD_LOCAL_SIZE", 1) : 1);
+    return here > 1 && processors / here > 0 ? processors / here : here > 1 ? 1 : processors;
+}
+
+bool yk_ranks_is_first_here(void)
+{
+    return number_of("OMPI_COMM_WORLD_LOCAL_RANK", 0) == 0;
+}
+
+// --- the plugin
+
+static const YkRanks *open_plugin(const char *path)
+{
+#ifdef YOKE_HAS_RANKS
+    if (access(path, R_OK) != 0) return NULL;
+    void *plugin = dlopen(path, RTLD_NOW | RTLD_GLOBAL); // Open MPI loads parts of its own, which need its functions
+    if (!plugin) return NULL;
+    YkRanksOpen entry;
+    *(void **)&entry = dlsym(plugin, YK_RANKS_ENTRY);
+    return entry ? entry() : NULL;
+#else
+    (void)path;
+    return NULL;
+#endif
+}
+
+// Finds the plugin beside the command, as it is built, or in ../lib/yoke, as it is installed.
+static const YkRanks *find_plugin(void)
+{
+    static const YkRanks *found;
+#ifdef YOKE_HAS_RANKS
+    char own[4096], path[4096 + 64];
+    ssize_t length = found ? 0 : readlink("/proc/self/exe", own, sizeof own - 1);
+    if (length <= 0) return found;
+    own[length] = '\0';
+    char *slash = strrchr(own, '/');
+    if (slash) *slash = '\0';
+    snprintf(path, sizeof path, "%s/yoke-mpi.so", own);
+    found = open_plugin(path);
+    snprintf(path, sizeof path, "%s/../" YOKE_LIBDIR "/yoke/yoke-mpi.so", own);
+    if (!found) found = open_plugin(path);
+#endif
+    return found;
+}
+
+const char *yk_ranks_plugin(void)
+{
+    static char text[256];
+    const YkRanks *found = find_plugin();
+    if (!found || found->interface != YK_RANKS_INTERFACE) return NULL;
+    snprintf(text, sizeof text, "%s, %s", found->yoke, found->made());
+    return text;
+}
+
+static bool refuse(YkSession *session, const char *why)
+{
+    yk_session_refuse(session, YK_CODE_RANKS_PLUGIN, "mpirun started several ranks, and %s", why);
+    yk_problem_hint(session->problems, "install the package yoke-mpi of version %s, or start yoke without mpirun",
+                    yk_version());
+    return false;
+}
+
+bool yk_ranks_begin(YkSession *session)
+{
+    const YkRanks *found = find_plugin();
+    if (!found) return refuse(session, "the plugin yoke-mpi is missing");
+    if (found->interface != YK_RANKS_INTERFACE || strcmp(found->yoke, yk_version()) != 0)
+        return refuse(session, "the plugin yoke-mpi is of another version");
+    if (!found->begin()) return refuse(session, "Open MPI could not begin");
+    table = found;
+    return true;
+}
+
+const YkRanks *yk_ranks(void)
+{
+    return table;
+}
+
+void yk_ranks_end(void)
+{
+    if (table) table->end();
+    table = NULL;
+}
+
+// --- what is kept back
+
+static struct {
+    FILE *kept;
+    int own; // standard error
+} hush;
+
+void yk_ranks_hush(void)
+{
+#ifdef YOKE_HAS_RANKS
+    fflush(stderr);
+    hush.kept = tmpfile();
+    if (!hush.kept) return;
+    hush.own = dup(STDERR_FILENO);
+    if (hush.own >= 0) dup2(fileno(hush.kept), STDERR_FILENO);
+#endif
+}
+
+void yk_ranks_unhush(char *text, size_t size)
+{
+    *text = '\0';
+#ifdef YOKE_HAS_RANKS
+    if (!hush.kept) return;
+    fflush(stderr);
+    rewind(hush.kept);
+    text[fread(text, 1, size - 1, hush.kept)] = '\0';
+    if (hush.own >= 0) {
+        dup2(hush.own, STDERR_FILENO);
+        close(hush.own);
+    }
+    fclose(hush.kept);
+    hush.kept = NULL;
+#else
+    (void)size;
+#endif
+}
+
+void yk_ranks_speak(void)
+{
+    char text[2];
+    yk_ranks_unhush(text, sizeof text);
+}

@@ -1,0 +1,30 @@
+// Ranks: the processes of one `mpirun`, of which this is one. They speak through a plugin, yoke-mpi, which alone needs
+// the libraries of Open MPI and is loaded only by several ranks.
+#ifndef CLI_RANKS_H
+#define CLI_RANKS_H
+#include <stdbool.h>
+#include <stddef.h>
+#include "cli.h"
+#include "ranks_table.h"
+
+// Return what mpirun's environment says: this rank, from 0; how many there are, 1 without mpirun; and how many of them
+// share this computer.
+int yk_ranks_rank(void);
+int yk_ranks_count(void);
+size_t yk_ranks_share(size_t processors); // this rank's share of the computer's processors, at least 1
+bool yk_ranks_is_first_here(void);        // whether this is the first rank on its computer
+
+// Loads the plugin and begins to speak. Returns false with a problem added.
+bool yk_ranks_begin(YkSession *session);
+const YkRanks *yk_ranks(void); // what it gives; NULL before yk_ranks_begin
+void yk_ranks_end(void);
+// Returns the plugin's version and that of its libraries, "0.1.0, Open MPI v4.1.4"; NULL where it is not installed.
+const char *yk_ranks_plugin(void);
+
+// Ranks other than 0 tell nothing themselves: from now on what is written to standard error is kept back.
+void yk_ranks_hush(void);
+// Returns what was kept back, in text[size]; standard error is itself again.
+void yk_ranks_unhush(char *text, size_t size);
+void yk_ranks_speak(void); // nothing more is kept back
+
+#endif

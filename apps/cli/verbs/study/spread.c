@@ -1,0 +1,374 @@
+// Rank 0 of a study: gives blocks of designs to whoever asks, computes some itself, and writes the rows in order.
+//
+// The size of a block follows the speed of the rank that gets it, and shrinks towards the end, so that all finish
+// together (guided self-scheduling: Polychronopoulos & Kuck 1987). Few blocks are out at a time: rows that came too early
+// wait in memory, and a slow rank holds the others up before these are many.
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include "ranks.h"
+#include "session.h"
+#include "stop.h"
+#include "verbs/study/spread.h"
+#include "verbs/study/study.h"
+
+static const double block_seconds = 0.2, seconds_per_rank = 5e-4, patience = 10; // s
+enum { FIRST_BLOCK = 64, BLOCK_BYTES = 1 << 23, SMALLEST_BYTES = 1 << 16, HELD_BYTES = 1 << 28 };
+
+typedef struct Early { // rows that have come, in the order of their designs
+    uint64_t from, count;
+    double *rows;
+    struct Early *next;
+} Early;
+
+typedef struct Peer {
+    bool is_ready;
+    int wants;      // blocks that it can take
+    double seconds; // a design, by its last block; 0: not known
+} Peer;
+
+typedef struct Own { // rank 0's own block, computed beside
+    pthread_t thread;
+    pthread_mutex_t lock;
+    pthread_cond_t sign;
+    bool is_running, is_due, is_done, ends;
+    YkSpreadWork work;
+    double *rows, seconds;
+    YkStatus status;
+    YkStudyAnswer *answer;
+} Own;
+
+typedef struct Spread {
+    YkStudyAnswer *a;
+    Peer *peers; // [rank]; 0 is this one
+    int count;
+    uint64_t next; // the first design that nobody has
+    size_t out, most_out, most_rows; // blocks that are given and not yet written; their largest number; rows of the largest
+    Early *early;
+    Own own;
+    bool is_stopped;
+} Spread;
+
+// --- messages of failures
+
+static bool run_out(Spread *s)
+{
+    return yk_session_refuse(s->a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+}
+
+static bool check_hello(Spread *s, int rank, const YkSpreadHello *hello)
+{
+    YkProblems *problems = s->a->session->problems;
+    const YkPlace nowhere = {0};
+    if (strcmp(hello->version, yk_version()) != 0) {
+        yk_problem(problems, YK_CODE_RANKS_DIFFER, nowhere, "rank %d on %s is yoke %s, and rank 0 is yoke %s", rank,
+                   hello->place, hello->version, yk_version());
+        return false;
+    }
+    if (!hello->is_read) {
+        size_t length = strlen(hello->said);
+        while (length > 0 && hello->said[length - 1] == '\n') length--;
+        yk_problem(problems, YK_CODE_RANKS_FAILED, nowhere, "rank %d on %s could not read the study", rank,
+                   hello->place);
+        char said[sizeof hello->said];
+        memcpy(said, hello->said, length);
+        said[length] = '\0';
+        yk_problem_hint(problems, "it said: %s", said);
+        return false;
+    }
+    if (hello->signature == yk_study_signature(s->a)) return true;
+    yk_problem(problems, YK_CODE_RANKS_DIFFER, nowhere,
+               "rank %d on %s has another model file, file of tolerances or command line than rank 0", rank,
+               hello->place);
+    return false;
+}
+
+static bool tell_lost(Spread *s, int rank, int32_t reason)
+{
+    s->is_stopped = reason == YK_SPREAD_STOPPED;
+    if (s->is_stopped) return true; // an interruption, wherever the signal went
+    yk_problem(s->a->session->problems, YK_CODE_RANKS_FAILED, (YkPlace){0}, "rank %d ran out of memory", rank);
+    yk_partial_tell(s->a);
+    return false;
+}
+
+// --- rows
+
+// Keeps rows until their turn. Takes the rows over.
+static bool keep(Spread *s, uint64_t from, uint64_t count, double *rows)
+{
+    Early *early = malloc(sizeof *early), **at = &s->early;
+    if (!early) {
+        free(rows);
+        return run_out(s);
+    }
+    while (*at && (*at)->from < from) at = &(*at)->next;
+    *early = (Early){from, count, rows, *at};
+    *at = early;
+    return true;
+}
+
+// Writes all rows whose turn it is.
+static bool write_rows(Spread *s)
+{
+    bool good = true;
+    while (good && s->early && s->early->from == s->a->done) {
+        Early *early = s->early;
+        s->early = early->next;
+        s->out--;
+        good = yk_study_take(s->a, early->rows, (size_t)early->count);
+        free(early->rows);
+        free(early);
+    }
+    return good;
+}
+
+// --- work
+
+// Returns the next block for a rank; count 0: there is none now.
+static YkSpreadWork next_work(Spread *s, int rank)
+{
+    uint64_t left = s->a->design_count - s->next, count = FIRST_BLOCK, fair = left / (2 * (uint64_t)s->count) + 1;
+    double target = block_seconds + seconds_per_rank * s->count, seconds = s->peers[rank].seconds;
+    if (left == 0 || s->out >= s->most_out) return (YkSpreadWork){0, 0};
+    if (seconds > 0) count = target / seconds < (double)s->most_rows ? (uint64_t)(target / seconds) + 1 : s->most_rows;
+    if (count > fair) count = fair;
+    if (count > s->most_rows) count = s->most_rows;
+    YkSpreadWork work = {s->next, count};
+    s->next += count;
+    s->out++;
+    return work;
+}
+
+static void give_work(Spread *s)
+{
+    for (int rank = 1; rank < s->count; rank++) {
+        Peer *peer = &s->peers[rank];
+        while (peer->is_ready && peer->wants > 0) {
+            YkSpreadWork work = next_work(s, rank);
+            if (work.count == 0) return;
+            yk_ranks()->send(rank, YK_SPREAD_WORK, &work, sizeof work);
+            peer->wants--;
+        }
+    }
+}
+
+static bool take_rows(Spread *s, int rank, size_t bytes)
+{
+    YkSpreadRows head;
+    char *message = malloc(bytes + 1);
+    double *rows = bytes > sizeof head ? malloc(bytes - sizeof head) : NULL;
+    if (!message || !rows) {
+        free(message);
+        free(rows);
+        return run_out(s);
+    }
+    yk_ranks()->receive(rank, YK_SPREAD_ROWS, message, bytes);
+    memcpy(&head, message, sizeof head);
+    memcpy(rows, message + sizeof head, bytes - sizeof head);
+    free(message);
+    s->peers[rank].wants++;
+    if (head.count > 0) s->peers[rank].seconds = (head.seconds + 1e-7) / (double)head.count;
+    return keep(s, head.from, head.count, rows);
+}
+
+// Takes one message. Returns false with a problem added, or stopped.
+static bool hear(Spread *s, int rank, int tag, size_t bytes)
+{
+    int32_t reason = 0;
+    if (tag == YK_SPREAD_ROWS) return take_rows(s, rank, bytes);
+    if (tag == YK_SPREAD_HELLO) {
+        YkSpreadHello hello;
+        memset(&hello, 0, sizeof hello);
+        yk_ranks()->receive(rank, tag, &hello, sizeof hello);
+        s->peers[rank].is_ready = true;
+        s->peers[rank].wants = YK_SPREAD_AHEAD;
+        return check_hello(s, rank, &hello);
+    }
+    yk_ranks()->receive(rank, tag, &reason, sizeof reason);
+    return tag != YK_SPREAD_LOST || tell_lost(s, rank, reason);
+}
+
+// --- rank 0's own blocks
+
+static void *work_beside(void *context)
+{
+    Own *own = context;
+    const YkDesigns designs = yk_study_designs(own->answer);
+    const YkRowCase asked = yk_study_case(own->answer, &designs);
+    pthread_mutex_lock(&own->lock);
+    while (!own->ends) {
+        if (!own->is_due) {
+            pthread_cond_wait(&own->sign, &own->lock);
+            continue;
+        }
+        own->is_due = false;
+        pthread_mutex_unlock(&own->lock);
+        double start = yk_stop_now();
+        YkStatus status =
+            yk_study_rows(own->answer->study, &asked, own->work.from, (size_t)own->work.count, own->rows);
+        pthread_mutex_lock(&own->lock);
+        own->status = status;
+        own->seconds = yk_stop_now() - start;
+        own->is_done = true;
+    }
+    pthread_mutex_unlock(&own->lock);
+    return NULL;
+}
+
+// Begins the thread; without it rank 0 only writes.
+static void begin_own(Spread *s)
+{
+    Own *own = &s->own;
+    own->answer = s->a;
+    pthread_mutex_init(&own->lock, NULL);
+    pthread_cond_init(&own->sign, NULL);
+    own->is_running = pthread_create(&own->thread, NULL, work_beside, own) == 0;
+    s->peers[0].wants = own->is_running ? 1 : 0;
+}
+
+static void end_own(Spread *s)
+{
+    Own *own = &s->own;
+    pthread_mutex_lock(&own->lock);
+    own->ends = true;
+    pthread_cond_signal(&own->sign);
+    pthread_mutex_unlock(&own->lock);
+    if (own->is_running) pthread_join(own->thread, NULL);
+    pthread_cond_destroy(&own->sign);
+    pthread_mutex_destroy(&own->lock);
+    free(own->rows);
+}
+
+static bool take_own(Spread *s)
+{
+    Own *own = &s->own;
+    pthread_mutex_lock(&own->lock);
+    bool is_done = own->is_done;
+    own->is_done = false;
+    pthread_mutex_unlock(&own->lock);
+    if (!is_done) return true;
+    s->is_stopped |= own->status == YK_STOPPED;
+    if (own->status == YK_STOPPED) return true;
+    if (own->status != YK_OK) return run_out(s);
+    s->peers[0].wants = 1;
+    s->peers[0].seconds = (own->seconds + 1e-7) / (double)own->work.count;
+    double *rows = own->rows;
+    own->rows = NULL;
+    return keep(s, own->work.from, own->work.count, rows);
+}
+
+static bool give_own(Spread *s)
+{
+    Own *own = &s->own;
+    if (s->peers[0].wants == 0) return true;
+    YkSpreadWork work = next_work(s, 0);
+    if (work.count == 0) return true;
+    double *rows = calloc((size_t)work.count * s->a->width + 1, sizeof *rows);
+    if (!rows) return run_out(s);
+    s->peers[0].wants = 0;
+    pthread_mutex_lock(&own->lock);
+    own->work = work;
+    own->rows = rows;
+    own->is_due = true;
+    pthread_cond_signal(&own->sign);
+    pthread_mutex_unlock(&own->lock);
+    return true;
+}
+
+// --- the whole
+
+static bool are_all_ready(const Spread *s)
+{
+    for (int rank = 1; rank < s->count; rank++)
+        if (!s->peers[rank].is_ready) return false;
+    return true;
+}
+
+static bool conduct(Spread *s)
+{
+    YkStudyAnswer *a = s->a;
+    double pause = 0;
+    bool good = true, are_ready = false;
+    yk_study_show(a, false);
+    while (good && !s->is_stopped && (a->done < a->design_count || !are_ready)) {
+        int rank, tag;
+        size_t bytes;
+        bool has_news = yk_ranks()->poll(&rank, &tag, &bytes);
+        if (has_news) good = hear(s, rank, tag, bytes);
+        are_ready = are_ready || are_all_ready(s);
+        good = good && take_own(s) && write_rows(s);
+        if (good && are_ready) { // nothing is computed before all are known to be of one make
+            good = give_own(s);
+            give_work(s);
+        }
+        s->is_stopped |= yk_stop_is_asked();
+        yk_study_show(a, false);
+        if (has_news)
+            pause = 0;
+        else
+            yk_spread_wait(&pause);
+    }
+    yk_study_show(a, true);
+    return good;
+}
+
+// Tells all ranks to stop, and hears them out. Ends them all if one does not answer in time.
+static void dismiss(int count)
+{
+    double start = yk_stop_now(), pause = 0;
+    int gone = 1;
+    for (int rank = 1; rank < count; rank++) yk_ranks()->send(rank, YK_SPREAD_STOP, NULL, 0);
+    while (gone < count) {
+        int rank, tag;
+        size_t bytes;
+        if (!yk_ranks()->poll(&rank, &tag, &bytes)) {
+            if (yk_stop_now() - start > patience) yk_ranks()->abort(YK_EXIT_WRONG);
+            yk_spread_wait(&pause);
+            continue;
+        }
+        char *room = malloc(bytes + 1);
+        if (!room) yk_ranks()->abort(YK_EXIT_WRONG);
+        if (room) yk_ranks()->receive(rank, tag, room, bytes);
+        free(room);
+        gone += tag == YK_SPREAD_BYE;
+        pause = 0;
+    }
+    yk_ranks_end();
+}
+
+void yk_study_dismiss(void)
+{
+    dismiss(yk_ranks()->count());
+}
+
+static size_t most_rows(const YkStudyAnswer *a, size_t most_out)
+{
+    size_t bytes = HELD_BYTES / most_out;
+    if (bytes > BLOCK_BYTES) bytes = BLOCK_BYTES;
+    if (bytes < SMALLEST_BYTES) bytes = SMALLEST_BYTES;
+    return bytes / (a->width * sizeof(double)) + 1;
+}
+
+bool yk_study_spread(YkStudyAnswer *a)
+{
+    int count = yk_ranks()->count();
+    Spread s = {.a = a, .count = count, .next = a->done, .most_out = (size_t)count * 4 + 4};
+    s.peers = calloc((size_t)count, sizeof *s.peers);
+    s.most_rows = most_rows(a, s.most_out);
+    bool good = s.peers || run_out(&s);
+    if (good) {
+        begin_own(&s);
+        good = conduct(&s);
+        end_own(&s);
+    }
+    dismiss(count);
+    while (s.early) {
+        Early *next = s.early->next;
+        free(s.early->rows);
+        free(s.early);
+        s.early = next;
+    }
+    free(s.peers);
+    return good;
+}

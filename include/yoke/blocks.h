@@ -1,0 +1,72 @@
+// Studies in blocks, for whoever distributes them - over processes, machines or nights: designs by their numbers, a block
+// of them as rows, and a file of blocks that goes on where it was left.
+//
+// A row is a design: the values of its parameters, its status (yoke/status.h), its number of valid poses, then its
+// answers: the channels at one pose; or least, largest, mean and range of each channel over all poses. What is not valid
+// is NaN, beside a status that says why. A row depends on nothing but the study and its own number.
+#ifndef YOKE_BLOCKS_H
+#define YOKE_BLOCKS_H
+
+#include <yoke/study.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// A parameter that varies: an axis of a grid or, in a sample, a distribution.
+typedef struct YkDesignAxis {
+    const char *name;
+    double from, to; // of a grid, SI: both ends included
+    size_t count;    // at least 1
+    YkDistribution distribution;
+} YkDesignAxis;
+typedef struct YkDesigns {
+    const YkDesignAxis *axes; // in the order of the study's parameters
+    size_t axis_count;
+    bool is_sample;
+    uint64_t seed; // of a sample
+} YkDesigns;
+// Finds the values of a design, values[axis]: in a grid the last axis varies fastest.
+YK_API void yk_designs_at(const YkDesigns *designs, uint64_t design, double *values);
+
+typedef struct YkRowCase {
+    const YkDesigns *designs;
+    const double *const *inputs; // [3 * input + k][pose], as in YkStudyCase
+    size_t pose_count;
+    const double *times; // [pose], s; NULL: the state's
+    bool is_reduced;     // otherwise there is one pose
+} YkRowCase;
+// Returns how many numbers a row has; 0 for a NULL argument.
+YK_API size_t yk_study_row_width(const YkStudy *study, const YkRowCase *asked);
+// Computes the rows of designs [from, from + count): rows[design - from][column]. Returns YK_OK; YK_STOPPED,
+// YK_NO_MEMORY or YK_BAD_ARGUMENT, and then there are no rows. Cost: that of yk_study_run or yk_study_reduce.
+YK_API YkStatus yk_study_rows(YkStudy *study, const YkRowCase *asked, uint64_t from, size_t count, double *rows);
+
+// A file that keeps the rows of a study, block after block in the order of the designs, each block with a checksum. It
+// is the doubles of this machine: another kind of processor does not read it. One process at a time has it open.
+typedef struct YkBlocks YkBlocks;
+typedef struct YkBlocksOptions {
+    uint64_t signature; // tells this study from any other: of all that decides its rows
+    uint64_t design_count;
+    size_t width;  // numbers a row
+    bool is_fresh; // start anew, whatever the file has
+} YkBlocksOptions;
+// Opens or makes the file. It goes on after the last whole block; one that is damaged is a warning, and ends what is
+// kept. Returns NULL with problems added: of another study, open elsewhere, not writable.
+YK_API YkBlocks *yk_blocks_open(const char *path, const YkBlocksOptions *options, YkProblems *problems);
+// Returns how many designs the file has.
+YK_API uint64_t yk_blocks_done(const YkBlocks *blocks);
+// Adds a block: rows of the next `count` designs. Returns false with a problem added: the disk is full, or the file was
+// removed. Whole blocks stay as they are; nothing more can be added.
+YK_API bool yk_blocks_add(YkBlocks *blocks, const double *rows, size_t count, YkProblems *problems);
+// Returns the row of a design, valid until the next call; NULL if it cannot be read. Only one block is in memory: rows
+// in ascending order cost one reading of the file.
+YK_API const double *yk_blocks_row(YkBlocks *blocks, uint64_t design);
+// Closes the file; removes it if it has served its purpose.
+YK_API void yk_blocks_close(YkBlocks *blocks, bool is_finished);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
