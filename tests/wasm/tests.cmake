@@ -13,6 +13,7 @@ exec ${YOKE_NODE} ${tests}/yoke.mjs ${node} ${whole} \"$@\"
 
 add_test(NAME wasm/sizes COMMAND ${YOKE_NODE} ${tests}/test_sizes.mjs ${small} ${whole})
 add_test(NAME wasm/door COMMAND ${YOKE_NODE} ${tests}/test_door.mjs ${node} ${small} ${examples})
+add_test(NAME wasm/followers COMMAND ${YOKE_NODE} ${tests}/test_followers.mjs ${node} ${small} ${examples})
 add_test(NAME wasm/answers COMMAND ${YOKE_NODE} ${tests}/test_answers.mjs ${node} ${small} ${whole} ${examples})
 add_test(NAME wasm/problems COMMAND ${YOKE_NODE} ${tests}/test_problems.mjs ${node} ${small} ${whole} ${CMAKE_SOURCE_DIR}/tests/bad)
 add_test(NAME wasm/client COMMAND ${YOKE_NODE} ${tests}/test_client.mjs ${node} ${scripts}/worker.js ${small} ${whole} ${examples})
@@ -20,6 +21,6 @@ add_test(NAME wasm/types COMMAND ${YOKE_NODE} ${YOKE_WEB_DIR}/node_modules/types
 # Every verb on every example, one process a run: a sample, all of them with YOKE_FULL.
 add_test(NAME wasm/bits COMMAND ${PYTHON3} ${CMAKE_SOURCE_DIR}/tests/bits/golden.py ${CMAKE_BINARY_DIR}/yoke --sample 16)
 set_tests_properties(wasm/bits PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
-set_tests_properties(wasm/sizes wasm/door wasm/answers wasm/problems wasm/client wasm/types wasm/bits PROPERTIES TIMEOUT 36000)
-set_tests_properties(wasm/door wasm/answers wasm/problems wasm/client PROPERTIES SKIP_RETURN_CODE 77)
+set_tests_properties(wasm/sizes wasm/door wasm/followers wasm/answers wasm/problems wasm/client wasm/types wasm/bits PROPERTIES TIMEOUT 36000)
+set_tests_properties(wasm/door wasm/followers wasm/answers wasm/problems wasm/client PROPERTIES SKIP_RETURN_CODE 77)
 set_tests_properties(wasm/types PROPERTIES SKIP_REGULAR_EXPRESSION "Cannot find module.*typescript")

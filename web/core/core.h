@@ -51,6 +51,8 @@ void yk_core_forget_sliders(void);
 int yk_core_tell(const YkState *state, YkStatus status, const char *message);
 // Returns the state that is shown: the simulation's, or the present one.
 const YkState *yk_core_shown(void);
+// Returns where the model has what is drawn at a place of a body, m: drawings show a cam's follower where it rides.
+YkVec yk_core_in_model(size_t body, YkVec drawn);
 // Makes `names` inputs of the machine; the pose stays. Adds to problems (may be NULL).
 YkStatus yk_core_use_inputs(const char *const *names, size_t count, YkProblems *problems);
 // Makes the machine of the source and of the sliders; `from` (or NULL) is the machine before, whose assembly it takes.

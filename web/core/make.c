@@ -54,7 +54,6 @@ static bool make_drawing(YkCore *made)
     if (!yk_state_has_pose(made->state)) return true;
     made->drawing = yk_drawing_new(made->mech, &options);
     if (!made->drawing) return false;
-    made->drawing->keeps_followers = true;
     made->drawing->fixed_scale = yk_core.scale;
     tour(made->drawing, made->state);
     for (int k = 0; k < 2; k++) {

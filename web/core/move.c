@@ -18,7 +18,7 @@ static void write_numbers(const YkState *state, double *numbers)
     for (size_t b = 0; b < bodies; b++) {
         numbers[3 * b] = frames[b].origin.x;
         numbers[3 * b + 1] = frames[b].origin.y;
-        numbers[3 * b + 2] = yk_state_body(state, b).position;
+        numbers[3 * b + 2] = yk_state_body(state, b).position + yk_drawing_follower_turn(drawing, b);
     }
     for (size_t k = 0; k < coordinates; k++) numbers[3 * bodies + k] = yk_state_coordinate(state, k).position;
 }
@@ -54,6 +54,27 @@ YK_DOOR(ys_time) double ys_time(void)
 {
     if (yk_core.simulation) return yk_simulation_time(yk_core.simulation);
     return yk_core.state ? yk_state_time(yk_core.state) : 0;
+}
+
+static bool is_follower(const YkModel *model, size_t body)
+{
+    for (size_t k = 0; k < model->cam_count; k++)
+        if ((size_t)model->cams[k].follower == body) return true;
+    return false;
+}
+
+YkVec yk_core_in_model(size_t body, YkVec drawn)
+{
+    YkDrawing *drawing = yk_core.drawing;
+    const YkState *state = yk_core.mech ? yk_core_shown() : NULL;
+    if (!drawing || !state || !yk_state_has_pose(state) || !is_follower(yk_core.model, body)) return drawn;
+    if (!yk_drawing_place(drawing, state, drawing->placed)) return drawn;
+    YkFrame there = drawing->placed[body];
+    YkVec own = yk_mul(yk_conj(there.axis), yk_sub(drawn, there.origin));
+    drawing->keeps_followers = true;
+    bool is_placed = yk_drawing_place(drawing, state, drawing->placed);
+    drawing->keeps_followers = false;
+    return is_placed ? yk_frame_apply(drawing->placed[body], own) : drawn;
 }
 
 // --- inputs
@@ -215,7 +236,8 @@ YK_DOOR(ys_drag) int ys_drag(size_t body, double x, double y, double to_x, doubl
         yk_core.drag = yk_drag_new(yk_core.state, body, yk_core.drag_place, NULL);
         if (!yk_core.drag) return yk_core_tell(yk_core.state, YK_BAD_ARGUMENT, "there is no such body");
     }
-    const double target[2] = {to_x, to_y};
+    YkVec to = yk_core_in_model(body, yk_vec(to_x, to_y));
+    const double target[2] = {to.x, to.y};
     YkText words = {0};
     YkStatus status = yk_state_drag(yk_core.drag, target, &dragged);
     yk_core.is_scheduled = false;

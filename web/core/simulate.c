@@ -42,7 +42,8 @@ YK_DOOR(ys_release) int ys_release(void)
 YK_DOOR(ys_pull) int ys_pull(size_t body, double x, double y, double to_x, double to_y, double stiffness)
 {
     if (!yk_core.simulation || body >= yk_model_body_count(yk_core.model)) return YK_BAD_ARGUMENT;
-    YkPull pull = {.body = body, .place = {x, y}, .target = {to_x, to_y}, .stiffness = stiffness};
+    YkVec to = yk_core_in_model(body, yk_vec(to_x, to_y));
+    YkPull pull = {.body = body, .place = {x, y}, .target = {to.x, to.y}, .stiffness = stiffness};
     pull.damping = 2 * sqrt(stiffness * yk_model_body_mass(yk_core.model, body));
     return yk_simulation_act_pull(yk_core.simulation, 0, stiffness > 0 ? &pull : NULL);
 }

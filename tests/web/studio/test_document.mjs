@@ -16,10 +16,10 @@ if (!existsSync(join(bundled, "node_modules", "yaml"))) {
 const require = createRequire(resolve(bundled) + "/");
 const work = mkdtempSync(join(tmpdir(), "yoke-document-"));
 process.on("exit", () => rmSync(work, { recursive: true, force: true }));
-writeFileSync(join(work, "entry.ts"), ["source", "numbers", "gestures"].map((name) => `export * from "${resolve(bundled)}/src/document/${name}";`).join("\n") +
+writeFileSync(join(work, "entry.ts"), ["source", "numbers", "gestures", "elements"].map((name) => `export * from "${resolve(bundled)}/src/document/${name}";`).join("\n") +
   `\nexport { split } from "${resolve(bundled)}/src/panels/command";\nexport { mendOf } from "${resolve(bundled)}/src/editor/problems";`);
 await require("esbuild").build({ entryPoints: [join(work, "entry.ts")], bundle: true, format: "esm", platform: "browser", outfile: join(work, "out.mjs"), logLevel: "error" });
-const { Source, Draft, difference, written, typed, decimal, split, mendOf } = await import(pathToFileURL(join(work, "out.mjs")).href);
+const { Source, Draft, addBelt, addCam, addDamper, addPolygon, addRack, difference, written, typed, decimal, split, mendOf } = await import(pathToFileURL(join(work, "out.mjs")).href);
 const { parse } = require("yaml");
 const examples = readdirSync(folder).filter((name) => name.endsWith(".yaml")).map((name) => [name, readFileSync(join(folder, name), "utf8")]);
 const EMPTY = { name: "", bodies: [], joints: [], coordinates: [], parameters: [], freedom: 0, moves: false };
@@ -92,6 +92,47 @@ test("a four-bar is drawn by seven gestures", () => {
     joints: { B: { pin: ["bar1", "bar2"] }, C: { pin: ["bar2", "bar3"] }, A: { pin: ["ground", "bar1"] }, D: { pin: ["ground", "bar3"] } },
     drives: { "A.angle": "30 rpm * t" },
   });
+});
+
+test("a plate is one body, pinned where its corners lie on others", () => {
+  const drawing = draft("units: {length: mm}\nbodies: {a: {points: {P: [1, 1]}}}\n");
+  addPolygon(drawing, [{ world: [0.001, 0.001], body: "a", point: "P" }, { world: [0.005, 0.001] }, { world: [0.005, 0.004], body: "ground" }, { world: [0.001, 0.004] }]);
+  assert.deepEqual(parse(drawing.text), {
+    units: { length: "mm" }, bodies: { ground: { points: { B: [5, 4] } }, a: { points: { P: [1, 1] } }, plate1: { points: { P: [1, 1], A: [5, 1], B: [5, 4], C: [1, 4] } } },
+    joints: { P: { pin: ["a", "plate1"] }, B: { pin: ["ground", "plate1"] } },
+  });
+});
+
+test("a rack touches its pinion's pitch circle, and a belt has two pulleys", () => {
+  const rack = draft("units: {length: mm}\n");
+  addRack(rack, { world: [0.01, 0.02] }, [0.01, -0.03]);
+  assert.deepEqual(parse(rack.text), {
+    units: { length: "mm" }, bodies: { ground: { points: { A: [10, 20], B: [10, -30] } }, pinion1: { points: { A: [0, 0] } }, rack1: {} },
+    joints: { A: { pin: ["ground", "pinion1"] }, S1: { slide: ["ground", "rack1"], along: "x", from: "B" } }, racks: { pair1: { pinion: "pinion1", rack: "rack1", radius: "50 mm" } },
+  });
+  const belt = draft("units: {length: mm}\n");
+  addBelt(belt, { world: [0, 0] }, { world: [0.1, 0] });
+  assert.deepEqual(parse(belt.text).belts, { belt1: { between: ["pulley1", "pulley2"], radii: ["20 mm", "10 mm"] } });
+  assert.deepEqual(parse(belt.text).joints, { A: { pin: ["ground", "pulley1"] }, B: { pin: ["ground", "pulley2"] } });
+});
+
+test("a cam's base circle and roller reach from its centre to where the roller was put", () => {
+  const drawing = draft("units: {length: mm, angle: deg}\n");
+  addCam(drawing, { world: [0.01, 0] }, [0.01, 0.05]);
+  const { cams: { cam1 }, joints: { S1 } } = parse(drawing.text);
+  assert.deepEqual(cam1, { cam: "disc1", follower: "follower1", law: "lift1", roller: "10 mm", base: "40 mm" });
+  assert.deepEqual(S1, { slide: ["ground", "follower1"], along: "y", from: "A" });
+});
+
+test("a slot leads a point along another body, in its axes; a damper lies between two places", () => {
+  const text = "units: {length: mm, angle: deg}\nbodies: {arm: {points: {A: [0, 0], B: [0, 9]}}, link: {points: {P: [0, 2]}}}\n";
+  const drawing = draft(text, { ...EMPTY, bodies: [{ name: "arm" }, { name: "link" }] }, { bodies: new Float64Array([0, 0, Math.PI / 2, 0, 0, 0]), coordinates: new Float64Array() });
+  drawing.guide({ world: [0, 0.002], body: "link", point: "P" }, [0, 0.009], "arm");
+  addDamper(drawing, { world: [0, 0.002], body: "link", point: "P" }, { world: [0.005, 0] });
+  const made = parse(drawing.text);
+  assert.deepEqual(made.joints, { S1: { "pin-slot": ["arm", "link"], at: "P", from: "C", along: "x" } });
+  assert.deepEqual(made.bodies.arm.points.C, [2, 0]);
+  assert.deepEqual(made.springs, { damper1: { between: ["link.P", "ground.D"], damping: "10 N*s/m" } });
 });
 
 test("a third body on a pin gets a joint of its own at the same point", () => {

@@ -33,7 +33,7 @@ export class Keys {
     if (event.key in moves) this.step(moves[event.key], event.shiftKey ? 5 : 1);
     else if (event.key === "Enter") void this.click();
     else if (event.key === "n" || event.key === "N") this.next(event.shiftKey ? -1 : 1);
-    else if (/^[0-9.]$/.test(event.key) && this.hand.tool.places === 2 && this.hand.spots.length) this.open(event.key);
+    else if (/^[0-9.]$/.test(event.key) && this.hand.tool.places >= 2 && this.hand.spots.length) this.open(event.key);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -80,7 +80,7 @@ export class Keys {
   }
 
   private open(first: string): void {
-    const to = this.canvas.shown.sketching?.to.world ?? this.hand.spots[0].world, [x, y] = this.canvas.view.toScreen(to);
+    const to = this.canvas.shown.sketching?.to.world ?? this.hand.spots.at(-1)!.world, [x, y] = this.canvas.view.toScreen(to);
     this.input.hidden = false;
     this.input.value = first;
     this.input.style.left = `${Math.min(x + 16, this.canvas.view.width - 190)}px`;
@@ -95,7 +95,7 @@ export class Keys {
 
   // Ends the gesture at the typed distance, in the typed direction or the pointer's.
   private async take(): Promise<void> {
-    const answer = typed(this.input.value, this.canvas.units), from = this.hand.spots[0];
+    const answer = typed(this.input.value, this.canvas.units), from = this.hand.spots.at(-1);
     if (!answer || !from) {
       this.session.emit("said", words.say.typedWrong);
       return;

@@ -9,7 +9,7 @@ import type { View } from "./view";
 
 const MOST_HANDLES = 600;
 
-export interface Sketching { from: Spot; to: Spot; label: string }
+export interface Sketching { from: Spot; to: Spot; label: string; corners?: Spot[] } // corners: of the polygon so far
 export interface Shown {
   hover: Spot | null;
   crosshair: Spot | null; // of the keyboard
@@ -86,6 +86,7 @@ export class Overlay {
   private sketched({ sketching, pull }: Shown): SVGElement[] {
     const marks: SVGElement[] = [];
     if (sketching) {
+      (sketching.corners ?? []).slice(1).forEach((one, k) => marks.push(this.segment(sketching.corners![k].world, one.world, "sketch"), this.circle(sketching.corners![k].world, 5, "sketch-end")));
       marks.push(this.segment(sketching.from.world, sketching.to.world, "sketch"), this.circle(sketching.from.world, 5, "sketch-end"), this.circle(sketching.to.world, 5, "sketch-end"));
       const [x, y] = this.view.toScreen(sketching.to.world);
       marks.push(svg("text", { x: x + 14, y: y - 12, class: "sketch-label" }, sketching.label));

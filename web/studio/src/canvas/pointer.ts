@@ -4,14 +4,15 @@ import type { Session } from "../session";
 import type { Place } from "../document/gestures";
 import { decimal } from "../document/numbers";
 import type { Canvas } from "./canvas";
-import { bearing, distance, frameOf, toBody } from "./frames";
+import { bearing, distance } from "./frames";
 import type { Point } from "./frames";
+import { words } from "../words";
+import { grab, middle } from "./grab";
+import type { Drag } from "./grab";
 import { snap } from "./snap";
 import type { Spot } from "./snap";
-import { reshape, TOOLS, toolOf } from "./tools";
+import { MANY, reshape, TOOLS, toolOf } from "./tools";
 import type { Tool, ToolId } from "./tools";
-
-type Drag = { kind: "pan" } | { kind: "body"; body: string; point: [number, number] } | { kind: "shape"; spot: Spot } | { kind: "tool" } | { kind: "pinch"; span: number };
 
 export class Hand {
   tool: Tool = TOOLS[0];
@@ -68,7 +69,7 @@ export class Hand {
   spot(screen: Point, event: PointerEvent): Spot {
     const reach = event.pointerType === "touch" ? 22 : 12;
     return snap(this.session, this.canvas.view, this.canvas.view.toWorld(screen), {
-      reach, grid: this.canvas.step, isFree: event.altKey, client: [event.clientX, event.clientY], from: this.spots[0]?.world,
+      reach, grid: this.canvas.step, isFree: event.altKey, client: [event.clientX, event.clientY], from: this.spots.at(-1)?.world,
     });
   }
 
@@ -85,7 +86,7 @@ export class Hand {
     this.canvas.shown.hover = null;
     const spot = this.spot(at, event);
     if (event.button === 1 || event.button === 2) this.drag = { kind: "pan" };
-    else if (this.tool.id === "select") this.grab(spot);
+    else if (this.tool.id === "select") this.drag = grab(this.session, spot);
     else if (this.tool.id === "shape") this.drag = spot.all.length ? { kind: "shape", spot } : { kind: "pan" };
     else {
       this.drag = { kind: "tool" };
@@ -93,18 +94,6 @@ export class Hand {
       if (this.isFresh) this.spots = [spot];
       this.preview(spot);
     }
-  }
-
-  // Takes hold of the body under the pointer; of the plane where there is none.
-  private grab(spot: Spot): void {
-    const { machine, pose } = this.session, held = spot.all.find((one) => one.body !== "ground") ?? spot.all[0];
-    const body = held?.body ?? spot.onBody;
-    if (!machine || !pose || !body || body === "ground") {
-      this.drag = { kind: "pan" };
-      return;
-    }
-    const point = held ? machine.bodies.find((one) => one.name === body)!.points.find((one) => one.name === held.point)!.at : toBody(frameOf(machine, pose, body), spot.world);
-    this.drag = { kind: "body", body, point: [point[0], point[1]] };
   }
 
   private pinch(): void {
@@ -203,10 +192,11 @@ export class Hand {
   async click(spot: Spot, isDragged = false): Promise<void> {
     const { tool } = this, first = this.spots[0];
     if (!tool.finish) return;
-    if (tool.places === 2 && !first) {
+    if (tool.places >= 2 && !first) {
       this.spots = [spot];
       return this.preview(spot);
     }
+    if (tool.places === MANY) return this.corner(spot);
     if (tool.places === 2 && tool.id !== "pin" && distance(first.world, spot.world) < 1e-9) {
       this.cancel();
       return;
@@ -215,6 +205,18 @@ export class Hand {
     this.cancel();
     if (typeof answer === "string") this.session.emit("said", answer);
     else if (answer && tool.chain && !isDragged && this.tool === tool) this.goOn(answer);
+  }
+
+  // Adds a corner to a polygon; at its first corner, or twice at the last one, the polygon ends.
+  private async corner(spot: Spot): Promise<void> {
+    const { spots } = this, near = (one: Spot) => distance(one.world, spot.world) * this.canvas.view.scale < 8;
+    if (!near(spots[0]) && !near(spots[spots.length - 1])) {
+      this.spots = [...spots, spot];
+      return this.preview(spot);
+    }
+    if (spots.length < 3) return this.session.emit("said", words.say.cornersMore);
+    await this.tool.finish!(this.session, spots, this.canvas.resolution);
+    this.cancel();
   }
 
   private goOn({ world, body, point }: Place): void {
@@ -236,11 +238,11 @@ export class Hand {
   }
 
   preview(spot: Spot): void {
-    const from = this.spots[0], { units } = this.canvas;
+    const from = this.spots.at(-1), { units } = this.canvas;
     if (!from) return;
     const far = decimal(distance(from.world, spot.world) / units.metre, this.canvas.resolution / units.metre);
     const turn = decimal((bearing(from.world, spot.world) * 180) / Math.PI, 0.1);
-    this.canvas.shown.sketching = { from, to: spot, label: `${far} ${units.length}  ${turn}°` };
+    this.canvas.shown.sketching = { from, to: spot, label: `${far} ${units.length}  ${turn}°`, corners: this.spots };
     this.canvas.redraw();
   }
 
@@ -251,9 +253,4 @@ export class Hand {
     this.canvas.onView();
     this.canvas.redraw();
   }
-}
-
-function middle(fingers: Map<number, [number, number]>): [number, number] {
-  const [a, b] = Array.from(fingers.values());
-  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 }

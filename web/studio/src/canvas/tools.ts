@@ -1,4 +1,5 @@
 // The tools: what a click, or two, with each of them writes into the file.
+import { addBelt, addCam, addDamper, addPolygon, addRack } from "../document/elements";
 import type { Draft, Place } from "../document/gestures";
 import type { Session } from "../session";
 import { words } from "../words";
@@ -6,12 +7,14 @@ import { distance } from "./frames";
 import type { Point } from "./frames";
 import type { At, Spot } from "./snap";
 
-export type ToolId = "select" | "bar" | "point" | "pin" | "slide" | "ground" | "motor" | "gear" | "mass" | "spring" | "force" | "shape" | "delete";
+export type ToolId = "select" | "bar" | "polygon" | "point" | "pin" | "slide" | "slot" | "ground" | "motor" | "gear" | "rack" | "belt" | "cam" | "mass"
+  | "spring" | "damper" | "force" | "shape" | "delete";
+export const MANY = 1000; // places of a gesture that ends where it began
 
 export interface Tool {
   id: ToolId;
   key: string;
-  places: 0 | 1 | 2; // how many clicks make one gesture
+  places: 0 | 1 | 2 | typeof MANY; // how many clicks make one gesture
   chain?: boolean; // the next gesture begins where this one ended
   // Makes the gesture and returns a sentence where it cannot.
   finish?(session: Session, spots: Spot[], resolution: number): Promise<string | null | Place>;
@@ -29,6 +32,21 @@ function joined(session: Session, a: string, b: string): boolean {
   return session.machine?.joints.some((joint) => joint.bodies.includes(a) && joint.bodies.includes(b)) ?? false;
 }
 
+// Returns the two places of a spring or damper, or null where both are on one body.
+function between(from: Spot, to: Spot): [Place, Place] | null {
+  const [a, b] = [from, to].map((spot) => { const one = moving(spot); return one.body ? one : place(spot); });
+  return (a.body ?? "ground") === (b.body ?? "ground") ? null : [a, b];
+}
+
+// Returns the place of a wheel's centre: the body that turns there, or the ground.
+function centre(spot: Spot): Place {
+  const at = spot.all.find((each) => !isGround(each));
+  return at ? { world: spot.world, ...at } : place({ ...spot, onBody: undefined });
+}
+
+// Tells whether something on the ground can be driven from a wheel's centre: its body turns on the ground, or there is none yet.
+const turnsOnGround = (session: Session, { body }: Place): boolean => !body || body === "ground" || joined(session, "ground", body);
+
 // Runs a gesture; returns what it returns.
 async function draw<T>(session: Session, resolution: number, gesture: (draft: Draft) => T): Promise<T | null> {
   let answer: T | null = null;
@@ -39,7 +57,7 @@ async function draw<T>(session: Session, resolution: number, gesture: (draft: Dr
 // Returns the joint to drive at a place: one to the ground first, then one that is not driven.
 function jointAt(session: Session, spot: Spot): string | null {
   const here = (session.machine?.joints ?? []).filter((joint) =>
-    joint.points.some((point, side) => spot.all.some((at) => at.body === joint.bodies[side] && at.point === point)));
+    (joint.points.length ? joint.points : [joint.name, joint.name]).some((point, side) => spot.all.some((at) => at.body === joint.bodies[side] && at.point === point)));
   const rank = (name: string): number => {
     const joint = here.find((one) => one.name === name)!, own = session.machine!.coordinates.filter((one) => one.joint === name);
     return (own.length ? 4 : 0) + (joint.bodies.includes("ground") ? 2 : 0) + (own.some((one) => !one.driven) ? 1 : 0);
@@ -54,6 +72,14 @@ export const TOOLS: Tool[] = [
     async finish(session, [from, to], resolution) {
       if (!apart(from.world, to.world)) return null;
       return draw(session, resolution, (draft) => draft.addBar(place(from), place(to)));
+    },
+  },
+  {
+    id: "polygon", key: "y", places: MANY,
+    async finish(session, spots, resolution) {
+      const body = await draw(session, resolution, (draft) => addPolygon(draft, spots.map(place)));
+      if (body) session.select({ kind: "body", body });
+      return null;
     },
   },
   {
@@ -102,6 +128,17 @@ export const TOOLS: Tool[] = [
     },
   },
   {
+    id: "slot", key: "l", places: 2,
+    async finish(session, [from, to], resolution) {
+      const host = to.onBody ?? to.all.find((one) => !isGround(one))?.body;
+      const at = from.all.find((one) => !isGround(one) && one.body !== host), body = at?.body ?? from.onBody;
+      if (!body) return words.say.slideFrom;
+      if (!host || host === body) return words.say.slotTwo;
+      await draw(session, resolution, (draft) => draft.guide(at ? { world: from.world, ...at } : { world: from.world, body }, to.world, host));
+      return null;
+    },
+  },
+  {
     id: "motor", key: "m", places: 1,
     async finish(session, [spot], resolution) {
       const joint = jointAt(session, spot);
@@ -119,11 +156,34 @@ export const TOOLS: Tool[] = [
     id: "gear", key: "e", places: 2,
     async finish(session, [first, second], resolution) {
       if (!apart(first.world, second.world)) return null;
-      const centres = [first, second].map((spot) => {
-        const at = spot.all.find((each) => !isGround(each));
-        return at ? { world: spot.world, ...at } : place({ ...spot, onBody: undefined });
-      });
-      await draw(session, resolution, (draft) => draft.mesh(centres[0], centres[1]));
+      await draw(session, resolution, (draft) => draft.mesh(centre(first), centre(second)));
+      return null;
+    },
+  },
+  {
+    id: "rack", key: "h", places: 2,
+    async finish(session, [from, to], resolution) {
+      const pinion = centre(from);
+      if (!turnsOnGround(session, pinion)) return words.say.turnsOnGround;
+      await draw(session, resolution, (draft) => addRack(draft, pinion, to.world));
+      return null;
+    },
+  },
+  {
+    id: "belt", key: "u", places: 2,
+    async finish(session, [first, second], resolution) {
+      const [a, b] = [centre(first), centre(second)];
+      if (a.body && a.body === b.body && a.body !== "ground") return words.say.beltTwo;
+      await draw(session, resolution, (draft) => addBelt(draft, a, b));
+      return null;
+    },
+  },
+  {
+    id: "cam", key: "c", places: 2,
+    async finish(session, [from, to], resolution) {
+      const shaft = centre(from);
+      if (!turnsOnGround(session, shaft)) return words.say.turnsOnGround;
+      await draw(session, resolution, (draft) => addCam(draft, shaft, to.world));
       return null;
     },
   },
@@ -131,9 +191,18 @@ export const TOOLS: Tool[] = [
     id: "spring", key: "k", places: 2,
     async finish(session, [from, to], resolution) {
       if (!apart(from.world, to.world)) return null;
-      const [a, b] = [moving(from), moving(to)].map((one, k) => (one.body ? one : place([from, to][k])));
-      if ((a.body ?? "ground") === (b.body ?? "ground")) return words.say.springTwo;
-      await draw(session, resolution, (draft) => draft.addSpring(a, b));
+      const ends = between(from, to);
+      if (!ends) return words.say.springTwo;
+      await draw(session, resolution, (draft) => draft.addSpring(...ends));
+      return null;
+    },
+  },
+  {
+    id: "damper", key: "d", places: 2,
+    async finish(session, [from, to], resolution) {
+      const ends = between(from, to);
+      if (!ends) return words.say.springTwo;
+      await draw(session, resolution, (draft) => addDamper(draft, ...ends));
       return null;
     },
   },

@@ -16,9 +16,9 @@ const MENTIONS = ["joints", "gears", "racks", "belts", "cams", "forces", "spring
 
 export class Draft {
   source: Source;
-  private units: Units;
+  readonly units: Units;
 
-  constructor(text: string, private machine: Machine, private pose: Pose, private resolution: number) {
+  constructor(text: string, private machine: Machine, private pose: Pose, readonly resolution: number) {
     this.source = new Source(text.trim() === "" ? EMPTY_FILE : text);
     this.units = unitsOf(this.source);
   }
@@ -27,18 +27,18 @@ export class Draft {
     return this.source.text;
   }
 
-  private set(path: string[], value: string): void {
+  set(path: string[], value: string): void {
     this.source = this.source.set(path, value);
   }
 
   // Returns the first name of a kind that is free in a section: bar1, bar2, ...
-  private free(section: string[], stem: string): string {
+  free(section: string[], stem: string): string {
     const taken = new Set(this.source.keys(section));
     for (let k = 1; ; k++) if (!taken.has(stem + k)) return stem + k;
   }
 
   // Returns the first letter that no joint and no point has: A, B, ..., Z, A2, ...
-  private letter(): string {
+  letter(): string {
     const taken = new Set(this.source.keys(["joints"]));
     for (const body of this.source.keys(["bodies"])) for (const name of this.source.keys(["bodies", body, "points"])) taken.add(name);
     for (let k = 0; ; k++) {
@@ -47,11 +47,11 @@ export class Draft {
     }
   }
 
-  private axes(body: string | undefined) {
+  axes(body: string | undefined) {
     return frameOf(this.machine, this.pose, body ?? "ground");
   }
 
-  private write(body: string, name: string, world: Point, axesOf = body): void {
+  write(body: string, name: string, world: Point, axesOf = body): void {
     this.set(["bodies", body, "points", name], pair(toBody(this.axes(axesOf), world), this.units, this.resolution));
   }
 
@@ -62,12 +62,12 @@ export class Draft {
   }
 
   // Returns the point of a place, made where the body has none there.
-  private pointAt(place: Place): string {
+  pointAt(place: Place): string {
     return place.point ?? this.addPoint(place.body!, place.world);
   }
 
   // Pins two bodies that both have the point.
-  private pin(a: string, b: string, point: string): string {
+  pin(a: string, b: string, point: string): string {
     const isTaken = this.source.has(["joints", point]), name = isTaken ? this.free(["joints"], point + "_") : point;
     this.set(["joints", name], `{pin: [${written(a)}, ${written(b)}]${isTaken ? `, at: ${written(point)}` : ""}}`);
     return name;
@@ -111,13 +111,17 @@ export class Draft {
     this.pin(a.body!, other, name);
   }
 
-  // Guides a point of a body along a line of the ground; it stays free to turn.
-  guide(place: Place, towards: Point): void {
-    const at = this.pointAt(place), from = this.addPoint("ground", place.world), turn = bearing(place.world, towards);
-    const degrees = Math.round((turn * 180) / Math.PI * 1e6) / 1e6;
-    const line = degrees % 180 === 0 ? "x" : Math.abs(degrees) === 90 ? "y" : angle(turn, this.units);
+  // Guides a point of a body along a line of the ground, or of another body, which then has a slot; it stays free to turn.
+  guide(place: Place, towards: Point, host = "ground"): void {
+    const at = this.pointAt(place), from = this.addPoint(host, place.world), turn = bearing(place.world, towards) - this.axes(host).angle;
     const name = this.free(["joints"], "S");
-    this.set(["joints", name], `{pin-slot: [ground, ${written(place.body!)}], at: ${written(at)}, from: ${written(from)}, along: ${line}}`);
+    this.set(["joints", name], `{pin-slot: [${written(host)}, ${written(place.body!)}], at: ${written(at)}, from: ${written(from)}, along: ${this.line(turn)}}`);
+  }
+
+  // Writes the direction of a line: an axis by its letter.
+  line(turn: number): string {
+    const degrees = Math.round((turn * 180) / Math.PI * 1e6) / 1e6;
+    return degrees % 180 === 0 ? "x" : degrees % 180 === 90 || degrees % 180 === -90 ? "y" : angle(turn, this.units);
   }
 
   // Drives a coordinate: an angle evenly, a distance to and fro, from where it stands.
@@ -166,10 +170,10 @@ export class Draft {
   }
 
   // Pins a new gear to the ground; its centre is its origin.
-  private addGear(place: Place): string {
-    const name = this.free(["bodies"], "gear"), centre = place.point ?? this.addPoint("ground", place.world);
+  addGear(place: Place, stem = "gear"): string {
+    const name = this.free(["bodies"], stem), centre = place.point ?? this.addPoint("ground", place.world);
     const joint = this.source.has(["joints", centre]) ? this.free(["joints"], centre + "_") : centre;
-    this.set(["bodies", name], "{}");
+    this.set(["bodies", name], `{points: {${written(centre)}: [0, 0]}}`);
     this.set(["joints", joint], `{pin: [ground, ${name}]${joint === centre ? "" : `, at: ${written(centre)}`}}`);
     return name;
   }
