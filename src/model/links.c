@@ -11,7 +11,25 @@ static bool coincide(YkVec a, YkVec b)
 
 static const char *point_name(const YkModel *model, const YkJoint *joint, int end)
 {
-    return joint->point[end] == YK_NONE ? "origin" : model->points[joint->point[end]].name;
+    return joint->point[end] == YK_NONE ? NULL : model->points[joint->point[end]].name;
+}
+
+// Says which points coincide; NULL stands for the body's origin.
+static void tell(YkLoader *loader, const YkBody *body, const char *a, const char *b)
+{
+    if (a && b)
+        yk_problem(loader->problems, YK_CODE_COINCIDENT_PINS, body->place,
+                   "%q is a link without length: its points %q and %q coincide", body->name, a, b);
+    else if (a || b)
+        yk_problem(loader->problems, YK_CODE_COINCIDENT_PINS, body->place,
+                   "%q is a link without length: its point %q lies at its origin, as its other pin does", body->name,
+                   a ? a : b);
+    else
+        yk_problem(loader->problems, YK_CODE_COINCIDENT_PINS, body->place,
+                   "%q is a link without length: both its pins lie at its origin", body->name);
+    if (!a || !b)
+        yk_problem_hint(loader->problems,
+                        "a pin without a point lies at the origin; name one of them in the points of %q", body->name);
 }
 
 // The last two joints at each body, as joint * 2 + end, and their number.
@@ -25,12 +43,7 @@ static void check_body(YkLoader *loader, const YkBody *body, const Holds *holds)
     const YkJoint *a = &model->joints[holds->hold[0] / 2], *b = &model->joints[holds->hold[1] / 2];
     int end_a = holds->hold[0] % 2, end_b = holds->hold[1] % 2;
     if (a->kind != YK_PIN || b->kind != YK_PIN || !coincide(a->at[end_a], b->at[end_b])) return;
-    yk_problem(loader->problems, YK_CODE_COINCIDENT_PINS, body->place,
-               "%q is a link without length: its points %q and %q coincide", body->name, point_name(model, a, end_a),
-               point_name(model, b, end_b));
-    if (a->point[end_a] == YK_NONE || b->point[end_b] == YK_NONE)
-        yk_problem_hint(loader->problems,
-                        "a pin without a point lies at the origin; name one of them in the points of %q", body->name);
+    tell(loader, body, point_name(model, a, end_a), point_name(model, b, end_b));
 }
 
 void yk_load_check_links(YkLoader *loader)

@@ -79,7 +79,11 @@ static void two_pins_at_the_origin_are_a_link_of_no_length(void **state)
 {
     (void)state;
     assert_int_equal(warnings("bodies: {b: {}, c: {}}\njoints: {A: {pin: [ground, b]}, B: {pin: [b, c]}}\n",
-                              "`b` is a link without length: its points `origin` and `origin`"),
+                              "`b` is a link without length: both its pins lie at its origin"),
+                     1);
+    assert_int_equal(warnings("bodies: {ground: {points: {A: [1, 0]}}, b: {points: {A: [0, 0]}}, c: {}}\n"
+                              "joints: {A: {pin: [ground, b]}, B: {pin: [b, c]}}\n",
+                              "`b` is a link without length: its point `A` lies at its origin, as its other pin does"),
                      1);
     assert_int_equal(warnings("bodies: {b: {}, c: {}, d: {}}\n"
                               "joints: {A: {pin: [ground, b]}, B: {pin: [b, c]}, C: {pin: [b, d]}}\n",
