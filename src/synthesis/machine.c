@@ -224,7 +224,8 @@ bool yk_synthesise_machine(YkSynthesis *s, YkProblems *problems)
     size_t best = s->options.best > 0 ? s->options.best : s->task->best;
     search->most = best < KEPT ? best : KEPT;
     bool good = yk_machine_fit_new(s->task, s->arena, &search->fit, problems);
-    size_t work = (machine->steps + 1) * (2 * machine->free_count + 1) * STEPS / 5; // some 0.2 us a pose
+    size_t work = (machine->steps + 1) * STARTS / 5; // some 0.2 us a pose
+    search->fit.pace = &s->pace;
     for (size_t k = 0; good && k < BATCHES; k++) {
         yk_pace_reach(&s->pace, (double)k / BATCHES);
         if (!yk_synthesis_goes_on(s, work)) break;

@@ -4,6 +4,8 @@
 #include <string.h>
 #include "synthesis/least_squares.h"
 
+enum { POSE = 200 }; // work of a pose
+
 static size_t count_misses(const YkMachineTask *machine, size_t rows)
 {
     size_t count = machine->claim_count;
@@ -116,6 +118,7 @@ bool yk_machine_improve(YkMachineFit *fit, YkMachineTry *try, size_t steps)
     if (!yk_machine_measure(fit, fit->miss, try)) return false;
     for (size_t k = 0; k < steps && still < 5 && damping < damping_max && try->cost > 0; k++) {
         double step[YK_FREE_MAX];
+        if (!yk_pace_spend(fit->pace, POSE * fit->rows * (2 * n + 2))) return true;
         YkMachineTry next = *try;
         if (is_new && !differentiate(fit, try)) return true;
         YkLinear linear = {n, fit->misses, fit->row, fit->miss, try->value, low, high, fit->A, fit->b};

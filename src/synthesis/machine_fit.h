@@ -1,6 +1,7 @@
 // A machine whose parameters vary, and how far it is from the goals of its task.
 #ifndef SYNTHESIS_MACHINE_FIT_H
 #define SYNTHESIS_MACHINE_FIT_H
+#include "base/pace.h"
 #include "synthesis/task.h"
 #include <yoke/batch.h>
 #include <yoke/variant.h>
@@ -17,6 +18,7 @@ typedef struct YkMachineFit {
     signed char *status;                 // [rows]
     double *miss, *low_miss, *high_miss; // [misses]
     double *row, *A, *b;                 // of the least squares
+    YkPace *pace;                        // counts the work; NULL: not watched
     double weight;                       // of what a claim lacks, over its limit, against the machine's size
 } YkMachineFit;
 

@@ -149,7 +149,7 @@ static bool has_enough(const YkPathSearch *search, size_t batches, size_t *first
 {
     const YkPathProblem *p = &search->problem;
     size_t conditions = p->is_timed ? 2 * p->count : p->count;
-    if (conditions <= YK_PATH_UNKNOWNS) return search->exact >= EXACT;
+    if (conditions <= YK_PATH_UNKNOWNS) return search->exact >= EXACT || search->exact >= search->most;
     if (search->exact == 0) *first = batches;
     return search->exact > 0 &&
            (search->exact >= EXACT_OF_MANY || 4 * search->exact >= search->most || batches > 2 * *first + MORE_BATCHES);

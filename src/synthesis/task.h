@@ -158,7 +158,9 @@ void yk_task_check_machine(YkTaskReader *reader);
 void yk_task_read_path(YkTaskReader *reader);
 void yk_task_check_path(YkTaskReader *reader);
 
-// task_claims.c: the channel of a machine task by its name, reported if there is none. Returns YK_NOT_FOUND then.
+// task_claims.c: passes on that memory ran out while something else was read. Returns whether it did.
+bool yk_task_out_of_memory(YkTaskReader *reader, const YkProblems *own);
+// The channel of a machine task by its name, reported if there is none. Returns YK_NOT_FOUND then.
 size_t yk_task_channel(YkTaskReader *reader, const YkNode *node, const char *name);
 // Reads max(abs(CHANNEL)), max(CHANNEL) or min(CHANNEL). Returns where it ends, or NULL after a mistake.
 const char *yk_task_measure(YkTaskReader *reader, const YkNode *node, YkMeasure *measure, size_t *channel);

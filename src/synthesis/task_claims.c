@@ -3,17 +3,27 @@
 #include <string.h>
 #include "synthesis/task.h"
 
+bool yk_task_out_of_memory(YkTaskReader *reader, const YkProblems *own)
+{
+    for (size_t k = 0; k < yk_problems_count(own); k++)
+        if (yk_problems_get(own, k)->code == YK_CODE_OUT_OF_MEMORY) reader->loader->failed = true;
+    return reader->loader->failed;
+}
+
 size_t yk_task_channel(YkTaskReader *reader, const YkNode *node, const char *name)
 {
     YkMachineTask *machine = &reader->task->machine;
     YkProblems *problems = reader->loader->problems, *own = yk_problems_new();
     YkChannel channel;
+    if (!own) reader->loader->failed = true;
     if (!machine->mech || !own) {
         yk_problems_free(own);
         return YK_NOT_FOUND;
     }
     bool good = yk_channel_parse(machine->mech, name, &channel, own) == YK_OK;
-    if (!good) {
+    if (!good && yk_task_out_of_memory(reader, own)) {
+        good = false;
+    } else if (!good) {
         const YkProblem *why = yk_problems_count(own) > 0 ? yk_problems_get(own, 0) : NULL;
         yk_problem(problems, YK_CODE_UNKNOWN_NAME, node->place, "%s", why ? why->message : "there is no such channel");
         if (why && why->hint) yk_problem_hint(problems, "%s", why->hint);
@@ -48,6 +58,7 @@ const char *yk_task_measure(YkTaskReader *reader, const YkNode *node, YkMeasure 
         yk_text_add(&name, node->text + begin, (size_t)(end - node->text) - begin);
         *measure = forms[k].measure;
         *channel = yk_task_channel(reader, node, yk_text_get(&name));
+        if (name.failed) reader->loader->failed = true;
         yk_text_free(&name);
         return *channel == YK_NOT_FOUND ? NULL : skip(end + strlen(forms[k].after));
     }

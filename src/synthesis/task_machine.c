@@ -15,6 +15,7 @@ static void place_beside(const YkLoader *loader, const char *file, YkText *path)
 static void tell_machine(YkTaskReader *reader, const YkNode *node, const YkProblems *own)
 {
     const YkProblem *why = NULL;
+    if (yk_task_out_of_memory(reader, own)) return;
     for (size_t k = 0; k < yk_problems_count(own) && !why; k++)
         if (yk_problems_get(own, k)->severity == YK_SEVERITY_ERROR) why = yk_problems_get(own, k);
     yk_problem(reader->loader->problems, YK_CODE_TASK_MACHINE, node->place, "machine %q: line %z: %s", node->text,
@@ -35,10 +36,11 @@ static void load_machine(YkTaskReader *reader, const char *coordinate)
     if (node && own && yk_load_expect(loader, node, YK_NODE_SCALAR, &(YkSubject){.noun = "value", .part = "machine"})) {
         machine->place = node->place;
         place_beside(loader, node->text, &path);
-        machine->model = yk_model_load(yk_text_get(&path), NULL, own);
+        if (!path.failed) machine->model = yk_model_load(yk_text_get(&path), NULL, own);
         if (machine->model) machine->mech = yk_mechanism_compile(machine->model, &options, own);
-        if (!machine->mech) tell_machine(reader, node, own);
+        if (!machine->mech && !path.failed) tell_machine(reader, node, own);
     }
+    if (!own || path.failed) loader->failed = true;
     yk_text_free(&path);
     yk_problems_free(own);
 }
@@ -116,6 +118,7 @@ static void read_through(YkTaskReader *reader, const YkNode *map, YkGoal *goal)
         YkText name = {0};
         yk_text_format(&name, "%s%s", point->text, axes[i]);
         goal->channel[i] = yk_task_channel(reader, point, yk_text_get(&name));
+        if (name.failed) loader->failed = true;
         yk_text_free(&name);
         if (goal->channel[i] == YK_NOT_FOUND) return;
     }

@@ -36,6 +36,8 @@ static const Run runs[] = {
     {"solve @valve-cam --method newton-euler", false},
     {"solve @four-bar --at thta2=40deg", false},
     {"solve @rough-block", false},
+    {"synthesize %path.yaml", false},
+    {"synthesize %vary.yaml --format json", false},
     {"sweep @quick-return --over theta1=0:180deg --steps 6 --of d5,d5.rate,ram.C.x", true},
     {"sweep @non-grashof --over theta2=0:360deg --steps 12", true},
     {"sweep @watt-with-masses --over t=0:1s --steps 4 --format json", true},
