@@ -46,12 +46,13 @@ static bool read_values(YkMapAnswer *answer, const YkAssignments *pairs, Wanted 
 static double off_from(const Reach *r, const double *values)
 {
     const YkMechanism *mech = r->answer->session->mech;
+    const double turn = 6.28318530717958647692;
     double most = 0;
     for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
         double off = r->row[c] - values[c];
         if (isnan(values[c]) || c == yk_map_coordinate(r->answer->map)) continue;
         bool is_distance = yk_coordinate_info(mech, c).is_distance;
-        off = is_distance ? off / yk_mechanism_size(mech) : remainder(off, 6.28318530717958647692);
+        off = is_distance ? off / yk_mechanism_size(mech) : off - turn * rint(off / turn);
         most = fmax(most, fabs(off));
     }
     return most;
