@@ -8,7 +8,7 @@ YkStrand *yk_strand_new(YkTracer *tracer, size_t level, YkStrand *below)
 {
     YkStrand *strand = calloc(1, sizeof *strand);
     if (strand)
-        *strand = (YkStrand){.level = level, .below = below, .branch = -1};
+        *strand = (YkStrand){.level = level, .below = below};
     else
         tracer->out_of_memory = true;
     return strand;

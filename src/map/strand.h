@@ -22,10 +22,8 @@ typedef struct YkStrand {
     struct YkStrand *below; // NULL at level 0
     YkCell *cells;          // ascending; each ends where the next begins
     size_t count, capacity;
-    size_t index;    // among those of its level
-    int branch;      // what the circuits make of it
-    bool is_open[2]; // its ends: no link has been found there
-    size_t last;     // the cell asked for last
+    size_t index; // among those of its level
+    size_t last;  // the cell asked for last
 } YkStrand;
 
 typedef struct YkStrands {

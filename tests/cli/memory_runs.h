@@ -29,7 +29,7 @@ static const Run runs[] = {
     {"solve @four-bar", false},
     {"solve @four-bar-at-rest --at theta2=40deg --all", false},
     {"solve @andrews", false},
-    {"map @non-grashof --over theta4", false},
+    {"map @slider-crank --reach theta=100deg", false},
     {"solve @andrews --format json", false},
     {"solve @geared-five-bar --format csv -o told.csv", false},
     {"solve @stephenson-awkward --all --format json", false},
