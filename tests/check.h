@@ -10,6 +10,26 @@
 #include <string.h>
 #include <cmocka.h>
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
+#define IS_SANITIZED 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define IS_SANITIZED 1
+#endif
+
+// Returns how many of a test's random cases to run: all, or a tenth under the sanitizers, which look for faults of memory and of
+// arithmetic, not of answers, and find them in the first cases or not at all.
+static inline uint64_t check_cases(uint64_t all)
+{
+#ifdef IS_SANITIZED
+    return (all + 9) / 10;
+#else
+    return all;
+#endif
+}
+
 // Fails unless |a - b| <= tolerance (NaN fails).
 #define CHECK_NEAR(a, b, tolerance)                                                                                    \
     do {                                                                                                               \

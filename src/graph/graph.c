@@ -69,7 +69,7 @@ YkRef yk_graph_name(YkGraph *g, YkRef value, const char *format, ...)
 
 // --- finding again
 
-// The name is left out: only leaves are told apart by it, and is_same compares it.
+// Leaves the name out: it distinguishes leaves only, and is_same compares it.
 static size_t hash_of(const YkValue *v)
 {
     uint64_t bits, h = (uint64_t)v->op * 31 + (uint64_t)v->function;

@@ -21,7 +21,7 @@ typedef struct YkRefVec { // of a plane vector
 
 typedef enum YkValueKind {
     YK_VALUE_NUMBER,
-    YK_VALUE_LEAF, // what the program finds under a name
+    YK_VALUE_LEAF, // a value that the program finds under a name
     YK_VALUE_ADD,
     YK_VALUE_SUBTRACT,
     YK_VALUE_MULTIPLY,
@@ -49,7 +49,7 @@ typedef struct YkValue {
     YkRef a, b, c; // operands, or -1; RESULT: the call and which of its results
     YkFunction function;
     double number;
-    const char *name;   // of a leaf; of others what to call it, or NULL
+    const char *name;   // of a leaf; for another value the name to print it under, or NULL
     int32_t section;    // under which heading it is computed
     bool of_parameters; // depends on parameters alone
     int32_t leaf_class; // of a leaf: YkLeafClass
@@ -58,7 +58,7 @@ typedef struct YkValue {
 typedef enum YkLeafClass {
     YK_LEAF_PARAMETER, // of the machine
     YK_LEAF_POSE,      // of the pose: inputs, configuration, time
-    YK_LEAF_UNKNOWN    // of a group: what Newton's method looks for
+    YK_LEAF_UNKNOWN    // of a group: an unknown of Newton's method
 } YkLeafClass;
 
 // A piece of program that is not an expression: it takes several values and gives several.
@@ -79,12 +79,12 @@ typedef struct YkCall {
     int32_t section;
 } YkCall;
 
-// What derivatives remember about values: room made once, whose entries count only with the latest stamp.
+// The working memory of derivatives, allocated once. An entry is valid only if it carries the latest stamp.
 typedef struct YkGraphMemo {
     YkRef *slope;
     uint32_t *slope_stamp, *reach_stamp, newest; // by value
     size_t capacity;
-    YkRef reached;          // reach_stamp tells what this value is made of ...
+    YkRef reached;          // reach_stamp: which values this value is made of ...
     uint32_t reached_stamp; // ... where it is this
 } YkGraphMemo;
 
@@ -97,7 +97,7 @@ typedef struct YkGraph {
     size_t call_count, call_capacity;
     const char **sections;
     size_t section_count, section_capacity;
-    int32_t *table; // of what is there already
+    int32_t *table; // hash table of the values that exist already
     size_t table_size;
     YkNames leaves;    // values by name
     YkPace *pace;      // of the long call that fills it, or NULL

@@ -1,4 +1,4 @@
-// Starts the printer, and finds what a function needs of the graph.
+// Starts the printer, and finds the values of the graph that a function needs.
 #include "graph/print.h"
 #include <stdlib.h>
 #include <string.h>

@@ -65,7 +65,7 @@ struct YkPrinter {
     bool failed;
 };
 
-// The graph must be complete. False when out of memory; end it then as well.
+// The graph must be complete. Returns false when out of memory; the printer must be ended then, too.
 bool yk_printer_start(YkPrinter *printer, YkGraph *graph, const YkPrinterFile *file, const char *prefix, bool single,
                       YkText *out);
 void yk_printer_end(YkPrinter *printer);

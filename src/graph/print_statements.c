@@ -1,4 +1,4 @@
-// Prints values as statements: a variable for what is used more than once, calls before their first result.
+// Prints values as statements: a variable for each value used more than once, and calls before their first result.
 #include <stdlib.h>
 #include <string.h>
 #include "graph/print.h"

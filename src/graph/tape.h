@@ -16,9 +16,9 @@ typedef struct YkTapeLaws {
     void (*evaluate)(const void *context, int32_t law, double argument, double result[3]);
 } YkTapeLaws;
 
-// Makes a tape that computes the roots in blocks of at most `lanes` poses. leaves[k]: the leaves that somebody will
-// give values; every leaf that the roots depend on must be among them. Returns NULL when out of memory, or if the
-// graph contains what a tape cannot do: calls of groups. The graph is not needed afterwards.
+// Makes a tape that computes the roots in blocks of at most `lanes` poses. leaves[k]: the leaves that will be given
+// values; every leaf that the roots depend on must be among them. Returns NULL when out of memory, or if the
+// graph contains calls of groups, which a tape cannot run. The graph is not needed afterwards.
 YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
                     size_t lanes, YkTapeLaws laws);
 void yk_tape_free(YkTape *tape);
@@ -32,7 +32,7 @@ void yk_tape_set_lanes(YkTape *tape, size_t leaf, const double *lanes);
 void yk_tape_pack_lanes(YkTape *tape, size_t leaf, const double *lanes, const size_t *which, size_t n);
 // Gives a leaf the same value in all lanes. After parameters, call yk_tape_prepare.
 void yk_tape_set(YkTape *tape, size_t leaf, double value);
-// Computes what depends on parameters alone.
+// Computes the values that depend on parameters alone.
 void yk_tape_prepare(YkTape *tape);
 // Computes out[root][0 .. n) for the first n lanes. The rows of roots and leaves must not overlap. Allocates nothing.
 void yk_tape_run(YkTape *tape, double *const *out, size_t n);

@@ -1,4 +1,4 @@
-// Gives the values of a tape their rows: a row is used again once nobody needs what it holds.
+// Gives the values of a tape their rows: a row is reused once its value is no longer needed.
 #include "graph/tape_steps.h"
 
 enum { APART = 8 }; // numbers between rows, so that they do not compete for the same cache lines
@@ -17,7 +17,7 @@ static int32_t new_row(Placer *p)
     return (int32_t)(p->tape->leaf_count + p->tape->root_count + p->own_count++);
 }
 
-// --- who reads what last
+// --- the last step that reads each value
 
 // Calls a function for every place in a step that names a value it reads.
 static void each_operand(Placer *p, YkTapeStep *s, int32_t step, void (*visit)(Placer *p, int32_t *value, int32_t step))

@@ -1,4 +1,4 @@
-// The operations of a tape, for the one who makes them and the one who runs them.
+// The operations of a tape, shared by the files that make them and the file that runs them.
 #ifndef GRAPH_TAPE_STEPS_H
 #define GRAPH_TAPE_STEPS_H
 #include "graph/tape.h"
@@ -34,7 +34,7 @@ typedef struct YkTapeCall {
     YkCallKind kind;
     int32_t index, n, m;
     size_t argument_count, result_count;
-    int32_t *arguments, *results; // rows; a result that nobody needs: YK_NONE
+    int32_t *arguments, *results; // rows; YK_NONE for a result that is not needed
 } YkTapeCall;
 
 struct YkTape {
@@ -50,14 +50,14 @@ struct YkTape {
     double *scratch; // of a call
 };
 
-// tape_rows.c: replaces the values in the steps by rows, which are used again once nobody needs what they hold.
+// tape_rows.c: replaces the values in the steps by rows, which are reused once their values are no longer needed.
 // made[k]: the value that step k computes. Returns false when out of memory, or if a leaf that is needed is not among
 // the leaves.
 bool yk_tape_place(YkTape *tape, YkArena *work, const YkGraph *graph, const YkRef *leaves, const YkRef *roots,
                    const YkRef *made);
 // tape_run.c: runs steps over n lanes.
 void yk_tape_run_steps(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n);
-// One lane of what is rare.
+// Evaluates one lane of a rare operation.
 void yk_tape_run_rare(const YkTape *tape, const YkTapeStep *step, size_t lane);
 
 #endif

@@ -11,7 +11,7 @@ static int32_t leader(int32_t *group, int32_t body)
     return body;
 }
 
-// The sketch's own joints, with the slides of free joints; behind them are the welds of what floats.
+// The sketch's own joints, with the slides of free joints, followed by the welds of the parts that float.
 static size_t own_joints(const YkModel *model)
 {
     return model->joint_count - model->held_joints;
@@ -168,7 +168,7 @@ static void find_end(YkSketch *sketch, const PointNames *names, int32_t point)
     if (other != YK_NONE) suggest_pin(sketch, lack, point, other);
 }
 
-// Ends are told of bodies without mass that one joint holds: what hangs freely from a pin is a pendulum otherwise.
+// Reports an end of a body only if the body has no mass and one joint holds it: with mass it is a pendulum.
 void yk_sketch_find_ends(YkSketch *sketch)
 {
     const YkModel *model = sketch->model;

@@ -17,7 +17,7 @@ struct YkSketch {
     bool failed;    // out of memory
 };
 
-// Finds what is missing; sketch->failed where memory ran out.
+// Finds what is missing. Sets sketch->failed when out of memory.
 void yk_sketch_find_lacks(YkSketch *sketch);
 void yk_sketch_find_connections(YkSketch *sketch);
 void yk_sketch_find_ends(YkSketch *sketch);

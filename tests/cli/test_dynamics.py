@@ -3,6 +3,7 @@ import math
 import unittest
 
 from forces import Machine, documents, example, published
+from harness import FEW
 
 CASES = published()
 DEG = math.pi / 180
@@ -35,12 +36,12 @@ class Oracle(Machine):
     def test_every_pose_agrees_with_the_oracle(self):
         count = 0
         for document in documents():
-            for index, pose in enumerate(document["poses"]):
+            for index, pose in list(enumerate(document["poses"]))[:1 if FEW else None]:
                 for method in METHODS:
                     with self.subTest(file=document["file"], pose=index, method=method):
                         self.compare(document, pose, method)
                         count += 1
-        self.assertGreater(count, 60)
+        self.assertGreater(count, 20 if FEW else 60)
 
 
 class Published(Machine):

@@ -23,3 +23,8 @@ foreach(test ${YOKE_PYTHON_TESTS})
 endforeach()
 yoke_python_test(page ${YOKE_PYTHON} ${CMAKE_SOURCE_DIR}/tools/make-python-page --check)
 yoke_python_test(docstrings ${YOKE_PYTHON} -m pytest -q -p no:cacheprovider --doctest-modules ${YOKE_PYTHON_DIR}/yoke)
+foreach(name wheel threads)
+  if(TEST python/${name})
+    set_tests_properties(python/${name} PROPERTIES COST 50) # the longest start first
+  endif()
+endforeach()

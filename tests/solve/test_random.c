@@ -114,7 +114,7 @@ static void test_random_machines_answer_with_numbers_or_a_status(void **unused)
 {
     (void)unused;
     const char *wish = getenv("YOKE_TEST_RANDOM");
-    long count = wish ? atol(wish) : MACHINES;
+    long count = wish ? atol(wish) : (long)check_cases(MACHINES);
     for (long k = 0; k < count; k++) {
         uint64_t seed = 7919u * (uint64_t)k + 3;
         check_one(seed);
@@ -125,7 +125,7 @@ static void test_random_machines_answer_with_numbers_or_a_status(void **unused)
 static void test_random_sweeps_hold_numbers(void **unused)
 {
     (void)unused;
-    for (uint64_t k = 0; k < MACHINES / 6; k++) {
+    for (uint64_t k = 0; k < check_cases(MACHINES) / 6; k++) {
         uint64_t seed = 104729u * k + 11;
         char text[2048];
         double l[5];

@@ -116,7 +116,7 @@ static void four_bars_follow_to_the_nearest_pose(void **unused)
     (void)unused;
     uint64_t seed = 915;
     size_t limits = 0, inner = 0;
-    for (int k = 0; k < 60;) {
+    for (uint64_t k = 0; k < check_cases(60);) {
         FourBar f = {check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1),
                      check_uniform(&seed, 0.1, 1)};
         double theta = check_uniform(&seed, -YK_PI, YK_PI);
@@ -127,7 +127,7 @@ static void four_bars_follow_to_the_nearest_pose(void **unused)
         machine_free(&m);
         k++;
     }
-    assert_true(limits > 10 && inner > 50);
+    assert_true(limits > check_cases(10) && inner > check_cases(50));
 }
 
 static void slider_cranks_follow_to_the_nearest_pose(void **unused)
@@ -135,14 +135,14 @@ static void slider_cranks_follow_to_the_nearest_pose(void **unused)
     (void)unused;
     uint64_t seed = 4;
     size_t limits = 0, inner = 0;
-    for (int k = 0; k < 30; k++) {
+    for (uint64_t k = 0; k < check_cases(30); k++) {
         char text[2000];
         snprintf(text, sizeof text, "%sstart: {q: %.17g, d: 0.3}\n", slider_crank, check_uniform(&seed, -3, 3));
         Machine m = machine_parse(text, true);
         for (size_t body = 1; body <= 3; body++) check_single(&m, body, &seed, &limits, &inner);
         machine_free(&m);
     }
-    assert_true(limits == 0 && inner > 30);
+    assert_true(limits == 0 && inner > check_cases(30));
 }
 
 // A crank's end on its circle: the direction of the target, whatever the way there.
@@ -160,7 +160,7 @@ static void a_point_on_a_circle_turns_towards_the_target(void **unused)
     CHECK_NEAR(end.distance, 1, 1e-12);
     assert_int_equal(yk_state_drag(drag, on, &end), YK_OK);
     assert_int_equal(end.end, YK_DRAG_REACHED);
-    for (int k = 0; k < 200; k++) {
+    for (uint64_t k = 0; k < check_cases(200); k++) {
         double target[2] = {check_uniform(&seed, -3, 3), check_uniform(&seed, -3, 3)};
         assert_int_equal(yk_state_drag(drag, target, &end), YK_OK);
         double off = yk_state_coordinate(m.state, 0).position - atan2(target[1], target[0]);
@@ -283,7 +283,7 @@ static void an_arm_reaches_what_it_can(void **unused)
                               true);
     double place[2] = {0.5, 0};
     YkDrag *drag = yk_drag_new(m.state, 2, place, NULL);
-    for (int k = 0; k < 300; k++) {
+    for (uint64_t k = 0; k < check_cases(300); k++) {
         double target[2] = {check_uniform(&seed, -1.5, 1.5), check_uniform(&seed, -1.5, 1.5)};
         double far = hypot(target[0], target[1]), want = fmax(0, fmax(far - 1.1, 0.1 - far));
         YkDragged end;

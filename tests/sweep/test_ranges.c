@@ -54,7 +54,7 @@ static void test_ranges_of_random_four_bars(void **unused)
 {
     (void)unused;
     uint64_t seed = 4711;
-    for (int k = 0; k < 1500;) {
+    for (uint64_t k = 0; k < check_cases(1500);) {
         FourBar f = {check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1),
                      check_uniform(&seed, 0.1, 1)};
         double low, high;

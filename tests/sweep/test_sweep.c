@@ -53,7 +53,7 @@ static void test_a_limit_is_found_to_1e_8_rad_both_ways(void **unused)
     (void)unused;
     uint64_t seed = 42;
     static const size_t steps[] = {1, 2, 7, 36, 100};
-    for (int k = 0; k < 2000;) {
+    for (uint64_t k = 0; k < check_cases(2000);) {
         FourBar f = {check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1),
                      check_uniform(&seed, 0.1, 1)};
         double low, high;
