@@ -49,6 +49,8 @@ typedef struct YkReaction {
     double at[2];    // the joint's point in the world, m
     bool is_determinate; // false: one of many, the least in norm, or without the dry friction of joints at rest
 } YkReaction;
+// Of equal planets that share a load (`planets: N` of gears), the pin's and the teeth's forces are those of the planet in
+// the file.
 YK_API YkReaction yk_dynamics_reaction(const YkDynamics *dynamics, size_t joint);
 // What gears, racks, belts and cams transmit: exerted on their second body (wheel, rack, pulley, follower) by their
 // first, at the pitch point or where the cam touches. A force whose place is not known - centres without points, belts

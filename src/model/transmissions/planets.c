@@ -67,7 +67,7 @@ static void refuse(YkPlanet *planet, const char *why)
 }
 
 // Makes a body a planet. Returns whether it became one.
-static bool enter(Planets *p, int32_t body, const YkGear *gear, const YkGear *given, int32_t copies)
+static bool enter(Planets *p, int32_t body, const YkGear *gear, int32_t copies)
 {
     int32_t joint = pin_of(p->model, body, gear->carrier);
     if (joint == YK_NONE) return false;
@@ -77,7 +77,7 @@ static bool enter(Planets *p, int32_t body, const YkGear *gear, const YkGear *gi
         return false;
     }
     int32_t side = p->model->joints[joint].body[1] == body;
-    *planet = (YkPlanet){copies, joint, side, given, YK_REPORTED, NULL};
+    *planet = (YkPlanet){copies, joint, side, YK_REPORTED, NULL};
     return true;
 }
 
@@ -88,7 +88,7 @@ static bool spread(Planets *p, const YkGear *gear)
     for (int k = 0; k < 2; k++) {
         YkPlanet *from = &p->of[gear->body[k]], *to = &p->of[gear->body[1 - k]];
         if (from->copies == 0) continue;
-        bool is_new = enter(p, gear->body[1 - k], gear, from->given, from->copies);
+        bool is_new = enter(p, gear->body[1 - k], gear, from->copies);
         if (to->copies == 0) continue;
         grows = grows || is_new || (from->why && !to->why) || (from->axis != YK_REPORTED && to->axis == YK_REPORTED);
         if (from->why) refuse(to, from->why);
@@ -134,7 +134,7 @@ static void take_axis(Planets *p, const YkGear *gear, int k)
         refuse(planet, "%q meshes with wheels on different axes");
 }
 
-// Returns whether two wheels are the same planet at two places: the file has the copies as bodies.
+// Refuses a planet of which the file has a copy as a body: a wheel that meshes alike with the same wheel.
 static void find_twins(Planets *p, const YkGear *gear, int k)
 {
     for (size_t i = 0; i < p->model->gear_count; i++) {
@@ -166,6 +166,7 @@ static void check_gears(Planets *p)
     }
 }
 
+// Refuse a planet to which something else is tied, and one on which a load acts.
 static void tie(Planets *p, int32_t body)
 {
     if (body != YK_NONE && p->of[body].copies > 0) refuse(&p->of[body], "a rack, a belt, a cam or a law moves %q");
@@ -247,6 +248,8 @@ static bool is_given(const YkGear *gear)
     return gear->planets_expr && gear->planets >= 2 && gear->planets == rint(gear->planets);
 }
 
+static const char no_planet[] = "no wheel is held by one pin alone, beside the axis of a carrier that moves";
+
 static bool is_good(const YkPlanet *planet)
 {
     return planet->copies > 0 && !planet->why;
@@ -264,11 +267,7 @@ static void share(Planets *p)
         if (!is_given(gear) || is[0] || is[1]) continue;
         int k = p->of[gear->body[0]].copies > 0 ? 0 : 1;
         const YkPlanet *planet = &p->of[gear->body[k]];
-        warn(loader, gear,
-             planet->copies > 0 ? planet->why
-                                : "no wheel is held by one pin alone, beside the axis of a "
-                                  "carrier that moves",
-             model->bodies[gear->body[k]].name);
+        warn(loader, gear, planet->copies > 0 ? planet->why : no_planet, model->bodies[gear->body[k]].name);
     }
     for (size_t b = 0; b < p->count && !loader->failed; b++) {
         const YkPlanet *planet = &p->of[b];
@@ -290,7 +289,7 @@ void yk_load_share_planets(YkLoader *loader)
     if (!p.of) return;
     for (size_t i = 0; i < model->gear_count; i++) {
         const YkGear *gear = &model->gears[i];
-        for (int k = 0; k < 2 && is_given(gear); k++) enter(&p, gear->body[k], gear, gear, (int32_t)gear->planets);
+        for (int k = 0; k < 2 && is_given(gear); k++) enter(&p, gear->body[k], gear, (int32_t)gear->planets);
     }
     spread_all(&p);
     check_gears(&p);

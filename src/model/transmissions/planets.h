@@ -6,7 +6,6 @@
 typedef struct YkPlanet { // of a body
     int32_t copies;       // 0: no planet
     int32_t joint, side;  // its pin, and which body of it the planet is
-    const YkGear *given;  // where the number stands
     int32_t axis;         // a point of the carrier on the axis, or YK_NONE for its origin; YK_REPORTED: not known
     const char *why;      // the planets cannot share; with %q for the body
 } YkPlanet;
