@@ -171,8 +171,10 @@ static void put_roller(const Shape *shape, const YkPoisson *C, const YkPoisson *
 static void put_translating(const Shape *shape)
 {
     const YkPoisson *d0 = shape->distance, *u = shape->along, *aside = quarter(shape, times(shape, shape->offset, u));
-    if (!yk_ring_is_zero(shape->offset))
-        d0 = root(shape, "d0", minus(shape, times(shape, d0, d0), times(shape, shape->offset, shape->offset)));
+    if (!yk_ring_is_zero(shape->offset)) {
+        const YkPoisson *square = times(shape, shape->offset, shape->offset); // first: order is that of terms in print
+        d0 = root(shape, "d0", minus(shape, times(shape, d0, d0), square));
+    }
     const YkPoisson *C = minus(shape, times(shape, plus(shape, d0, shape->s), u), aside);
     put_roller(shape, C, times(shape, shape->v, u), times(shape, shape->a, u), u);
 }

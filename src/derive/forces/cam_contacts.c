@@ -79,13 +79,16 @@ static void make_sliding(YkMeshMaking *m, const Cam *of)
     }
     const YkPoisson *e = offset_of(m, of, u), *start = base;
     if (cam->roller_expr) start = yk_ring_add(ring, base, yk_derive_expression(m->d, cam->roller_expr));
-    if (e && !yk_ring_is_zero(e))
-        start = yk_derive_root(m->f, yk_derive_text(m->d, "h_", m->tie->name, ""),
-                               "height of the roller over the cam's centre at lift 0",
-                               yk_ring_subtract(ring, yk_ring_power(ring, start, 2), yk_ring_power(ring, e, 2)));
-    const YkPoisson *h = yk_ring_add(ring, start, lift);
-    const YkPoisson *reach = yk_ring_subtract(ring, yk_ring_multiply(ring, h, u), yk_ring_multiply(ring, e, iu));
-    const YkPoisson *aside = yk_ring_multiply(ring, yk_ring_i(ring), yk_ring_subtract(ring, v, e));
+    if (e && !yk_ring_is_zero(e)) {
+        const YkPoisson *square = yk_ring_power(ring, e, 2); // first: order is that of terms in print
+        square = yk_ring_subtract(ring, yk_ring_power(ring, start, 2), square);
+        const char *name = yk_derive_text(m->d, "h_", m->tie->name, "");
+        start = yk_derive_root(m->f, name, "height of the roller over the cam's centre at lift 0", square);
+    }
+    const YkPoisson *h = yk_ring_add(ring, start, lift), *reach = yk_ring_multiply(ring, e, iu);
+    reach = yk_ring_subtract(ring, yk_ring_multiply(ring, h, u), reach);
+    const YkPoisson *aside = yk_ring_subtract(ring, v, e);
+    aside = yk_ring_multiply(ring, yk_ring_i(ring), aside);
     const YkPoisson *force = along(m, yk_ring_add(ring, h, aside));
     push_follower(m, of, reach, yk_ring_multiply(ring, u, force));
     m->mesh->effort = yk_ring_real(ring, force);

@@ -1,0 +1,155 @@
+// What must not lose work: a core that dies, full storage, a reload amid a drag, links that are far too large. And fingers on a phone,
+// and what the newer tools draw. node test_harm.mjs BUNDLED PAGE [PART OF A NAME]
+import assert from "node:assert/strict";
+import { deflateRawSync } from "node:zlib";
+import { bodies, close, open, start, text, turn, until, moves } from "./browser.mjs";
+
+const world = await start(process.argv[2], process.argv[3]);
+const isFull = Boolean(process.env.YOKE_FULL);
+const chooseExample = async (page, id) => {
+  await page.click("#examples");
+  await page.click(`dialog [data-example="${id}"]`);
+  await bodies(page, 2);
+};
+const middleOf = (page, body) => page.evaluate((name) => {
+  const circles = document.querySelectorAll(`#scene [data-body="${name}"] circle`), box = circles[circles.length - 1].getBoundingClientRect();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}, body);
+// Waits until the page has said a sentence; some are shown for a moment only.
+const listens = (page) => page.evaluate(() => {
+  window.heard = [];
+  new MutationObserver(() => window.heard.push(document.getElementById("said").textContent)).observe(document.getElementById("said"), { childList: true, characterData: true, subtree: true });
+});
+const hears = (page, sentence) => until(page, (one) => window.heard.some((said) => said.includes(one)), sentence);
+const before = async (script, options = {}) => {
+  const page = await open(world, options);
+  await page.addInitScript(script);
+  await page.reload();
+  await page.locator("#tools button").first().waitFor();
+  await listens(page);
+  return page;
+};
+// Draws with a tool by clicks, drives the joint at `motor`, and plays.
+async function drawn(page, key, places, motor) {
+  await page.locator("#canvas").focus();
+  await page.keyboard.press(key);
+  for (const at of places) await page.mouse.click(...at);
+  await bodies(page, 1);
+  await page.keyboard.press("m");
+  await page.mouse.click(...motor);
+  await until(page, () => document.querySelector(".cm-content").textContent.includes("drives:"));
+  await page.keyboard.press("v");
+  await page.keyboard.press("Space");
+}
+
+const tests = {
+  async "a core that dies amid its work is started anew, and no letter is lost"() {
+    const page = await before(() => {
+      [window.cores, window.kills] = [[], false];
+      window.Worker = class extends Worker {
+        constructor(...words) { super(...words); window.cores.push(this); }
+        postMessage(...words) {
+          if (!window.kills) return super.postMessage(...words);
+          window.kills = false;
+          this.terminate();
+          setTimeout(() => this.dispatchEvent(new ErrorEvent("error", { message: "killed" })));
+        }
+      };
+    });
+    await chooseExample(page, "four-bar");
+    const own = await text(page), stood = await turn(page, "crank");
+    await page.evaluate(() => { window.kills = true; });
+    await page.click("#canvas", { position: { x: 5, y: 300 } });
+    await page.keyboard.press("Space");
+    await hears(page, "The core stopped and was started again");
+    assert.equal(await page.evaluate(() => window.cores.length), 2);
+    await moves(page, "crank", stood);
+    assert.equal(await text(page), own);
+    await close(page);
+  },
+  async "a full storage is told, and the machine stays"() {
+    const page = await before(() => { Storage.prototype.setItem = () => { throw new DOMException("full", "QuotaExceededError"); }; });
+    await chooseExample(page, "four-bar");
+    await hears(page, "storage is full");
+    assert.match(await text(page), /coupler/);
+    await close(page);
+  },
+  async "a reload amid a drag keeps the machine"() {
+    const page = await open(world);
+    await chooseExample(page, "four-bar");
+    const own = await text(page), [x, y] = await middleOf(page, "coupler");
+    await page.waitForTimeout(400);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 30, y + 20, { steps: 4 });
+    await page.reload();
+    await bodies(page, 2);
+    assert.equal(await text(page), own);
+    await close(page);
+  },
+  async "a link that unpacks to 10 MB is refused"() {
+    const page = await open(world, {}, `#m=1.${deflateRawSync(Buffer.alloc(10 << 20, "a: ")).toString("base64url")}`);
+    await until(page, () => /could not be read/.test(document.getElementById("said").textContent));
+    assert.equal(await text(page), "");
+    await close(page);
+  },
+  async "a finger drags the machine on a phone"() {
+    const page = await open(world, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    await page.tap("#examples");
+    await page.tap(`dialog [data-example="four-bar"]`);
+    await bodies(page, 2);
+    await page.waitForTimeout(400);
+    const session = await page.context().newCDPSession(page), stood = await turn(page, "crank"), [x, y] = await middleOf(page, "coupler");
+    const touch = (type, ...points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
+    await touch("touchStart", [x, y]);
+    for (let k = 1; k <= 12; k++) await touch("touchMove", [x + 4 * k, y + 3 * k]);
+    await moves(page, "crank", stood);
+    await touch("touchEnd");
+    await close(page);
+  },
+};
+
+const full = {
+  async "a plate drawn by its corners turns"() {
+    const page = await open(world);
+    await page.locator("#canvas").focus();
+    await page.keyboard.press("y");
+    for (const at of [[300, 500], [420, 300], [560, 520], [300, 500]]) await page.mouse.click(...at);
+    await bodies(page, 1);
+    await page.keyboard.press("g");
+    await page.mouse.click(300, 500);
+    await until(page, () => document.querySelector(".cm-content").textContent.includes("{pin"));
+    await page.keyboard.press("m");
+    await page.mouse.click(300, 500);
+    await until(page, () => document.querySelector(".cm-content").textContent.includes("drives:"));
+    await page.keyboard.press("v");
+    await page.keyboard.press("Space");
+    await moves(page, "plate1", 0);
+    await close(page);
+  },
+  async "rack, belt and cam turn as drawn"() {
+    for (const [key, places, body] of [["h", [[400, 350], [400, 450]], "pinion1"], ["u", [[300, 400], [600, 400]], "pulley2"], ["c", [[400, 500], [400, 350]], "disc1"]]) {
+      const page = await open(world);
+      await drawn(page, key, places, places[0]);
+      await moves(page, body, 0);
+      assert.equal(await page.locator("#problems .error").count(), 0);
+      await close(page);
+    }
+  },
+};
+
+let failed = 0;
+const only = process.argv[4];
+for (const [name, test] of Object.entries(isFull ? { ...tests, ...full } : tests)) {
+  if (only && !name.includes(only)) continue;
+  const begun = Date.now();
+  try {
+    await test();
+    console.log(`ok - ${name} (${((Date.now() - begun) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    failed++;
+    console.log(`not ok - ${name}\n${error.stack.slice(0, 800)}`);
+  }
+}
+await world.stop();
+process.exit(failed ? 1 : 0);
