@@ -20,7 +20,7 @@ typedef struct Task {
 static void begin(Task *t)
 {
     static const char *const parameters[] = {"a", "b"}, *const of[] = {"theta4", "coupler.P.x"};
-    t->m = machine_load("four-bar.yaml");
+    t->m = machine_load("four-bar");
     t->study = study_of(&t->m, parameters, 2, of, 2, 2);
     t->axes[0] = (YkDesignAxis){.name = "a", .from = 0.038, .to = 0.09, .count = 20};
     t->axes[1] = (YkDesignAxis){.name = "b", .from = 0.11, .to = 0.13, .count = 3};
