@@ -14,7 +14,7 @@ static const Special specials[] = {
     {"format", " derive ", "NAME", "text, latex, mathml, json or c; with --check text or json"},
     {"format", " code ", "text|json", "json: the code as a string"},
     {"format", " report ", "html|pdf", "default: what the ending of the file says"},
-    {"format", " study ", "NAME", "text for people; json, csv or npy in SI and radians"},
+    {"format", " study ", "NAME", "text for people; json, jsonl (a row a line), csv or npy in SI and radians"},
     {"at", " simulate ", "NAME=VALUE", "start a coordinate at this value, in place of what start: says; repeatable"},
     {"steps", " simulate ", "N", "the number of steps of the table, one less than the rows (default 100)"},
     {"steps", " cam ", "N", "the number of steps of the table, one less than the rows (default 72; in text no table)"},

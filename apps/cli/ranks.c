@@ -45,20 +45,17 @@ bool yk_ranks_is_first_here(void)
 
 // --- the plugin
 
+#ifdef YOKE_HAS_RANKS
 static const YkRanks *open_plugin(const char *path)
 {
-#ifdef YOKE_HAS_RANKS
     if (access(path, R_OK) != 0) return NULL;
     void *plugin = dlopen(path, RTLD_NOW | RTLD_GLOBAL); // Open MPI loads parts of its own, which need its functions
     if (!plugin) return NULL;
     YkRanksOpen entry;
     *(void **)&entry = dlsym(plugin, YK_RANKS_ENTRY);
     return entry ? entry() : NULL;
-#else
-    (void)path;
-    return NULL;
-#endif
 }
+#endif
 
 // Finds the plugin beside the command, as it is built, or in ../lib/yoke, as it is installed.
 static const YkRanks *find_plugin(void)
@@ -120,10 +117,12 @@ void yk_ranks_end(void)
 
 // --- what is kept back
 
+#ifdef YOKE_HAS_RANKS
 static struct {
     FILE *kept;
     int own; // standard error
 } hush;
+#endif
 
 void yk_ranks_hush(void)
 {

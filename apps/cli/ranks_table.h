@@ -8,10 +8,10 @@ enum { YK_RANKS_INTERFACE = 1 };
 #define YK_RANKS_ENTRY "yk_ranks_open"
 
 typedef struct YkRanks {
-    int interface;           // YK_RANKS_INTERFACE of the headers that it was built with
-    const char *yoke;        // the version of yoke that it belongs to
+    int interface;             // YK_RANKS_INTERFACE of the headers that it was built with
+    const char *yoke;          // the version of yoke that it belongs to
     const char *(*made)(void); // of its libraries, "Open MPI v4.1.4"
-    bool (*begin)(void);     // returns false if that is impossible
+    bool (*begin)(void);       // returns false if that is impossible
     int (*rank)(void);
     int (*count)(void);
     void (*send)(int to, int tag, const void *data, size_t bytes);

@@ -87,7 +87,7 @@ static const char *place(void)
 __attribute__((visibility("default"))) const YkRanks *yk_ranks_open(void);
 const YkRanks *yk_ranks_open(void)
 {
-    static const YkRanks table = {YK_RANKS_INTERFACE, YOKE_VERSION_STRING, made, begin,     rank, count, send, poll, receive,
-                                  end,                abort_all,           place};
+    static const YkRanks table = {
+        YK_RANKS_INTERFACE, YOKE_VERSION_STRING, made, begin, rank, count, send, poll, receive, end, abort_all, place};
     return &table;
 }

@@ -15,7 +15,8 @@ void yk_designs_at(const YkDesigns *designs, uint64_t design, double *values)
         if (designs->is_sample) {
             values[k] = yk_distribution_draw(&axis->distribution, designs->seed, design, k);
         } else {
-            size_t at = axis->count > 0 ? (size_t)(rest % axis->count) : 0, last = axis->count > 0 ? axis->count - 1 : 0;
+            size_t at = axis->count > 0 ? (size_t)(rest % axis->count) : 0,
+                   last = axis->count > 0 ? axis->count - 1 : 0;
             rest = axis->count > 0 ? rest / axis->count : rest;
             values[k] = at == 0      ? axis->from
                         : at == last ? axis->to
@@ -70,7 +71,8 @@ static bool start_room(const YkStudy *study, Room *room, size_t count)
 }
 
 // Fills in status, number of valid poses and answers of the k-th design of a block.
-static void fill_row(const YkStudy *study, const YkRowCase *asked, const Room *room, size_t k, size_t count, double *row)
+static void fill_row(const YkStudy *study, const YkRowCase *asked, const Room *room, size_t k, size_t count,
+                     double *row)
 {
     YkStatus status = (YkStatus)room->status[k];
     size_t first = study->parameter_count + 2, standing = asked->is_reduced ? room->standing[k] : status >= 0;

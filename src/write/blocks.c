@@ -199,10 +199,8 @@ YkBlocks *yk_blocks_open(const char *path, const YkBlocksOptions *options, YkPro
         return NULL;
     }
     strcpy(copy, path);
-    *blocks = (YkBlocks){.path = copy,
-                         .signature = options->signature,
-                         .design_count = options->design_count,
-                         .width = options->width};
+    *blocks = (YkBlocks){
+        .path = copy, .signature = options->signature, .design_count = options->design_count, .width = options->width};
     if (start(blocks, options->is_fresh, problems)) return blocks;
     yk_blocks_close(blocks, false);
     return NULL;
@@ -240,8 +238,7 @@ bool yk_blocks_add(YkBlocks *blocks, const double *rows, size_t count, YkProblem
     if (!blocks || !blocks->file || !rows || count > blocks->design_count - blocks->done) return false;
     if (count == 0) return true;
     const BlockHead head = {count, checksum_of(blocks, blocks->done, rows, count)};
-    bool good = fseeko(blocks->file, blocks->end, SEEK_SET) == 0 &&
-                fwrite(&head, sizeof head, 1, blocks->file) == 1 &&
+    bool good = fseeko(blocks->file, blocks->end, SEEK_SET) == 0 && fwrite(&head, sizeof head, 1, blocks->file) == 1 &&
                 fwrite(rows, blocks->width * sizeof *rows, count, blocks->file) == count && fflush(blocks->file) == 0;
     if (!good) return fail(blocks, errno, problems);
     blocks->done += count;

@@ -43,7 +43,8 @@ typedef struct Spread {
     Peer *peers; // [rank]; 0 is this one
     int count;
     uint64_t next; // the first design that nobody has
-    size_t out, most_out, most_rows; // blocks that are given and not yet written; their largest number; rows of the largest
+    size_t out, most_out,
+        most_rows; // blocks that are given and not yet written; their largest number; rows of the largest
     Early *early;
     Own own;
     bool is_stopped;
@@ -205,8 +206,7 @@ static void *work_beside(void *context)
         own->is_due = false;
         pthread_mutex_unlock(&own->lock);
         double start = yk_stop_now();
-        YkStatus status =
-            yk_study_rows(own->answer->study, &asked, own->work.from, (size_t)own->work.count, own->rows);
+        YkStatus status = yk_study_rows(own->answer->study, &asked, own->work.from, (size_t)own->work.count, own->rows);
         pthread_mutex_lock(&own->lock);
         own->status = status;
         own->seconds = yk_stop_now() - start;

@@ -55,7 +55,7 @@ typedef struct YkStudyAnswer {
     YkStudySum sum;
     size_t width, done;
     double began, next_line; // s of real time: when computing began; when the next line of progress is due
-    size_t found; // designs that were done already
+    size_t found;            // designs that were done already
     bool is_interrupted;
     double *derivative, *difference;           // [column][axis], with --sensitivities
     YkStatus start_status, sensitivity_status; // below 0: the file itself has no valid pose, and no design has
