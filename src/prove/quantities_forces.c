@@ -72,6 +72,33 @@ static const YkPoisson *part_of(YkRing *ring, Part part, const YkPoisson *force,
     return part == PART_X ? yk_ring_real(ring, force) : yk_ring_imaginary(ring, force);
 }
 
+// Returns what a planet's own pin bears, as solve tells it, of the force of the pins of all equal planets: its share of
+// the teeth's, and its own weight and inertia, which the equations have once.
+static const YkPoisson *own_pin_force(const YkDeriveForces *f, size_t joint)
+{
+    YkRing *ring = f->d->ring;
+    const YkJoint *pin = &f->d->model->joints[joint];
+    if (pin->copies < 2) return f->joint_force[joint];
+    int32_t planet = pin->body[pin->copied_side];
+    const YkPoisson *pull = yk_ring_multiply(ring, f->bodies[planet].mass, f->bodies[planet].acceleration);
+    for (size_t k = 0; k < f->load_count; k++)
+        for (size_t p = 0; p < f->loads[k].push_count && f->loads[k].kind == YK_DERIVE_GRAVITY; p++)
+            if (f->loads[k].push[p].body == planet) pull = yk_ring_subtract(ring, pull, f->loads[k].push[p].force);
+    int64_t others = pin->copied_side == 1 ? pin->copies - 1 : 1 - pin->copies;
+    return yk_ring_add(ring, yk_ring_scale(ring, f->joint_force[joint], 1, pin->copies),
+                       yk_ring_scale(ring, pull, others, pin->copies));
+}
+
+// Returns the force of one planet's teeth, of that of all equal planets'.
+static const YkPoisson *own_mesh_force(const YkDeriveForces *f, size_t tie)
+{
+    const YkDerivation *d = f->d;
+    const YkRelation *of = &d->mech->relations[tie];
+    int32_t copies = of->kind == YK_RELATION_GEAR ? d->model->gears[of->index].copies : 0;
+    const YkPoisson *force = f->meshes[tie].push.force;
+    return copies > 1 ? yk_ring_scale(d->ring, force, 1, copies) : force;
+}
+
 // Returns the reaction of a joint on its second body by its first; the same for gears, racks, belts and cams.
 static const YkPoisson *reaction(const YkDeriveForces *f, const char *name, size_t length)
 {
@@ -80,10 +107,10 @@ static const YkPoisson *reaction(const YkDeriveForces *f, const char *name, size
     if (part == NO_PART) return NULL;
     for (size_t j = 0; j < d->model->joint_count; j++)
         if (is_word(name, length, d->model->joints[j].name))
-            return part_of(d->ring, part, f->joint_force[j], f->joint_moment[j]);
+            return part_of(d->ring, part, own_pin_force(f, j), f->joint_moment[j]);
     for (size_t k = 0; k < d->tie_count; k++)
         if (is_word(name, length, d->ties[k].name) && d->ties[k].kind != YK_RELATION_LAW)
-            return part_of(d->ring, part, f->meshes[k].push.force, f->meshes[k].push.moment);
+            return part_of(d->ring, part, own_mesh_force(f, k), f->meshes[k].push.moment);
     return NULL;
 }
 

@@ -40,8 +40,8 @@ class Front(Case):
         self.assertNotIn("--over", self.good("solve", "--help").out)
         self.assertNotIn("--trace", self.good("check", "--help").out)
 
-    def test_version_is_one_line(self):
-        self.assertRegex(self.good("--version").out, r"\Ayoke \d+\.\d+\.\d+\n\Z")
+    def test_version_is_one_line_and_another_for_the_plugin(self):
+        self.assertRegex(self.good("--version").out, r"\Ayoke (\d+\.\d+\.\d+)\n(yoke-mpi \1, .+\n)?\Z")
 
 
 class Mistakes(Case):

@@ -25,6 +25,9 @@ static void compare_balances(Machine *m, const char *name)
                     force[1] = yk_ring_add(ring, force[1], f->loads[k].push[p].force);
                     moment[1] = yk_ring_add(ring, moment[1], yk_derive_moment_of(f, &f->loads[k].push[p]));
                 }
+            int32_t planets =
+                m->d->model->bodies[b].copies; // the equations have the moments of all, the engine tells one's
+            if (planets > 1) balance.reactions.moment *= planets, balance.loads.moment *= planets;
             const YkWrench *engine[2] = {&balance.reactions, &balance.loads};
             double most = 1 + yk_mechanism_size(m->mech);
             for (int k = 0; k < 2; k++)
