@@ -7,7 +7,7 @@
 // Relative to the scale: what closing loops and adding vectors leave of a zero; what sums and products alone leave.
 static const double noise = 1e-13, noise_of_sums = 1e-15;
 
-static void raise(double *scale, double value)
+static void raise_to(double *scale, double value)
 {
     if (isfinite(value) && fabs(value) > *scale) *scale = fabs(value);
 }
@@ -29,25 +29,25 @@ void yk_scale_add(YkSession *session, double value, YkQuantity quantity)
     double size = size_of(session);
     switch (quantity) {
     case YK_QUANTITY_ANGLE_RATE:
-        raise(&scale->rate, value);
+        raise_to(&scale->rate, value);
         break;
     case YK_QUANTITY_SPEED:
-        raise(&scale->rate, value / size);
+        raise_to(&scale->rate, value / size);
         break;
     case YK_QUANTITY_ANGLE_ACCELERATION:
-        raise(&scale->acceleration, value);
+        raise_to(&scale->acceleration, value);
         break;
     case YK_QUANTITY_ACCELERATION:
-        raise(&scale->acceleration, value / size);
+        raise_to(&scale->acceleration, value / size);
         break;
     case YK_QUANTITY_FORCE:
-        raise(&scale->force, value);
+        raise_to(&scale->force, value);
         break;
     case YK_QUANTITY_TORQUE:
-        raise(&scale->force, value / size);
+        raise_to(&scale->force, value / size);
         break;
     case YK_QUANTITY_ENERGY:
-        raise(&scale->energy, value);
+        raise_to(&scale->energy, value);
         break;
     default:
         break;

@@ -35,7 +35,7 @@ static void say_hello(YkStudyAnswer *a, bool is_read)
 
 static void say_lost(YkSpreadReason reason)
 {
-    int32_t word = reason;
+    int32_t word = (int32_t)reason;
     yk_ranks()->send(0, YK_SPREAD_LOST, &word, sizeof word);
 }
 
