@@ -110,7 +110,8 @@ static void make_detour(const YkShape *shape, const YkVec *pose, uint64_t *seed,
     for (size_t k = 0; k < half; k++) between[k] = yk_mul(turn, pose[k]);
     memcpy(between + half, pose + half, half * sizeof *between);
     for (size_t k = 0; k < shape->unknowns; k++) {
-        YkVec scale = yk_scale(0.5 + yk_mix_unit(seed), yk_unit(2 * YK_PI * yk_mix_unit(seed)));
+        YkVec way = yk_unit(2 * YK_PI * yk_mix_unit(seed)); // in a statement of its own: the order of draws is fixed
+        YkVec scale = yk_scale(0.5 + yk_mix_unit(seed), way);
         for (size_t l = 0; l < shape->loops; l++) {
             YkVec *a = &between[half + l * width + k];
             *a = yk_mul(*a, scale);

@@ -52,8 +52,11 @@ static YkMotion random_input(YkCheck *check, const YkCheckPoses *poses, size_t i
     double size = is_distance ? d->mech->size : 1,
            turn = poses->is_of_segment ? 2 * YK_PI : YK_PI, // all segments of a motion program
         reach = is_distance ? 0.5 * fabs(from.position) + 0.1 * size : turn;
-    return (YkMotion){from.position + yk_check_uniform(check, -reach, reach), size * yk_check_uniform(check, 0.3, 2),
-                      size * yk_check_uniform(check, -2, 2)};
+    YkMotion pose; // one draw a statement: within an expression C leaves their order open
+    pose.position = from.position + yk_check_uniform(check, -reach, reach);
+    pose.velocity = size * yk_check_uniform(check, 0.3, 2);
+    pose.acceleration = size * yk_check_uniform(check, -2, 2);
+    return pose;
 }
 
 // Sets any time, since loads may depend on it; inputs are set afterwards.

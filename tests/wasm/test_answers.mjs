@@ -28,8 +28,10 @@ function testPose(text, { machine, pose }) {
     assert.ok(Object.is(pose.coordinates[k], answer.coordinates[name].position) || pose.coordinates[k] === 0, name);
     assert.equal(value, pose.coordinates[k]);
   });
+  // The door places followers of cams where they are drawn, off by base and roller: test_followers.mjs checks where that is.
+  const followers = new Set([...text.matchAll(/\bfollower:\s*([\w-]+)/g)].map(([, name]) => name));
   machine.bodies.forEach(({ name, points }, b) => {
-    if (b === 0) return;
+    if (b === 0 || followers.has(name)) return;
     const [x, y, angle] = pose.bodies.subarray(3 * b), size = 1 + Math.abs(x) + Math.abs(y);
     assert.ok(angle === answer.bodies[name].angle, name);
     for (const { name: point, at: [u, v] } of points) { // where the body's axes put a point is where the command has it
