@@ -1,8 +1,7 @@
 // What the answers of all verbs share.
 #include "answer.h"
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include "solve/state.h"
 #include "write/amount.h"
 
 YkCode yk_status_code(YkStatus status)
@@ -114,19 +113,8 @@ void yk_add_value(const YkSession *session, YkText *text, double value, YkQuanti
 
 YkText yk_label_of(const YkState *state)
 {
-    char buffer[YK_LABEL_SIZE];
     YkText label = {0};
-    size_t length = yk_state_label(state, buffer, sizeof buffer);
-    yk_text_puts(&label, buffer);
-    if (length < sizeof buffer) return label;
-    char *whole = malloc(length + 1); // a machine of many blocks
-    if (!whole) yk_text_fail(&label);
-    if (whole) {
-        yk_state_label(state, whole, length + 1);
-        yk_text_clear(&label);
-        yk_text_puts(&label, whole);
-    }
-    free(whole);
+    yk_state_write_label(state, &label);
     return label;
 }
 

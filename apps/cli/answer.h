@@ -4,7 +4,7 @@
 #include "cli.h"
 #include "write/json.h"
 
-enum { YK_CODE_SIZE = 6, YK_DIGITS = 6, YK_LABEL_SIZE = 256, YK_NAME_SIZE = 256 };
+enum { YK_CODE_SIZE = 6, YK_DIGITS = 6, YK_NAME_SIZE = 256 };
 
 // Returns the code that `yoke explain` knows for a status; YK_CODE_NONE for YK_OK.
 YkCode yk_status_code(YkStatus status);

@@ -1,5 +1,5 @@
-// Ranks: the processes of one `mpirun`, of which this is one. They speak through a plugin, yoke-mpi, which alone needs
-// the libraries of Open MPI and is loaded only by several ranks.
+// Ranks: this process and the others that one `mpirun` started. They exchange messages through the plugin yoke-mpi, the
+// only part that needs the libraries of Open MPI; it is loaded only if there are several ranks.
 #ifndef CLI_RANKS_H
 #define CLI_RANKS_H
 #include <stdbool.h>

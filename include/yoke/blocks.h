@@ -38,8 +38,8 @@ typedef struct YkRowCase {
 } YkRowCase;
 // Returns how many numbers a row has; 0 for a NULL argument.
 YK_API size_t yk_study_row_width(const YkStudy *study, const YkRowCase *asked);
-// Computes the rows of designs [from, from + count): rows[design - from][column]. Returns YK_OK; YK_STOPPED,
-// YK_NO_MEMORY or YK_BAD_ARGUMENT, and then there are no rows. Cost: that of yk_study_run or yk_study_reduce.
+// Computes the rows of designs [from, from + count): rows[design - from][column]. Returns YK_OK, or YK_STOPPED,
+// YK_NO_MEMORY or YK_BAD_ARGUMENT, after which `rows` has no valid rows. Cost: that of yk_study_run or yk_study_reduce.
 YK_API YkStatus yk_study_rows(YkStudy *study, const YkRowCase *asked, uint64_t from, size_t count, double *rows);
 
 // A file that keeps the rows of a study, block after block in the order of the designs, each block with a checksum. It

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Configurations(list):  # type: ignore[type-arg]
-    """The poses of all configurations. `complete`: there are no others; `reason` and `because` tell why, or what is missing."""
+    """The poses of all configurations. `complete` is True if the list is proved; `reason` and `because` give the proof or what is missing."""
 
     complete: bool = True
     reason: Optional[str] = None

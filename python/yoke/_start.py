@@ -1,7 +1,7 @@
 """Where the file assembles the machine, which is where every request begins."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING, Callable, Optional
 
 from ._native import ffi, lib
 from ._problems import ModelError, PoseError, Problems, refusal, status_name, text_of
@@ -17,16 +17,21 @@ _CODES = {
 }
 
 
+def _owned(made: CData, free: Callable[[CData], None], mech: CData) -> CData:
+    """Frees what the library made of a mechanism with its last user, before the mechanism."""
+
+    def end(c: CData, keep: CData = mech) -> None:
+        free(c)
+
+    return ffi.gc(made, end)
+
+
 def new_state(mech: CData) -> CData:
     """Returns a state of a mechanism, which its long calls can be stopped on."""
     state = lib.yk_state_new(mech)
     if state == ffi.NULL:
         raise MemoryError("out of memory")
-
-    def free(c: CData, keep: CData = mech) -> None:
-        lib.yk_state_free(c)
-
-    state = ffi.gc(state, free)
+    state = _owned(state, lib.yk_state_free, mech)
     if lib.yk_state_set_progress(state, progress_of_host) < 0:
         raise MemoryError("out of memory")
     return state
@@ -38,11 +43,7 @@ def new_dynamics(mech: CData) -> CData:
     dynamics = lib.yk_dynamics_new(mech, problems.c)
     if dynamics == ffi.NULL:
         raise problems.fail(ModelError)
-
-    def free(c: CData, keep: CData = mech) -> None:
-        lib.yk_dynamics_free(c)
-
-    dynamics = ffi.gc(dynamics, free)
+    dynamics = _owned(dynamics, lib.yk_dynamics_free, mech)
     return dynamics if lib.yk_dynamics_has_loads(dynamics) else None
 
 
@@ -51,11 +52,7 @@ def new_configurations(mech: CData) -> CData:
     all_of = lib.yk_configurations_new(mech)
     if all_of == ffi.NULL:
         raise MemoryError("out of memory")
-
-    def free(c: CData, keep: CData = mech) -> None:
-        lib.yk_configurations_free(c)
-
-    return ffi.gc(all_of, free)
+    return _owned(all_of, lib.yk_configurations_free, mech)
 
 
 def message_of(state: CData) -> str:

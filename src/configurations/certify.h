@@ -21,8 +21,8 @@ typedef struct YkCertificate {
 // distances real); since conjugation maps solutions to solutions and the polydisc's centre to itself, the solution is
 // then its own conjugate. Returns false if no radius succeeds. Cost 2 factorisations.
 bool yk_certify(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkCertificate *certificate);
-// Proves the same for all coefficients within discs: [2][loops][unknowns + 1] centres and radii, of which those of a
-// coefficient that is absent are 0. The solution is then a continuous function of the coefficients. Tries radii that are
+// Proves the same for all coefficients within discs, given by their centres and radii, [2][loops][unknowns + 1]. Absent
+// coefficients have centre and radius 0. The solution is then a continuous function of the coefficients. Tries radii that are
 // small multiples of what the discs let x miss by, and neither moves x nor judges whether it is real.
 bool yk_enclose(const YkShape *shape, const YkVec *coefficients, const double *radii, const YkVec *x,
                 YkCertificate *certificate);
@@ -36,7 +36,7 @@ typedef struct YkPathDiscs {
 typedef struct YkPathCertificate {
     YkCertificate at;                    // about the line x + rate t, for every t of the interval
     YkVec rate[2 * YK_SYSTEM_LOOPS_MAX]; // of x
-    double rate_within;                  // the solution's derivative is no farther from that, over the size of x
+    double rate_within; // bound of the distance from `rate` to the solution's derivative, over the size of x
 } YkPathCertificate;
 // Proves that for every t of the interval exactly one solution lies in a polydisc that moves along a line through x: the
 // solution is a smooth function of t. Krawczyk's operator on the moving polydisc; how far the line misses is bounded by

@@ -38,8 +38,8 @@ typedef enum YkGroupStatus { YK_GROUP_SOLVED, YK_GROUP_OUTSIDE, YK_GROUP_STOPPED
 
 void yk_group_kept_end(YkGroupKept *kept);
 void yk_group_solutions_end(YkGroupSolutions *solutions);
-// Solves the system with these coefficients, of which the second half are the conjugates of the first. size: the
-// machine's, m.
+// Solves the system with these coefficients; the second half must be the conjugates of the first. size: that of the
+// machine, m.
 YkGroupStatus yk_group_solve_at(YkGroupKept *kept, const YkVec *pose, double size, YkPace *pace, YkGroupSolutions *out);
 // Solves block `index` at the pose of `run`, in which earlier blocks are solved. kept->outside and kept->shape must
 // have been read.

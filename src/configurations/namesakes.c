@@ -26,15 +26,6 @@ void yk_namesakes_end(YkNamesakes *namesakes)
     yk_text_free(&namesakes->name);
 }
 
-static void write_label(const YkState *state, YkText *text)
-{
-    size_t length = yk_state_label(state, NULL, 0);
-    yk_text_clear(text);
-    if (!yk_text_reserve(text, length)) return;
-    yk_state_label(state, text->data, length + 1);
-    text->length = length;
-}
-
 // A state of the same machine, watched as this one is; NULL when out of memory.
 static YkState *new_beside(const YkState *state)
 {
@@ -56,7 +47,7 @@ static bool enter(void *context, YkState *state)
     Writer *w = context;
     size_t count = state->mech->coordinate_count;
     YkRollEntry entry = {.positions = calloc(count + 1, sizeof(double))};
-    write_label(state, &entry.label);
+    yk_state_write_label(state, &entry.label);
     w->failed |=
         !entry.positions || entry.label.failed || !YK_ROOM(w->roll->entries, w->roll->count, w->roll->capacity);
     if (w->failed) {
@@ -161,7 +152,7 @@ static YkStatus number_at_start(const YkNamesakes *namesakes, const YkState *sta
     if (status >= 0 && yk_state_set_time(start, 0, NULL) >= 0) {
         for (size_t i = 0; i < count; i++) goal[i] = yk_state_input(start, i);
         status = yk_state_move_to(back, goal, NULL, NULL);
-        write_label(back, &label);
+        yk_state_write_label(back, &label);
         if (status >= 0) count_namesakes(&namesakes->start, yk_text_get(&label), back, number);
     }
     if (label.failed) status = YK_NO_MEMORY;
@@ -178,7 +169,7 @@ YkStatus yk_namesakes_write(YkNamesakes *namesakes, const YkState *state)
     size_t place = 0, number = 0;
     YkStatus status = YK_OK;
     yk_text_free(name);
-    write_label(state, name);
+    yk_state_write_label(state, name);
     if (is_roll_of(&namesakes->here, state) &&
         count_namesakes(&namesakes->here, yk_text_get(name), state, &place) > 1) {
         status = number_at_start(namesakes, state, &number);

@@ -200,3 +200,12 @@ size_t yk_state_label(const YkState *s, char *text, size_t capacity)
     if (capacity > 0) text[length < capacity ? length : capacity - 1] = 0;
     return length;
 }
+
+void yk_state_write_label(const YkState *s, YkText *text)
+{
+    size_t length = yk_state_label(s, NULL, 0);
+    yk_text_clear(text);
+    if (!yk_text_reserve(text, length)) return;
+    yk_state_label(s, text->data, length + 1);
+    text->length = length;
+}

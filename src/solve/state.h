@@ -120,6 +120,8 @@ void yk_state_take(YkState *to, const YkState *from);
 // Writes a state, or reads it into one of the same mechanism: it goes on with the same bits.
 void yk_state_archive(YkState *state, YkArchive *archive);
 void yk_report_archive(YkReport *report, const YkMechanism *mech, YkArchive *archive);
+// Writes the label of the state in place of the text.
+void yk_state_write_label(const YkState *state, YkText *text);
 // Makes the spare space the pose.
 void yk_state_accept(YkState *state);
 // Makes the present angles the reference for the next.

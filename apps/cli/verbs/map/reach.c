@@ -87,7 +87,7 @@ static bool find_way(Reach *r)
     return true;
 }
 
-// Writes why there is no way.
+// Explains why the machine cannot get there.
 static void add_reason(const Reach *r, YkText *text)
 {
     const Wanted *poses[2] = {&r->from, &r->to};

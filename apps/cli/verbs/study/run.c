@@ -31,7 +31,7 @@ static void show_left(const YkStudyAnswer *a, double passed)
     if (a->done > a->found) fprintf(stderr, ", about %.0f s left", (double)(a->design_count - a->done) / rate);
 }
 
-// The outputs of ranks go to mpirun, which is no terminal: a line now and then, each longer after the one before.
+// mpirun collects what the ranks print, and it is not a terminal, so progress is a line at growing intervals.
 static void show_lines(YkStudyAnswer *a, double passed)
 {
     if (passed < a->next_line || a->session->request->quiet) return;

@@ -42,7 +42,7 @@ typedef struct Spread {
     YkStudyAnswer *a;
     Peer *peers; // [rank]; 0 is this one
     int count;
-    uint64_t next; // the first design that nobody has
+    uint64_t next; // the first design that has not been handed out
     size_t out, most_out,
         most_rows; // blocks that are given and not yet written; their largest number; rows of the largest
     Early *early;
