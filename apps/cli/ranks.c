@@ -35,7 +35,8 @@ int yk_ranks_rank(void)
 size_t yk_ranks_share(size_t processors)
 {
     size_t here = (size_t)(yk_ranks_count() > 1 ? number_of("OMPI_COMM_WORLD_LOCAL_SIZE", 1) : 1);
-    return here > 1 && processors / here > 0 ? processors / here : here > 1 ? 1 : processors;
+    if (here < 2) return processors;
+    return processors > here ? processors / here : 1;
 }
 
 bool yk_ranks_is_first_here(void)

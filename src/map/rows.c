@@ -3,6 +3,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "map/map.h"
+#include "solve/gap.h"
 
 #define FAR_ENOUGH 0.03 // rad, or lengths over the size: poses nearer than this to the last row are left out
 
@@ -84,13 +85,11 @@ double yk_map_apart(const YkMap *map, const double *a, const double *b)
         const YkTreeCoordinate *info = &map->mech->coordinates[c];
         double off = a[1 + c] - b[1 + c];
         if (c == map->coordinate && !info->is_distance && map->tracer.period > 7) // several turns differ
-            off = yk_nearest_turn(off * 2 * YK_PI / map->tracer.period, 0);
-        else if (!info->is_distance)
-            off = yk_nearest_turn(off, 0);
-        most = fmax(most, fabs(off) / (info->is_distance ? map->mech->size : 1));
+            off = off * 2 * YK_PI / map->tracer.period;
+        most = fmax(most, yk_gap(map->mech, info->is_distance, off));
     }
     for (size_t j = yk_map_joint_column(map, 0); j < yk_map_joint_column(map, map->joints); j++)
-        most = fmax(most, fabs(yk_nearest_turn(a[j] - b[j], 0)));
+        most = fmax(most, yk_gap(map->mech, false, a[j] - b[j]));
     return most;
 }
 
