@@ -5,13 +5,6 @@
 #include "reach.h"
 #include "session.h"
 
-const char *yk_map_event_of(const YkMapAnswer *answer, YkMapEvent event)
-{
-    const YkMechanism *mech = answer->session->mech;
-    if (event.block >= 0) return yk_block_info(mech, (size_t)event.block).label;
-    return event.coordinate == YK_NOT_FOUND ? NULL : yk_coordinate_info(mech, event.coordinate).name;
-}
-
 // Returns the freedoms that are neither mapped nor held by --at.
 static size_t free_inputs(const YkSession *session)
 {
