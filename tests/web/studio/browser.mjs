@@ -64,3 +64,21 @@ export const moves = async (page, body, from) => until(page, ([name, before]) =>
   const found = document.querySelector(`#scene [data-body="${name}"]`)?.getAttribute("transform").match(/rotate\(([^)]+)\)/);
   return found && Math.abs(Number(found[1]) - before) > 1;
 }, body, from);
+
+// Runs tests one after the other (those whose name contains `only`, if it is given), tells how each went, and ends the process.
+export async function runTests(world, tests, only) {
+  let failed = 0;
+  for (const [name, test] of Object.entries(tests)) {
+    if (only && !name.includes(only)) continue;
+    const begun = Date.now();
+    try {
+      await test();
+      console.log(`ok - ${name} (${((Date.now() - begun) / 1000).toFixed(1)} s)`);
+    } catch (error) {
+      failed++;
+      console.log(`not ok - ${name}\n${error.stack}`);
+    }
+  }
+  await world.stop();
+  process.exit(failed ? 1 : 0);
+}

@@ -2,7 +2,7 @@
 // and what the newer tools draw. node test_harm.mjs BUNDLED PAGE [PART OF A NAME]
 import assert from "node:assert/strict";
 import { deflateRawSync } from "node:zlib";
-import { bodies, close, open, start, text, turn, until, moves } from "./browser.mjs";
+import { bodies, close, moves, open, runTests, start, text, turn, until } from "./browser.mjs";
 
 const world = await start(process.argv[2], process.argv[3]);
 const isFull = Boolean(process.env.YOKE_FULL);
@@ -138,18 +138,4 @@ const full = {
   },
 };
 
-let failed = 0;
-const only = process.argv[4];
-for (const [name, test] of Object.entries(isFull ? { ...tests, ...full } : tests)) {
-  if (only && !name.includes(only)) continue;
-  const begun = Date.now();
-  try {
-    await test();
-    console.log(`ok - ${name} (${((Date.now() - begun) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    failed++;
-    console.log(`not ok - ${name}\n${error.stack.slice(0, 800)}`);
-  }
-}
-await world.stop();
-process.exit(failed ? 1 : 0);
+await runTests(world, isFull ? { ...tests, ...full } : tests, process.argv[4]);

@@ -1,6 +1,6 @@
 // Studio in a real browser: draws, moves, mends, shares. node test_page.mjs BUNDLED PAGE
 import assert from "node:assert/strict";
-import { bodies, close, joints, moves, open, start, text, turn, until, write } from "./browser.mjs";
+import { bodies, close, joints, moves, open, runTests, start, text, turn, until, write } from "./browser.mjs";
 
 const world = await start(process.argv[2], process.argv[3]);
 const isFull = Boolean(process.env.YOKE_FULL);
@@ -244,18 +244,4 @@ const full = {
   },
 };
 
-let failed = 0;
-const only = process.argv[4];
-for (const [name, test] of Object.entries(isFull ? { ...tests, ...full } : tests)) {
-  if (only && !name.includes(only)) continue;
-  const begun = Date.now();
-  try {
-    await test();
-    console.log(`ok - ${name} (${((Date.now() - begun) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    failed++;
-    console.log(`not ok - ${name}\n${error.stack}`);
-  }
-}
-await world.stop();
-process.exit(failed ? 1 : 0);
+await runTests(world, isFull ? { ...tests, ...full } : tests, process.argv[4]);
