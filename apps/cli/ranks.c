@@ -4,10 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "plugin.h"
 #include "session.h"
-#ifdef YOKE_HAS_RANKS
-#include <dlfcn.h>
-#endif
 
 static const YkRanks *table;
 
@@ -46,34 +44,10 @@ bool yk_ranks_is_first_here(void)
 
 // --- the plugin
 
-#ifdef YOKE_HAS_RANKS
-static const YkRanks *open_plugin(const char *path)
-{
-    if (access(path, R_OK) != 0) return NULL;
-    void *plugin = dlopen(path, RTLD_NOW | RTLD_GLOBAL); // Open MPI loads parts of its own, which need its functions
-    if (!plugin) return NULL;
-    YkRanksOpen entry;
-    *(void **)&entry = dlsym(plugin, YK_RANKS_ENTRY);
-    return entry ? entry() : NULL;
-}
-#endif
-
-// Finds the plugin beside the command, as it is built, or in ../lib/yoke, as it is installed.
 static const YkRanks *find_plugin(void)
 {
     static const YkRanks *found;
-#ifdef YOKE_HAS_RANKS
-    char own[4096], path[4096 + 64];
-    ssize_t length = found ? 0 : readlink("/proc/self/exe", own, sizeof own - 1);
-    if (length <= 0) return found;
-    own[length] = '\0';
-    char *slash = strrchr(own, '/');
-    if (slash) *slash = '\0';
-    snprintf(path, sizeof path, "%s/yoke-mpi.so", own);
-    found = open_plugin(path);
-    snprintf(path, sizeof path, "%s/../" YOKE_LIBDIR "/yoke/yoke-mpi.so", own);
-    if (!found) found = open_plugin(path);
-#endif
+    if (!found) found = (const YkRanks *)(const void *)yk_plugin_open("yoke-mpi", YK_RANKS_ENTRY);
     return found;
 }
 

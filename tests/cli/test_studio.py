@@ -327,6 +327,6 @@ class OnePage(Folder):
 
 
 if __name__ == "__main__":
-    if "E0721" in Run("studio", "--port", "1", env={"YOKE_STUDIO": "/nowhere"}).err:
+    if not os.path.exists(os.path.join(os.path.dirname(YOKE), "yoke-http.so")):
         Server = None  # built without libmicrohttpd
     unittest.main()

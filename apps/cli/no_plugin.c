@@ -1,0 +1,9 @@
+// Stands in for plugin.c in a browser, where nothing is loaded.
+#include "plugin.h"
+#include <stddef.h>
+
+const YkPlugin *yk_plugin_open(const char *name, const char *entry)
+{
+    (void)name, (void)entry;
+    return NULL;
+}

@@ -1,0 +1,15 @@
+// Plugins: parts of yoke that need a library of their own, loaded by those verbs alone that use them.
+#ifndef CLI_PLUGIN_H
+#define CLI_PLUGIN_H
+
+// What every plugin's table begins with.
+typedef struct YkPlugin {
+    int interface;    // of the header that describes the table
+    const char *yoke; // the version of yoke that it belongs to
+} YkPlugin;
+
+// Loads the plugin NAME.so from beside the command, where it is built, or from lib/yoke, where it is installed, and calls its function
+// ENTRY. Returns the table, which stays until the process ends, or NULL if there is none.
+const YkPlugin *yk_plugin_open(const char *name, const char *entry);
+
+#endif
