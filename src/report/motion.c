@@ -3,7 +3,15 @@
 #include "base/vec.h"
 #include "report/report.h"
 
-enum { TURN_STEPS = 180, RANGE_STEPS = 120, TIME_STEPS = 240, STEPS_MIN = 24, POSES_MAX = 12000, PERIOD_PARTS = 12 };
+enum {
+    TURN_STEPS = 180,
+    RANGE_STEPS = 120,
+    TIME_STEPS = 240,
+    STEPS_MIN = 24,
+    POSES_MAX = 12000,
+    PERIOD_PARTS = 12,
+    TURNS_MOST = 12
+};
 static const double full_turn = 2 * YK_PI;
 static const double time_default = 5, time_least = 1e-3, time_most = 60; // s
 static const double pass_default = 5, pass_least = 2.5, pass_most = 15;  // s, on a screen
@@ -16,11 +24,23 @@ static YkCoordinateInfo input_info(const YkReportPage *report, size_t input)
 
 // --- Drives in time
 
-// The motion of an input's drive: its rate if that is constant; otherwise its period as if it were harmonic.
+// The motion of an input's drive: its rate if that is constant; otherwise its period as if it were harmonic, or a time in
+// which it makes a few turns, as steps of the report can follow them.
 typedef struct Course {
     bool moves, is_steady;
     double rate, period;
 } Course;
+
+// Halves a time until the input makes at most TURNS_MOST turns in it.
+static double time_of_few_turns(YkState *scratch, size_t input, double start, double time)
+{
+    if (yk_state_set_time(scratch, start, NULL) < 0) return time;
+    double from = yk_state_input(scratch, input).position;
+    for (;; time *= 0.5) {
+        if (time <= time_least || yk_state_set_time(scratch, start + time, NULL) < 0) return time;
+        if (!(fabs(yk_state_input(scratch, input).position - from) > TURNS_MOST * full_turn)) return time;
+    }
+}
 
 static Course course_of(YkReportPage *report, YkState *scratch, size_t input)
 {
@@ -44,6 +64,8 @@ static Course course_of(YkReportPage *report, YkState *scratch, size_t input)
         course.period = input_info(report, input).is_distance ? 0 : full_turn / fabs(course.rate);
     else if (hardest > 0)
         course.period = full_turn * fastest / hardest;
+    if (course.period > 0 && !course.is_steady && !input_info(report, input).is_distance)
+        course.period = time_of_few_turns(scratch, input, start, fmin(course.period, time_most));
     return course;
 }
 

@@ -94,6 +94,23 @@ static void a_simulation_is_not_too_fast_for_its_rows(void **state)
     close_page(&page);
 }
 
+// A drive that speeds up without end, and has no period: its rows still follow the turns.
+static void a_drive_that_speeds_up_is_shown_for_a_few_turns(void **state)
+{
+    (void)state;
+    Page page = open_page("planetary-gear", NULL);
+    int column = yk_report_column(page.report, YK_ROLE_COORDINATE, 0, 0);
+    assert_int_equal(page.report->motion.kind, YK_REPORT_TIME);
+    assert_true(column >= 0 && page.report->row_count > 100);
+    for (size_t row = 1; row < page.report->row_count; row++)
+        assert_true(fabs(yk_report_value(page.report, row, (size_t)column) -
+                         yk_report_value(page.report, row - 1, (size_t)column)) < 0.25 * YK_PI);
+    double turned = yk_report_value(page.report, page.report->row_count - 1, (size_t)column) -
+                    yk_report_value(page.report, 0, (size_t)column);
+    assert_true(turned > 3 * 2 * YK_PI && turned <= 12 * 2 * YK_PI);
+    close_page(&page);
+}
+
 static void what_is_asked_for_is_shown(void **state)
 {
     (void)state;
@@ -138,6 +155,7 @@ int main(void)
         cmocka_unit_test(a_range_stays_within_the_limits_and_near_them),
         cmocka_unit_test(two_drives_run_until_both_come_round),
         cmocka_unit_test(a_simulation_is_not_too_fast_for_its_rows),
+        cmocka_unit_test(a_drive_that_speeds_up_is_shown_for_a_few_turns),
         cmocka_unit_test(what_is_asked_for_is_shown),
         cmocka_unit_test(a_movie_has_so_many_poses_a_second),
     };

@@ -11,9 +11,9 @@ enum { YK_HTTP_INTERFACE = 1 };
 typedef struct YkRequestIn {
     const char *method, *path; // the path without its arguments
     const char *body;
-    size_t length;        // of the body, in bytes
-    bool is_too_large;    // the body was longer than the limit, and was not kept
-    void *own;            // the plugin's
+    size_t length;     // of the body, in bytes
+    bool is_too_large; // the body was longer than the limit, and was not kept
+    void *own;         // the plugin's
 } YkRequestIn;
 
 // Called from the server's thread, for one request at a time.

@@ -30,7 +30,8 @@ typedef struct Server {
 
 static const char *headers[][2] = {
     {"Content-Security-Policy",
-     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; style-src 'self' "
+     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; style-src "
+     "'self' "
      "'unsafe-inline'; img-src 'self' data: blob:; manifest-src 'self'; base-uri 'none'; form-action 'none'; "
      "frame-ancestors 'none'"},
     {"X-Content-Type-Options", "nosniff"},
@@ -198,8 +199,8 @@ static const YkHttp *find_server(YkSession *session)
     const YkPlugin *found = yk_plugin_open("yoke-http", YK_HTTP_ENTRY);
     bool fits = found && found->interface == YK_HTTP_INTERFACE && strcmp(found->yoke, yk_version()) == 0;
     if (fits) return (const YkHttp *)(const void *)found;
-    yk_problem(session->problems, YK_CODE_STUDIO_NO_SERVER, (YkPlace){0}, "the plugin yoke-http, which serves Studio, is %s",
-               found ? "of another version" : "missing");
+    yk_problem(session->problems, YK_CODE_STUDIO_NO_SERVER, (YkPlace){0},
+               "the plugin yoke-http, which serves Studio, is %s", found ? "of another version" : "missing");
     yk_problem_hint(session->problems,
                     "`yoke studio FILE -o page.html` writes the page with the machine in it as one file");
     return NULL;
