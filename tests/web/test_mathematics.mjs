@@ -33,6 +33,8 @@ const names = readdirSync(examples).filter((name) => name.endsWith(".yaml")).sor
 
 const take = (formula) => katex.renderToString(formula, { displayMode: true, throwOnError: true, strict: "error" });
 
+const known = new Set(); // the page mostly repeats what is in the JSON
+
 function takeAll(name) {
   const json = derive(name, "json"), page = derive(name, "latex");
   const formulas = json ? JSON.parse(json).sections.flatMap((section) => section.items).flatMap((item) => item.latex ?? []) : [];
@@ -40,7 +42,9 @@ function takeAll(name) {
     .map((found) => found[1] ?? found[2].replaceAll("multline*", "gathered").replaceAll("\\\\[-2pt]", "\\\\"));
   const legends = shown.filter((formula) => /^(\\begin\{gathered\}\n)?\\boxed\{\d+\} = /.test(formula)); // below a formula: what boxes stand for
   assert.equal(shown.length - legends.length, formulas.length, name);
-  for (const formula of [...formulas, ...shown]) {
+  for (const formula of new Set([...formulas, ...shown])) {
+    if (known.has(formula)) continue;
+    known.add(formula);
     try {
       take(formula);
     } catch (error) {
