@@ -16,6 +16,7 @@ from ._designs import Distribution, normal, tolerance, triangular, uniform
 from ._equations import Equations, Verdict, sections
 from ._machine import Machine, load, parse
 from ._many import Simulations
+from ._map import Branch, Circuit, Map, MapEvent, Way
 from ._native import ffi as _ffi
 from ._native import lib as _lib
 from ._pose import Pose, Svg
@@ -24,6 +25,7 @@ from ._problems import (
 )
 from ._simulation import Simulation, Summary
 from ._study import Sensitivities
+from ._synthesis import Candidate, Dyad, Synthesis, TaskError, synthesize
 from ._table import Column, Event, Table
 from .environment import Environment
 
@@ -33,8 +35,10 @@ if __version__ != _ffi.string(_lib.YOKE_VERSION_STRING).decode():
                       f"and {__version__} is installed: build it again")
 
 __all__ = [
-    "ClosedError", "Column", "Columns", "Configurations", "Distribution", "Effort", "Energy", "Environment",
-    "Equations", "Error", "Event", "Machine", "ModelError", "Motion", "PointMotion", "Pose", "PoseError", "Problem",
-    "Reaction", "RequestError", "Sensitivities", "Simulation", "Simulations", "Summary", "Svg", "Table", "UnknownName",
-    "Verdict", "YokeWarning", "explain", "load", "normal", "parse", "sections", "tolerance", "triangular", "uniform",
+    "Branch", "Candidate", "Circuit", "ClosedError", "Column", "Columns", "Configurations", "Distribution", "Dyad",
+    "Effort", "Energy", "Environment", "Equations", "Error", "Event", "Machine", "Map", "MapEvent", "ModelError",
+    "Motion", "PointMotion", "Pose", "PoseError", "Problem", "Reaction", "RequestError", "Sensitivities",
+    "Simulation", "Simulations", "Summary", "Svg", "Synthesis", "Table", "TaskError", "UnknownName", "Verdict",
+    "Way", "YokeWarning", "explain", "load", "normal", "parse", "sections", "synthesize", "tolerance", "triangular",
+    "uniform",
 ]

@@ -5,7 +5,7 @@ import os
 from pathlib import Path
 from typing import Any, Mapping, Optional, Sequence, Union
 
-from . import _batch, _configurations, _designs, _equations, _many, _output, _study, _sweep
+from . import _batch, _configurations, _designs, _equations, _many, _map, _output, _study, _sweep
 from ._core import Core
 from ._identity import Identity, PathLike, Values
 from ._native import lib
@@ -112,6 +112,15 @@ class Machine(Identity):
             plan = core.plan(list(coordinates))
             hold.fill(plan, coordinates)
             return _configurations.find(self, plan, hold.time, {"time": hold.time, "at": coordinates})
+
+    def map(self, over: Optional[str] = None, *, time: Value = 0.0, at: Values = None, progress: Progress = None,
+            **coordinates: Value) -> _map.Map:
+        """Maps the whole motion of a machine with one freedom: all circuits, limits, change points and dead points.
+
+        over   the coordinate that is mapped; the first input where none is named. Other inputs are held by `at`.
+        """
+        with self._lock, Watch(progress, "map"):
+            return _map.Map(self, self._ready(), over, time, named(at, "at", coordinates))
 
     # --- many poses
 

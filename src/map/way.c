@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "map/map.h"
+#include "solve/gap.h"
 
 // Returns an input within the domain of the strands.
 static double into_domain(const YkMap *map, double at)
@@ -49,6 +50,37 @@ bool yk_map_coordinates_at(YkMap *map, YkMapPlace place, double *coordinates)
     if (ok) memcpy(coordinates, row + 1, map->mech->coordinate_count * sizeof *row);
     free(row);
     return ok;
+}
+
+// Returns how far a configuration is from values that are given: rad, or lengths over the machine's size.
+static double off_from(const YkMap *map, const double *wanted, const double *coordinates)
+{
+    double most = 0;
+    for (size_t c = 0; c < map->mech->coordinate_count; c++) {
+        if (isnan(wanted[c]) || c == map->coordinate) continue;
+        most = fmax(most, yk_gap(map->mech, yk_coordinate_info(map->mech, c).is_distance, coordinates[c] - wanted[c]));
+    }
+    return most;
+}
+
+size_t yk_map_find(YkMap *map, const double *coordinates, YkMapPlace *places, size_t capacity)
+{
+    const double near = 0.02;
+    if (!map || !coordinates || isnan(coordinates[map->coordinate])) return 0;
+    double at = coordinates[map->coordinate];
+    size_t all = yk_map_places(map, at, NULL, 0), count = 0;
+    YkMapPlace *found = calloc(all + 1, sizeof *found);
+    double *row = calloc(map->mech->coordinate_count + 1, sizeof *row);
+    if (found && row) yk_map_places(map, at, found, all);
+    for (size_t k = 0; found && row && k < all; k++) {
+        if (!yk_map_coordinates_at(map, found[k], row) || !(off_from(map, coordinates, row) < near)) continue;
+        if (places && count < capacity) places[count] = found[k];
+        count++;
+    }
+    if (!found || !row) count = YK_NOT_FOUND;
+    free(found);
+    free(row);
+    return count;
 }
 
 // --- the way

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "session.h"
-#include "solve/gap.h"
 #include "verbs/map/map.h"
 #include "write/table.h"
 
@@ -43,30 +42,15 @@ static bool read_values(YkMapAnswer *answer, const YkAssignments *pairs, Wanted 
     return false;
 }
 
-// Returns how far a configuration is from the values that are given: rad, or lengths over the machine's size.
-static double off_from(const Reach *r, const double *values)
+// Finds the configurations that have the values. Returns false when out of memory.
+static bool find_places(Reach *r, Wanted *wanted)
 {
-    const YkMechanism *mech = r->answer->session->mech;
-    double most = 0;
-    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
-        if (isnan(values[c]) || c == yk_map_coordinate(r->answer->map)) continue;
-        most = fmax(most, yk_gap(mech, yk_coordinate_info(mech, c).is_distance, r->row[c] - values[c]));
-    }
-    return most;
-}
-
-// Keeps the configurations at the mapped value that have the other values to two digits or so.
-static void find_places(Reach *r, Wanted *wanted)
-{
-    const double near = 0.02;
     double at = wanted->values[yk_map_coordinate(r->answer->map)];
-    size_t all = yk_map_places(r->answer->map, at, wanted->places, PLACES_MAX), kept = 0;
-    if (all > PLACES_MAX) all = PLACES_MAX;
-    for (size_t k = 0; k < all; k++)
-        if (yk_map_coordinates_at(r->answer->map, wanted->places[k], r->row) && off_from(r, wanted->values) < near)
-            wanted->places[kept++] = wanted->places[k];
-    wanted->count = kept;
-    wanted->is_far = all > 0 && kept == 0;
+    size_t count = yk_map_find(r->answer->map, wanted->values, wanted->places, PLACES_MAX);
+    if (count == YK_NOT_FOUND) return false;
+    wanted->count = count < PLACES_MAX ? count : PLACES_MAX;
+    wanted->is_far = count == 0 && yk_map_places(r->answer->map, at, NULL, 0) > 0;
+    return true;
 }
 
 // Finds the shortest way from any of the poses to any of the others.
@@ -194,20 +178,18 @@ static int answer_reach(Reach *r)
     if (!make_room(r)) return YK_EXIT_WRONG;
     if (!read_values(r->answer, &request->pose, &r->from) || !read_values(r->answer, &request->reach, &r->to))
         return YK_EXIT_WRONG;
-    if (request->pose.count > 0) {
-        find_places(r, &r->from);
-    } else {
+    bool good = find_places(r, &r->to) && (request->pose.count == 0 || find_places(r, &r->from));
+    if (request->pose.count == 0) {
         r->from.places[0] = yk_map_start(r->answer->map);
         r->from.count = r->from.places[0].strand != YK_NOT_FOUND;
     }
-    find_places(r, &r->to);
     if (r->from.count > 1) {
         yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--pose has several configurations at this %s",
                           r->answer->name);
         yk_problem_hint(session->problems, "give another coordinate too; `yoke solve --all` lists them");
         return YK_EXIT_WRONG;
     }
-    if (!find_way(r)) {
+    if (!good || !find_way(r)) {
         yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
         return YK_EXIT_WRONG;
     }

@@ -36,50 +36,6 @@ static bool has_one_freedom(YkSession *session, size_t mapped)
     return false;
 }
 
-// --- dead points
-
-// Makes the mechanism with another input in place of the mapped one, at the same pose, and adds its limits.
-static bool add_dead_points(YkMapAnswer *answer, size_t drive)
-{
-    YkSession *session = answer->session;
-    size_t count = yk_input_count(session->mech), mapped = yk_map_coordinate(answer->map);
-    const char **names = calloc(count + 1, sizeof *names);
-    for (size_t k = 0; names && k < count; k++) {
-        size_t c = yk_input_coordinate(session->mech, k);
-        names[k] = yk_coordinate_info(session->mech, c == mapped ? drive : c).name;
-    }
-    YkCompileOptions options = yk_default_compile_options();
-    options.inputs = names;
-    options.input_count = count;
-    YkMechanism *other = names ? yk_mechanism_compile(session->model, &options, session->problems) : NULL;
-    YkState *state = other ? yk_state_new(other) : NULL;
-    YkMap *map = NULL;
-    YkStatus status = state ? yk_state_adopt(state, session->state) : YK_NO_MEMORY;
-    size_t coordinate = other ? yk_coordinate_find(other, yk_coordinate_info(session->mech, drive).name) : 0;
-    if (status >= 0) map = yk_map_new(state, coordinate, session->problems);
-    if (status >= 0) status = map ? yk_map_add_dead_points(answer->map, map) : YK_BAD_ARGUMENT;
-    yk_map_free(map);
-    yk_state_free(state);
-    yk_mechanism_free(other);
-    free(names);
-    if (status < 0 && yk_problems_error_count(session->problems) == 0)
-        yk_session_refuse(session, status == YK_NO_MEMORY ? YK_CODE_OUT_OF_MEMORY : YK_CODE_NO_MAP,
-                          "the dead points of the drive could not be found%s", "");
-    return status >= 0;
-}
-
-// Adds those of the drive, unless it is mapped itself: its dead points are then the limits.
-static bool find_dead_points(YkMapAnswer *answer)
-{
-    const YkMechanism *mech = answer->session->mech;
-    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
-        YkCoordinateInfo info = yk_coordinate_info(mech, c);
-        if (!info.has_drive || info.input >= 0 || c == yk_map_coordinate(answer->map)) continue;
-        if (!add_dead_points(answer, c)) return false;
-    }
-    return true;
-}
-
 // --- the verb
 
 static int write_answer(YkMapAnswer *answer)
@@ -100,7 +56,8 @@ static int answer_map(YkMapAnswer *answer, size_t coordinate)
     YkSession *session = answer->session;
     answer->map = yk_map_new(session->state, coordinate, session->problems);
     if (!answer->map) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
-    if (!find_dead_points(answer)) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
+    if (yk_map_add_drives(answer->map, session->state, session->problems) < 0)
+        return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
     if (session->request->reach.count > 0) return yk_map_reach(answer);
     return yk_map_plan(answer) ? write_answer(answer) : YK_EXIT_WRONG;
 }
