@@ -187,7 +187,7 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
     if (b->forces) yk_batch_run_forces(b, run, outputs, at, along.wanted ? along.wanted + at : NULL);
     if (b->forces && b->is_along) end_at_forces(b, run, outputs, at);
     for (size_t k = 0; k < b->channel_count; k++) yk_batch_write_channel(b, run, k, here != YK_OK, outputs[k] + at);
-    if (here != YK_OK) yk_batch_write_settled(b, outputs, at, run->lanes);
+    if (b->has_settled) here = yk_worse(here, yk_batch_write_settled(b, outputs, at, run->lanes));
     if (!b->forces || b->is_along) return here;
     return yk_worse(here, yk_batch_settle_forces(b, outputs, status, at, run->lanes));
 }

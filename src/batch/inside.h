@@ -25,6 +25,7 @@ struct YkBatch {
     bool is_along;        // the poses follow one path:
     YkBranchWatch watch;  // where its branches could have met
     double *next;         // [coordinate]: angles at the end of this block of lanes, references of the next
+    bool has_settled;     // some lanes of this block have the state's answers
     size_t clear;         // lanes of this block that are certainly on the path
     const double *times;  // of the lanes of this block; NULL: the state's
     YkPoseForces *forces; // of the channels that need them; NULL if none does
@@ -43,8 +44,8 @@ void yk_batch_mask(const YkBatch *batch, size_t channel, double *out, size_t n);
 YkStatus yk_batch_judge(YkBatch *batch, signed char *status, size_t n);
 // Solves one lane of the block in batch->state.
 YkStatus yk_batch_solve_lane(YkBatch *batch, size_t lane);
-// Writes the answers of poses at coincidences, which only a state settles.
-void yk_batch_write_settled(YkBatch *batch, double *const *outputs, size_t at, size_t n);
+// Writes the answers of poses that only a state settles. Returns OK, or NO_MEMORY.
+YkStatus yk_batch_write_settled(YkBatch *batch, double *const *outputs, size_t at, size_t n);
 // batch_forces.c: computes the forces of a block of lanes, before its channels are masked: of those that are wanted;
 // NULL: of all.
 void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at, const bool *wanted);

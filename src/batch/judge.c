@@ -11,15 +11,25 @@ YkStatus yk_batch_solve_lane(YkBatch *b, size_t lane)
     return yk_state_solve(b->state);
 }
 
-// Returns whether a lane's rates are blurred, as the state judges it.
-static bool is_singular(YkBatch *b, size_t lane)
-{
-    return yk_batch_solve_lane(b, lane) == YK_SINGULAR;
-}
-
-// The margin of a lane at a coincidence, until its answers are written. They are the state's, which settles the angles
-// that no loop determines; a lane cannot.
+// The margin of a lane whose answers are the state's, until they are written: the state settles angles that no loop determines, and
+// closes all loops where those that are kept are singular; a lane cannot.
 #define SETTLED_MARGIN (-2.0)
+
+// Judges a lane that may be singular as the state does.
+static YkStatus judge_by_state(YkBatch *b, size_t k, bool closes)
+{
+    double *margin = &b->space.margin[k];
+    YkStatus status = yk_batch_solve_lane(b, k);
+    if (status == YK_NO_MEMORY) return status;
+    if (status == YK_SINGULAR || (status >= 0 && b->state->is_regular)) {
+        bool is_settled = b->state->is_kept || b->state->is_regular;
+        *margin = is_settled ? SETTLED_MARGIN : fmin(*margin, YK_SINGULAR_MARGIN);
+        b->has_settled |= is_settled;
+        return status == YK_SINGULAR ? YK_SINGULAR : YK_OK;
+    }
+    if (!closes) *margin = -1;
+    return !closes ? YK_LIMIT : *margin <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
+}
 
 // Judges a lane; leaves a margin that masks what it cannot tell. On a path the state judges close poses, not a lane.
 static YkStatus judge_lane(YkBatch *b, size_t k)
@@ -27,31 +37,32 @@ static YkStatus judge_lane(YkBatch *b, size_t k)
     double *margin = &b->space.margin[k];
     bool closes = *margin >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, *margin);
     bool is_close = closes ? *margin <= YK_BLUR_MARGIN : !b->is_along && yk_may_coincide(*margin);
-    if (is_close && b->is_along) {
+    if (is_close && !b->is_along) return judge_by_state(b, k, closes);
+    if (is_close)
         *margin = fmin(*margin, YK_SINGULAR_MARGIN);
-    } else if (is_close && is_singular(b, k)) {
-        *margin = b->state->is_kept ? SETTLED_MARGIN : fmin(*margin, YK_SINGULAR_MARGIN);
-        return YK_SINGULAR;
-    } else if (!closes) {
+    else if (!closes)
         *margin = -1;
-    }
     return !closes ? YK_LIMIT : *margin <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
 }
 
-void yk_batch_write_settled(YkBatch *b, double *const *outputs, size_t at, size_t n)
+YkStatus yk_batch_write_settled(YkBatch *b, double *const *outputs, size_t at, size_t n)
 {
     for (size_t lane = 0; lane < n; lane++) {
-        if (b->space.margin[lane] != SETTLED_MARGIN || !is_singular(b, lane)) continue;
+        if (b->space.margin[lane] != SETTLED_MARGIN) continue;
+        YkStatus status = yk_batch_solve_lane(b, lane);
+        if (status < 0) return status; // out of memory
         for (size_t k = 0; k < b->channel_count; k++)
             if (!yk_channel_needs_forces(b->channels[k]))
                 outputs[k][at + lane] = yk_state_channel(b->state, b->channels[k]);
     }
+    return YK_OK;
 }
 
 YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
 {
     YkStatus worst = YK_OK;
     bool well;
+    b->has_settled = false;
     yk_lanes_well(&well, b->space.margin, b->space.gap, YK_BLUR_MARGIN, b->mech->size * YK_CLOSING_TOLERANCE, n);
     if (well) {
         if (status) memset(status, YK_OK, n);

@@ -113,9 +113,9 @@ YkStatus yk_dynamics_apply(YkDynamics *d, YkState *state)
     YkStatus status = set_accelerations(d, state);
     if (status < 0 || status == YK_SINGULAR) return status;
     status = find_loads(d, state);
-    if (status >= 0) status = yk_free_bodies_inverse(d->bodies, &state->space, d->load);
+    if (status >= 0) status = yk_free_bodies_inverse(d->bodies, &state->space, d->load, state->is_regular);
     if (status >= 0 && status != YK_SINGULAR && yk_free_bodies_radial(d->bodies, d->load, 1)) {
-        status = yk_free_bodies_inverse(d->bodies, &state->space, d->load);
+        status = yk_free_bodies_inverse(d->bodies, &state->space, d->load, state->is_regular);
         yk_free_bodies_radial(d->bodies, d->load, -1); // they are reported as forces of the mesh, not as loads
     }
     if (status >= 0 && status != YK_SINGULAR) take_results(d, state);

@@ -101,10 +101,10 @@ static YkStatus settle(YkFreeBodies *f, YkBodyPart *part, YkStatus status)
     return status;
 }
 
-YkStatus yk_free_bodies_inverse(YkFreeBodies *f, const YkSpace *space, const YkLoad *loads)
+YkStatus yk_free_bodies_inverse(YkFreeBodies *f, const YkSpace *space, const YkLoad *loads, bool is_regular)
 {
     YkStatus status = YK_OK;
-    bool is_dead_point = !(space->margin[0] > YK_SINGULAR_MARGIN);
+    bool is_dead_point = !is_regular && !(space->margin[0] > YK_SINGULAR_MARGIN);
     yk_wrenches_pose(f, space);
     take_loads(f, loads);
     take_accelerations(f, space);

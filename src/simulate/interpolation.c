@@ -47,8 +47,9 @@ static void look_along(YkSimulation *sim, double t, const double *y, const YkNea
     for (size_t k = 0; k < n; k++) {
         for (size_t i = 0; i < sim->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
         s->input[3 * sim->free_input[k] + 1] = 1;
-        bool has_rates = yk_state_solve(s) >= 0 && s->space.margin[0] > YK_SINGULAR_MARGIN; // two digits suffice
-        if (!has_rates && sim->is_flat) *way = (Way){0, sim->flat_slope};                   // the start itself
+        bool has_rates =
+            yk_state_solve(s) >= 0 && (s->is_regular || s->space.margin[0] > YK_SINGULAR_MARGIN); // two digits suffice
+        if (!has_rates && sim->is_flat) *way = (Way){0, sim->flat_slope};                         // the start itself
         if (!has_rates) return;
         YkRun run = yk_state_run(s, &s->space);
         double slope = yk_between_columns(&run, &sim->mech->blocks[near->block]).rate;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "compile/closure.h"
+#include "solve/all_loops.h"
 #include "solve/coincidence.h"
 #include "solve/gap.h"
 #include "solve/relations.h"
@@ -351,7 +352,7 @@ static YkStatus take(YkState *s, const signed char *branch, const double *x)
 {
     memcpy(s->branch, branch, s->mech->block_count);
     if (s->mech->column_count > 0) memcpy(s->groups.x, x, s->mech->column_count * sizeof(double));
-    YkStatus status = run_whole(s);
+    YkStatus status = yk_state_by_all_loops(s, &s->spare, run_whole(s));
     yk_state_tell(s, &s->spare, status);
     if (status >= 0) yk_state_accept(s);
     return status;
@@ -418,7 +419,7 @@ static bool show(void *context, YkState *s, double cost)
     s->space = s->spare;
     s->has_pose = true;
     gather_margin(s, &s->space);
-    YkStatus status = yk_state_judge(s, &s->space);
+    YkStatus status = yk_state_by_all_loops(s, &s->space, yk_state_judge(s, &s->space));
     yk_state_tell(s, &s->space, status);
     s->has_rates = status != YK_SINGULAR;
     each->count++;

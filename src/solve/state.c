@@ -4,6 +4,7 @@
 #include <string.h>
 #include "compile/closure.h"
 #include "compile/inputs.h"
+#include "solve/all_loops.h"
 #include "solve/assemble.h"
 #include "solve/coincidence.h"
 #include "solve/relations.h"
@@ -221,7 +222,7 @@ void yk_state_accept(YkState *s)
     memcpy(s->valid_input, s->input, 3 * s->mech->input_count * sizeof *s->input);
     if (s->mech->column_count > 0) memcpy(s->valid_x, s->groups.x, s->mech->column_count * sizeof *s->valid_x);
     s->has_pose = true;
-    s->has_rates = s->space.margin[0] > YK_BLUR_MARGIN || !yk_is_blurred(s->mech, &s->space);
+    s->has_rates = s->is_regular || s->space.margin[0] > YK_BLUR_MARGIN || !yk_is_blurred(s->mech, &s->space);
 }
 
 void yk_state_refer(YkState *s)
@@ -263,7 +264,8 @@ static YkStatus solve(YkState *s)
     yk_run_steps(&run, 0, s->mech->step_count);
     YkStatus status = yk_state_judge(s, &s->spare);
     s->is_kept = false;
-    if (status < 0 || status == YK_SINGULAR) status = settle(s, status);
+    s->is_regular = false;
+    if (status < 0 || status == YK_SINGULAR) status = yk_state_by_all_loops(s, &s->spare, settle(s, status));
     yk_state_tell(s, &s->spare, status);
     if (status >= 0) yk_state_accept(s);
     if (status < 0 && s->mech->reference_count > 0) yk_state_walk_back(s);

@@ -87,6 +87,13 @@ static bool is_decided(const YkWalk *w, size_t block, double at)
     return yk_walk_was_flipped_near(w, block, at) || yk_path_way(&w->path, w->from, at) < 1e-4;
 }
 
+// Returns whether only a block is singular at `at`: constraints that repeat it determine the motion, and no branch parts.
+static bool is_regular(YkWalk *w, double at)
+{
+    YkState *s = w->path.state;
+    return s->mech->redundant_count > 0 && yk_path_try(&w->path, at, true) >= 0 && s->is_regular;
+}
+
 // Passes the change point near `at` with the other sign. Returns false if the motion turns back there, which keeps the
 // sign.
 // way: the direction of the motion, +1 or -1.
@@ -95,11 +102,12 @@ static bool flip(YkWalk *w, size_t block, double at, double way)
     YkState *s = w->path.state;
     if (yk_path_turns_back(&w->path, at)) return false;
     at = yk_walk_refine_touch(w, block, at, 1.2e-6);
+    bool is_seen = !is_regular(w, at);
     w->path.passed = at;
     w->path.side = way;
     s->branch[block] = (signed char)-s->branch[block];
     w->flipped_at[block] = at;
-    yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block});
+    if (is_seen) yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block});
     return true;
 }
 
@@ -115,8 +123,8 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
     if (yk_walk_is_stopped(w)) return false;
     w->limit_block = s->report.block;
     double at = yk_path_limit(&w->path, good, bad), beyond = yk_path_off(&w->path, at, copysign(1, bad - at), 2e-5);
-    bool fits =
-        fabs(beyond - at) < fabs(bad - at) && w->margin_count == s->mech->block_count && depth + 1 < WALK_DEPTH_MAX;
+    if (!(fabs(beyond - at) < fabs(bad - at))) beyond = bad; // it is as near
+    bool fits = beyond != at && w->margin_count == s->mech->block_count && depth + 1 < WALK_DEPTH_MAX;
     double *margins = yk_walk_margins(w, depth, 0);
     yk_walk_read_margins(w, margins);
     for (size_t k = 0; fits && k < w->margin_count; k++) {
@@ -129,7 +137,7 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
             continue;
         yk_path_probe(&w->path, beyond, true);
         yk_walk_read_margins(w, yk_walk_margins(w, depth + 1, 0));
-        return advance(w, beyond, bad, depth + 1);
+        return beyond == bad || advance(w, beyond, bad, depth + 1);
     }
     yk_walk_end_at(w, at, bad);
     return false;

@@ -135,7 +135,7 @@ static inline void load_input(Rig *r, size_t input, double effort)
 
 static inline YkStatus rig_inverse(Rig *r)
 {
-    return yk_free_bodies_inverse(r->bodies, &r->m.state->space, r->load);
+    return yk_free_bodies_inverse(r->bodies, &r->m.state->space, r->load, false);
 }
 static inline YkStatus rig_forward(Rig *r, int *culprit)
 {

@@ -1,0 +1,11 @@
+// Poses at which only the kept equations of a machine with redundant constraints are singular.
+#ifndef SOLVE_ALL_LOOPS_H
+#define SOLVE_ALL_LOOPS_H
+#include "solve/state.h"
+
+// Settles a pose of `space` that is singular by its blocks, where all loops together determine it: closes them by least squares, and
+// takes velocities and accelerations from all of them. Then `is_regular` is set and the status is REDUNDANT; otherwise it stays, or is
+// NO_MEMORY. Cost O(n^3) of all orientations and distances, at such a pose alone.
+YkStatus yk_state_by_all_loops(YkState *state, YkSpace *space, YkStatus status);
+
+#endif
