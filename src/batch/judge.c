@@ -24,8 +24,8 @@ static bool is_singular(YkBatch *b, size_t lane)
 // Judges a lane; leaves a margin that masks what it cannot tell. On a path the state judges close poses, not a lane.
 static YkStatus judge_lane(YkBatch *b, size_t k)
 {
-    double *margin = &b->space.margin[k];
-    bool closes = *margin >= YK_LIMIT_MARGIN && b->space.gap[k] <= yk_gap_tolerance(b->mech, *margin);
+    double *margin = &b->now->margin[k];
+    bool closes = *margin >= YK_LIMIT_MARGIN && b->now->gap[k] <= yk_gap_tolerance(b->mech, *margin);
     bool is_close = closes ? *margin <= YK_BLUR_MARGIN : !b->is_along && yk_may_coincide(*margin);
     if (is_close && b->is_along) {
         *margin = fmin(*margin, YK_SINGULAR_MARGIN);
@@ -41,7 +41,7 @@ static YkStatus judge_lane(YkBatch *b, size_t k)
 void yk_batch_write_settled(YkBatch *b, double *const *outputs, size_t at, size_t n)
 {
     for (size_t lane = 0; lane < n; lane++) {
-        if (b->space.margin[lane] != SETTLED_MARGIN || !is_singular(b, lane)) continue;
+        if (b->now->margin[lane] != SETTLED_MARGIN || !is_singular(b, lane)) continue;
         for (size_t k = 0; k < b->channel_count; k++)
             if (!yk_channel_needs_forces(b->channels[k]))
                 outputs[k][at + lane] = yk_state_channel(b->state, b->channels[k]);
@@ -52,7 +52,7 @@ YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
 {
     YkStatus worst = YK_OK;
     bool well;
-    yk_lanes_well(&well, b->space.margin, b->space.gap, YK_BLUR_MARGIN, b->mech->size * YK_CLOSING_TOLERANCE, n);
+    yk_lanes_well(&well, b->now->margin, b->now->gap, YK_BLUR_MARGIN, b->mech->size * YK_CLOSING_TOLERANCE, n);
     if (well) {
         if (status) memset(status, YK_OK, n);
         return YK_OK;

@@ -194,7 +194,7 @@ static bool make(Maker *m, YkArena *work, const YkRef *leaves, const YkRef *root
     t->prelude_count = t->step_count;
     make_steps(m, false);
     t->scratch = YK_NEW(t->arena, double, m->most_arguments + 3);
-    return !yk_arena_failed(t->arena) && yk_tape_place(t, work, g, leaves, roots, m->made);
+    return !yk_arena_failed(t->arena) && yk_tape_place(t, work, g, leaves, roots, m->made) && yk_tape_make_one(t, work);
 }
 
 YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
@@ -250,15 +250,31 @@ void yk_tape_set(YkTape *t, size_t leaf, double value)
     if (!yk_tape_needs(t, leaf)) return;
     for (size_t k = 0; k < t->lanes; k++) t->own_row[leaf][k] = value;
     t->row[leaf] = t->own_row[leaf];
+    double *one = yk_tape_leaf_of_one(t, leaf);
+    if (one) *one = value;
 }
 
 void yk_tape_prepare(YkTape *t)
 {
     yk_tape_run_steps(t, t->steps, t->prelude_count, t->lanes);
+    yk_tape_prepare_one(t);
+}
+
+static void run_first_lane(YkTape *t, double *const *out)
+{
+    for (size_t k = 0; k < t->leaf_count; k++) {
+        double *one = yk_tape_leaf_of_one(t, k);
+        if (one) *one = *t->row[k];
+    }
+    yk_tape_run_one(t, out);
 }
 
 void yk_tape_run(YkTape *t, double *const *out, size_t n)
 {
+    if (n == 1) {
+        run_first_lane(t, out);
+        return;
+    }
     for (size_t k = 0; k < t->root_count; k++) t->row[t->leaf_count + k] = out[k];
     yk_tape_run_steps(t, t->steps + t->prelude_count, t->step_count - t->prelude_count, n);
 }

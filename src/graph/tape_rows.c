@@ -105,7 +105,7 @@ static void copy_roots(Placer *p, const YkRef *roots)
         if (p->row[roots[k]] == out) continue;
         place_constant(p, &(int32_t){roots[k]}, 0);
         t->steps[t->step_count++] =
-            (YkTapeStep){.op = YK_TAPE_COPY, .out = out, .in = {p->row[roots[k]]}, .call = YK_NONE};
+            (YkTapeStep){.op = YK_TAPE_COPY, .out = out, .in = {p->row[roots[k]], out, out, out}, .call = YK_NONE};
     }
 }
 

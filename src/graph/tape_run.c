@@ -48,7 +48,7 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
         case YK_TAPE_COPY:
             EACH(a[i]);
         case YK_TAPE_RARE:
-            for (size_t i = 0; i < n; i++) yk_tape_run_rare(tape, s, i);
+            for (size_t i = 0; i < n; i++) yk_tape_run_rare(tape, tape->calls, row, s, i);
             break;
         }
     }
@@ -138,22 +138,22 @@ static void solve(double *a, size_t n, size_t m)
         for (size_t k = n; k < width; k++) a[i * width + k] /= a[i * width + i];
 }
 
-static void run_call(const YkTape *tape, const YkTapeCall *call, size_t lane)
+static void run_call(const YkTape *tape, const YkTapeCall *call, double *const *row, size_t lane)
 {
     double *value = tape->scratch;
-    for (size_t k = 0; k < call->argument_count; k++) value[k] = tape->row[call->arguments[k]][lane];
+    for (size_t k = 0; k < call->argument_count; k++) value[k] = row[call->arguments[k]][lane];
     if (call->kind == YK_CALL_SOLVE)
         solve(value, (size_t)call->n, (size_t)call->m);
     else
         tape->laws.evaluate(tape->laws.context, call->index, value[0], value);
     for (size_t k = 0; k < call->result_count; k++)
-        if (call->results[k] != YK_NONE) tape->row[call->results[k]][lane] = value[k];
+        if (call->results[k] != YK_NONE) row[call->results[k]][lane] = value[k];
 }
 
-void yk_tape_run_rare(const YkTape *tape, const YkTapeStep *s, size_t lane)
+void yk_tape_run_rare(const YkTape *tape, const YkTapeCall *calls, double *const *row, const YkTapeStep *s, size_t lane)
 {
     if (s->call != YK_NONE)
-        run_call(tape, &tape->calls[s->call], lane);
+        run_call(tape, &calls[s->call], row, lane);
     else
-        tape->row[s->out][lane] = value_of(s, tape->row[s->in[0]][lane], tape->row[s->in[1]][lane]);
+        row[s->out][lane] = value_of(s, row[s->in[0]][lane], row[s->in[1]][lane]);
 }

@@ -37,6 +37,8 @@ typedef struct YkTapeCall {
     int32_t *arguments, *results; // rows; YK_NONE for a result that is not needed
 } YkTapeCall;
 
+typedef struct YkTapeOne YkTapeOne; // tape_one.c: the same for one lane
+
 struct YkTape {
     YkArena *arena;
     YkTapeLaws laws;
@@ -48,6 +50,7 @@ struct YkTape {
     size_t prelude_count, step_count; // the first steps depend on parameters alone
     YkTapeCall *calls;
     double *scratch; // of a call
+    YkTapeOne *one;
 };
 
 // tape_rows.c: replaces the values in the steps by rows, which are reused once their values are no longer needed.
@@ -57,7 +60,14 @@ bool yk_tape_place(YkTape *tape, YkArena *work, const YkGraph *graph, const YkRe
                    const YkRef *made);
 // tape_run.c: runs steps over n lanes.
 void yk_tape_run_steps(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n);
-// Evaluates one lane of a rare operation.
-void yk_tape_run_rare(const YkTape *tape, const YkTapeStep *step, size_t lane);
+// Evaluates one lane of a rare operation, whose calls and operands name these rows.
+void yk_tape_run_rare(const YkTape *tape, const YkTapeCall *calls, double *const *row, const YkTapeStep *step,
+                      size_t lane);
+
+// tape_one.c: makes the operations of one lane from those on rows, once these are placed. Returns false when out of
+// memory.
+bool yk_tape_make_one(YkTape *tape, YkArena *work);
+// Takes the values that depend on parameters alone.
+void yk_tape_prepare_one(YkTape *tape);
 
 #endif
