@@ -128,6 +128,7 @@ static bool make_rows(Placer *p, const bool *is_needed)
     t->own_row = YK_NEW(t->arena, double *, t->leaf_count + 1);
     double *numbers = YK_NEW(t->arena, double, rows *(t->lanes + APART) + 8);
     if (yk_arena_failed(t->arena)) return false;
+    numbers = (double *)(((uintptr_t)numbers + 63) & ~(uintptr_t)63); // a cache line
     for (size_t k = t->leaf_count + t->root_count; k < t->row_count; k++) t->row[k] = next_row(t, &numbers);
     for (size_t k = 0; k < t->leaf_count; k++)
         if (is_needed[k]) t->row[k] = t->own_row[k] = next_row(t, &numbers);
