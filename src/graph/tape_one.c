@@ -2,36 +2,8 @@
 //
 // Every value has a number of its own, so that operations may change places: those that wait for as many others stand
 // side by side, sorted by their kind. A group of one kind is one jump, and its operations do not wait for each other.
-#include <math.h>
 #include <stdlib.h>
-#include "graph/tape_steps.h"
-
-typedef struct Number { // a number of one lane that is read from a row: of a constant, or of a leaf
-    int32_t row, place;
-} Number;
-
-typedef struct Operation { // where it reads and writes
-    const double *a, *b, *c, *d;
-    double *out;
-} Operation;
-
-typedef struct Group { // operations of one kind
-    YkTapeOp op;
-    int32_t count;
-} Group;
-
-struct YkTapeOne {
-    double *value;   // per place
-    double **at;     // per place: its address, as rows of one lane
-    int32_t *leaf;   // per leaf: its place, or YK_NONE
-    int32_t *root;   // per root: its place
-    Number *numbers; // what depends on parameters alone
-    size_t number_count, group_count;
-    Operation *operations;
-    Group *groups;
-    YkTapeStep *rare; // of the groups of rare operations, by places
-    YkTapeCall *calls;
-};
+#include "graph/tape_one.h"
 
 typedef struct Maker {
     const YkTape *tape;
@@ -60,7 +32,7 @@ static int32_t place_of(Maker *m, int32_t row)
     if ((size_t)row < m->tape->leaf_count)
         one->leaf[row] = m->place[row];
     else
-        one->numbers[one->number_count++] = (Number){row, m->place[row]};
+        one->numbers[one->number_count++] = (YkTapeNumber){row, m->place[row]};
     return m->place[row];
 }
 
@@ -81,7 +53,7 @@ static void place_call(Maker *m, YkTapeStep *s)
     own->arguments = YK_NEW(arena, int32_t, call->argument_count + 1);
     own->results = YK_NEW(arena, int32_t, call->result_count + 1);
     if (yk_arena_failed(arena)) return;
-    for (size_t k = 0; k < 4; k++) s->in[k] = 0; // not read
+    for (size_t k = 0; k < YK_TAPE_OPERANDS; k++) s->in[k] = 0; // not read
     for (size_t k = 0; k < call->argument_count; k++) own->arguments[k] = read_row(m, call->arguments[k], &level);
     for (size_t k = 0; k < call->result_count; k++) {
         own->results[k] = call->results[k] == YK_NONE ? YK_NONE : new_place(m, level + 1);
@@ -93,13 +65,13 @@ static void place_call(Maker *m, YkTapeStep *s)
 static void place_operands(Maker *m, YkTapeStep *s)
 {
     int32_t level = 0, row = s->out;
-    bool is_read[4];
-    for (size_t k = 0; k < 4; k++) {
+    bool is_read[YK_TAPE_OPERANDS];
+    for (size_t k = 0; k < YK_TAPE_OPERANDS; k++) {
         is_read[k] = s->in[k] != row;
         if (is_read[k]) s->in[k] = read_row(m, s->in[k], &level);
     }
     s->out = m->place[row] = new_place(m, level + 1);
-    for (size_t k = 0; k < 4; k++)
+    for (size_t k = 0; k < YK_TAPE_OPERANDS; k++)
         if (!is_read[k]) s->in[k] = s->out;
 }
 
@@ -130,7 +102,7 @@ static int compare_orders(const void *a, const void *b)
 
 static void add_to_groups(YkTapeOne *one, YkTapeOp op, bool is_first)
 {
-    if (is_first || one->groups[one->group_count - 1].op != op) one->groups[one->group_count++] = (Group){op, 0};
+    if (is_first || one->groups[one->group_count - 1].op != op) one->groups[one->group_count++] = (YkTapeGroup){op, 0};
     one->groups[one->group_count - 1].count++;
 }
 
@@ -142,7 +114,8 @@ static void sort_steps(Maker *m)
     for (size_t k = 0; k < m->step_count; k++) {
         const YkTapeStep *s = &m->steps[m->order[k] & INT32_MAX];
         const double *const *at = (const double *const *)one->at;
-        one->operations[k] = (Operation){at[s->in[0]], at[s->in[1]], at[s->in[2]], at[s->in[3]], one->at[s->out]};
+        one->operations[k] =
+            (YkTapeOperation){at[s->in[0]], at[s->in[1]], at[s->in[2]], at[s->in[3]], at[s->in[4]], one->at[s->out]};
         if (s->op == YK_TAPE_RARE) one->rare[rare++] = *s;
         add_to_groups(one, s->op, k == 0);
     }
@@ -169,9 +142,9 @@ static bool start(Maker *m, YkArena *work)
     one->at = YK_NEW(t->arena, double *, m->place_capacity);
     one->leaf = YK_NEW(t->arena, int32_t, t->leaf_count + 1);
     one->root = YK_NEW(t->arena, int32_t, t->root_count + 1);
-    one->numbers = YK_NEW(t->arena, Number, t->row_count + 1);
-    one->operations = YK_NEW(t->arena, Operation, steps);
-    one->groups = YK_NEW(t->arena, Group, steps);
+    one->numbers = YK_NEW(t->arena, YkTapeNumber, t->row_count + 1);
+    one->operations = YK_NEW(t->arena, YkTapeOperation, steps);
+    one->groups = YK_NEW(t->arena, YkTapeGroup, steps);
     one->rare = YK_NEW(t->arena, YkTapeStep, steps);
     one->calls = YK_NEW(t->arena, YkTapeCall, calls + 1);
     if (yk_arena_failed(work) || yk_arena_failed(t->arena)) return false;
@@ -204,70 +177,4 @@ void yk_tape_prepare_one(YkTape *t)
 {
     const YkTapeOne *one = t->one;
     for (size_t k = 0; k < one->number_count; k++) one->value[one->numbers[k].place] = t->row[one->numbers[k].row][0];
-}
-
-// --- running
-
-// One group of operations. None of them reads what another one writes.
-#define EACH(expression)                                                                                               \
-    do {                                                                                                               \
-        *s->out = (expression);                                                                                        \
-    } while (++s < end);                                                                                               \
-    break
-
-static const YkTapeStep *run_rare(const YkTape *t, const YkTapeStep *rare, size_t count)
-{
-    for (size_t k = 0; k < count; k++) yk_tape_run_rare(t, t->one->calls, t->one->at, rare + k, 0);
-    return rare + count;
-}
-
-static void run_groups(const YkTape *t)
-{
-    const YkTapeOne *one = t->one;
-    const Operation *s = one->operations;
-    const YkTapeStep *rare = one->rare;
-    for (const Group *g = one->groups, *last = g + one->group_count; g < last; g++) {
-        const Operation *end = s + g->count;
-        switch (g->op) {
-        case YK_TAPE_ADD:
-            EACH(*s->a + *s->b);
-        case YK_TAPE_SUBTRACT:
-            EACH(*s->a - *s->b);
-        case YK_TAPE_MULTIPLY:
-            EACH(*s->a * *s->b);
-        case YK_TAPE_DIVIDE:
-            EACH(*s->a / *s->b);
-        case YK_TAPE_MINUS:
-            EACH(-*s->a);
-        case YK_TAPE_PRODUCT_PLUS:
-            EACH(*s->a * *s->b + *s->c);
-        case YK_TAPE_PRODUCT_LESS:
-            EACH(*s->a * *s->b - *s->c);
-        case YK_TAPE_LESS_PRODUCT:
-            EACH(*s->c - *s->a * *s->b);
-        case YK_TAPE_DOT:
-            EACH(*s->a * *s->b + *s->c * *s->d);
-        case YK_TAPE_CROSS:
-            EACH(*s->a * *s->b - *s->c * *s->d);
-        case YK_TAPE_ROOT:
-            EACH(sqrt(*s->a));
-        case YK_TAPE_SIZE:
-            EACH(fabs(*s->a));
-        case YK_TAPE_CHOOSE:
-            EACH(*s->a < 0 ? *s->b : *s->c);
-        case YK_TAPE_COPY:
-            EACH(*s->a);
-        case YK_TAPE_RARE:
-            rare = run_rare(t, rare, (size_t)g->count);
-            s = end;
-            break;
-        }
-    }
-}
-
-void yk_tape_run_one(YkTape *t, double *const *out)
-{
-    const YkTapeOne *one = t->one;
-    run_groups(t);
-    for (size_t k = 0; k < t->root_count; k++) *out[k] = one->value[one->root[k]];
 }

@@ -17,7 +17,7 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
     double *const *row = tape->row;
     for (const YkTapeStep *s = steps; s < steps + count; s++) {
         double *out = row[s->out];
-        const double *a = row[s->in[0]], *b = row[s->in[1]], *c = row[s->in[2]], *d = row[s->in[3]];
+        const double *a = row[s->in[0]], *b = row[s->in[1]], *c = row[s->in[2]], *d = row[s->in[3]], *e = row[s->in[4]];
         switch (s->op) {
         case YK_TAPE_ADD:
             EACH(a[i] + b[i]);
@@ -39,10 +39,32 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
             EACH(a[i] * b[i] + c[i] * d[i]);
         case YK_TAPE_CROSS:
             EACH(a[i] * b[i] - c[i] * d[i]);
+        case YK_TAPE_PLUS_DOT:
+            EACH(e[i] + (a[i] * b[i] + c[i] * d[i]));
+        case YK_TAPE_LESS_DOT:
+            EACH(e[i] - (a[i] * b[i] + c[i] * d[i]));
+        case YK_TAPE_DOT_LESS:
+            EACH((a[i] * b[i] + c[i] * d[i]) - e[i]);
+        case YK_TAPE_PLUS_CROSS:
+            EACH(e[i] + (a[i] * b[i] - c[i] * d[i]));
+        case YK_TAPE_LESS_CROSS:
+            EACH(e[i] - (a[i] * b[i] - c[i] * d[i]));
+        case YK_TAPE_CROSS_LESS:
+            EACH((a[i] * b[i] - c[i] * d[i]) - e[i]);
+        case YK_TAPE_PLUS_PLUS:
+            EACH((e[i] + a[i] * b[i]) + c[i] * d[i]);
+        case YK_TAPE_PLUS_LESS:
+            EACH((e[i] + a[i] * b[i]) - c[i] * d[i]);
+        case YK_TAPE_LESS_PLUS:
+            EACH((e[i] - a[i] * b[i]) + c[i] * d[i]);
+        case YK_TAPE_LESS_LESS:
+            EACH((e[i] - a[i] * b[i]) - c[i] * d[i]);
         case YK_TAPE_ROOT:
             EACH(sqrt(a[i]));
         case YK_TAPE_SIZE:
             EACH(fabs(a[i]));
+        case YK_TAPE_NONZERO:
+            EACH(fabs(a[i]) + 1e-200);
         case YK_TAPE_CHOOSE:
             EACH(a[i] < 0 ? b[i] : c[i]);
         case YK_TAPE_COPY:
@@ -85,8 +107,6 @@ static double value_of(const YkTapeStep *s, double a, double b)
         return sqrt(a > 0 ? a : 0);
     case YK_VALUE_PER_ROOT:
         return 1 / sqrt(a < 1e-36 ? 1e-36 : a);
-    case YK_VALUE_NONZERO:
-        return fabs(a) + 1e-200;
     case YK_VALUE_LEAST:
         return a < b ? a : b;
     case YK_VALUE_LARGEST:
