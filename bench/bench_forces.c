@@ -59,13 +59,23 @@ static void by_scalar(Bench *b, const double *theta)
     }
 }
 
-static void one_by_one(Bench *b, const double *theta)
+static void by_dynamics(Bench *b, const double *theta)
 {
     Machine *m = &b->machine;
     for (size_t i = 0; i < CHUNK; i++) {
         yk_state_set_input_to(m->state, 0, theta[i], RATE, ACCEL);
         if (yk_dynamics_solve(m->dynamics, m->state, YK_METHOD_REDUCED) != YK_OK) exit(1);
         for (size_t k = 0; k < OUTS; k++) b->ours[k][i] = yk_dynamics_channel(m->dynamics, m->state, b->channels[k]);
+    }
+}
+
+static void one_by_one(Bench *b, const double *theta)
+{
+    for (size_t i = 0; i < CHUNK; i++) {
+        const double *inputs[] = {theta + i, b->rate, b->accel};
+        double *out[OUTS];
+        for (size_t k = 0; k < OUTS; k++) out[k] = &b->ours[k][i];
+        if (yk_batch_run(b->batch, inputs, out, NULL, 1) != YK_OK) exit(1);
     }
 }
 
@@ -149,16 +159,19 @@ int main(void)
 {
     static Bench b;
     if (!start(&b)) return 1;
-    double off = difference(&b), ns[4][ROUNDS];
+    double off = difference(&b), ns[5][ROUNDS];
     for (size_t r = 0; r < ROUNDS; r++) {
         ns[0][r] = time_of(&b, by_hand, CHUNKS);
         ns[1][r] = time_of(&b, by_batch, CHUNKS);
         ns[2][r] = time_of(&b, by_scalar, CHUNKS / 4);
-        ns[3][r] = time_of(&b, one_by_one, CHUNKS / 20);
+        ns[3][r] = time_of(&b, by_dynamics, CHUNKS / 20);
+        ns[4][r] = time_of(&b, one_by_one, CHUNKS / 4);
     }
     bool keeps = row("quick-return with masses: torque and all reactions, in batches, a pose", median(ns[0], ROUNDS),
                      median(ns[1], ROUNDS), "ns", 2, off);
-    keeps &= row("the same, one pose a call", median(ns[2], ROUNDS), median(ns[3], ROUNDS), "ns", 2, off);
+    keeps &=
+        row("the same, one pose a call of `yk_batch_run`", median(ns[2], ROUNDS), median(ns[4], ROUNDS), "ns", 2, off);
+    row("the same by `yk_dynamics_solve`", median(ns[2], ROUNDS), median(ns[3], ROUNDS), "ns", 0, off);
     keeps &= compare_study();
     yk_batch_free(b.batch);
     free(b.theta);

@@ -128,22 +128,24 @@ double yk_if_accelerations(const YkSession *session, const YkState *state, doubl
     return session->lacks_accelerations ? (double)NAN : yk_if_rates(state, value);
 }
 
-bool yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics, const double *at)
+void yk_warn_of_pulling_cam(YkSession *session, const char *name, const double *since)
 {
-    bool any = false;
-    for (size_t k = 0; k < yk_dynamics_contact_count(dynamics); k++) {
-        if (!yk_dynamics_contact_pulls(dynamics, k)) continue;
-        YkText when = {0};
-        if (at) {
-            yk_text_puts(&when, ", first seen at t = ");
-            yk_add_value(session, &when, *at, YK_QUANTITY_TIME, YK_DIGITS);
-        }
-        yk_problem(session->problems, YK_CODE_CAM_PARTS, (YkPlace){0},
-                   "cam %q would have to pull its follower, which leaves the cam instead%s; the answer assumes that "
-                   "they stay in contact",
-                   yk_dynamics_contact_name(dynamics, k), yk_text_get(&when));
-        yk_text_free(&when);
-        any = true;
+    YkText when = {0};
+    if (since) {
+        yk_text_puts(&when, ", from t = ");
+        yk_add_value(session, &when, *since, YK_QUANTITY_TIME, YK_DIGITS);
+        yk_text_puts(&when, " on");
     }
-    return any;
+    yk_problem(session->problems, YK_CODE_CAM_PARTS, (YkPlace){0},
+               "cam %q would have to pull its follower, which leaves the cam instead%s; the answer assumes that "
+               "they stay in contact",
+               name, yk_text_get(&when));
+    yk_text_free(&when);
+}
+
+void yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics)
+{
+    for (size_t k = 0; k < yk_dynamics_contact_count(dynamics); k++)
+        if (yk_dynamics_contact_pulls(dynamics, k))
+            yk_warn_of_pulling_cam(session, yk_dynamics_contact_name(dynamics, k), NULL);
 }

@@ -22,9 +22,10 @@ int yk_freedom_of(const YkMechanism *mech);
 void yk_json_head(YkJson *json, YkSession *session, YkStatus status, const char *message);
 // Returns a value in the file's unit; noise by the session's scale (scale.h) becomes zero.
 double yk_shown(const YkSession *session, double value, YkQuantity quantity);
-// Warns of cams that would have to pull their followers at the pose just solved; `at` (or NULL) is the time. Returns
-// true if there are any.
-bool yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics, const double *at);
+// Warns of a cam that would have to pull its follower, from a time on (NULL: at this pose).
+void yk_warn_of_pulling_cam(YkSession *session, const char *name, const double *since);
+// Warns of all such cams at the pose just solved.
+void yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics);
 const char *yk_unit_of(const YkSession *session, YkQuantity quantity);
 // Adds "190.09 deg", to `digits` significant digits, in the file's unit; angles in radians also in degrees.
 void yk_add_value(const YkSession *session, YkText *text, double value, YkQuantity quantity, int digits);

@@ -26,7 +26,8 @@ YK_API void yk_batch_free(YkBatch *batch);
 // same bits in any batch, and is that of yk_dynamics_solve up to rounding. Allocates nothing, except for forces of
 // machines with dry friction, redundant constraints or more than 64 bodies, which are solved pose by pose; use one
 // batch per thread. It has no progress callback: a pose takes about 10 ns for each link, and the poses may be split over
-// several calls without changing a bit.
+// several calls without changing a bit. A call for one pose is also the fastest way to the forces of one pose: about
+// 0.2 us for a machine of five bodies, since it computes nothing but the channels.
 YK_API YkStatus yk_batch_run(YkBatch *batch, const double *const *inputs, double *const *outputs, signed char *status,
                              size_t count);
 

@@ -124,13 +124,14 @@ typedef enum YkHappeningKind {
     YK_HAPPENING_SLIP,
     YK_HAPPENING_CHANGE_POINT, // of a block: two branches meet, and momentum carries through
     YK_HAPPENING_DEAD_POINT,   // of the coordinate that started the machine: it reverses while the others continue
-    YK_HAPPENING_CROSSING
+    YK_HAPPENING_CROSSING,
+    YK_HAPPENING_LIFT_OFF // of a cam: from here on it would have to pull its follower, which leaves it instead
 } YkHappeningKind;
 typedef struct YkHappening {
     YkHappeningKind kind;
     double time;
     const char *name; // of the coordinate, joint or watched expression
-    double value;     // STOP: rate before; CROSSING: the value watched
+    double value;     // STOP: rate before; CROSSING: the value watched; LIFT_OFF: angle of the cam's joint, rad
 } YkHappening;
 YK_API size_t yk_simulation_happening_count(const YkSimulation *simulation);
 YK_API YkHappening yk_simulation_happening(const YkSimulation *simulation, size_t index);

@@ -23,6 +23,15 @@ static void fill_constants(YkBatch *b)
         for (size_t k = 0; k < b->lanes; k++) b->constant[i * b->lanes + k] = b->state->input[i];
 }
 
+// Returns whether every pose is solved by a state: tracked, or asked what only a state tells.
+static bool needs_state(const YkBatch *b)
+{
+    if (b->mech->has_groups || b->mech->reference_count > 0 || (b->forces && !b->forces->lanes)) return true;
+    for (size_t k = 0; k < b->channel_count; k++)
+        if (b->channels[k].kind == YK_CHANNEL_TRANSMISSION) return true;
+    return false;
+}
+
 static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_t channel_count, bool is_along)
 {
     bool needs_no_forces;
@@ -38,11 +47,13 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
     b->channels = calloc(channel_count + 1, sizeof *b->channels);
     b->turns = calloc(channel_count + 1, sizeof *b->turns);
     b->row = calloc(channel_count + 1, sizeof *b->row);
+    b->plain = calloc(channel_count + 1, sizeof *b->plain);
     b->constant = aligned_alloc(64, ((inputs + 1) * b->lanes * sizeof(double) + 63) & ~(size_t)63);
     b->lanes_of = calloc(inputs + 1, sizeof *b->lanes_of);
     b->point_lanes = aligned_alloc(64, (6 * b->lanes * sizeof(double) + 63) & ~(size_t)63);
-    if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->constant || !b->lanes_of ||
-        !b->point_lanes || !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, is_along)) {
+    if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->plain || !b->constant || !b->lanes_of ||
+        !b->point_lanes || !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, is_along) ||
+        !yk_space_start(&b->single, b->mech, 1, false)) {
         yk_batch_free(b);
         return NULL;
     }
@@ -63,7 +74,9 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         b->channels[k] = channels[k];
         yk_batch_prepare_angle(b, k);
         b->row[k] = yk_batch_free_row_of(b, k);
+        if (!yk_channel_needs_forces(channels[k])) b->plain[b->plain_count++] = k;
     }
+    b->needs_state = needs_state(b);
     yk_batch_restart(b, state);
     return b;
 }
@@ -91,9 +104,11 @@ void yk_batch_free(YkBatch *b)
     yk_state_free(b->state);
     yk_state_free(b->home);
     yk_space_end(&b->space);
+    yk_space_end(&b->single);
     free(b->channels);
     free(b->turns);
     free(b->row);
+    free(b->plain);
     free(b->constant);
     free(b->lanes_of);
     free(b->point_lanes);
@@ -119,14 +134,6 @@ static YkStatus run_one(YkBatch *b, const double *const *inputs, double *const *
         outputs[k][pose] =
             status < 0 || yk_channel_needs_forces(b->channels[k]) ? 0 : yk_state_channel(b->state, b->channels[k]);
     return status == YK_OK && b->forces ? yk_pose_forces_at(b->forces, b->state, outputs, pose) : status;
-}
-
-static bool needs_state(const YkBatch *b)
-{
-    if (b->mech->has_groups || b->mech->reference_count > 0 || (b->forces && !b->forces->lanes)) return true;
-    for (size_t k = 0; k < b->channel_count; k++)
-        if (b->channels[k].kind == YK_CHANNEL_TRANSMISSION) return true;
-    return false;
 }
 
 bool yk_batch_can_follow(const YkMechanism *mech, const YkChannel *channels, size_t channel_count)
@@ -171,6 +178,14 @@ static void end_at_forces(YkBatch *b, const YkRun *run, double *const *outputs, 
         if (b->forces->position[k]) yk_batch_write_angle(b, run, k, b->forces->position[k], run->lanes);
 }
 
+// masks: some lanes may have no answer; then forces are masked as well.
+static void write_channels(YkBatch *b, const YkRun *run, bool masks, double *const *outputs, size_t at)
+{
+    for (size_t k = 0; masks && k < b->channel_count; k++) yk_batch_write_channel(b, run, k, true, outputs[k] + at);
+    for (size_t k = 0; !masks && k < b->plain_count; k++)
+        yk_batch_write_channel(b, run, b->plain[k], false, outputs[b->plain[k]] + at);
+}
+
 // Runs one block of lanes from `at`.
 static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs,
                           signed char *status, YkAlong along, size_t at)
@@ -178,15 +193,16 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
     b->times = along.times ? along.times + at : NULL;
     for (size_t i = 0; i < 3 * b->mech->input_count; i++)
         b->lanes_of[i] = inputs[i] ? inputs[i] + at : b->constant + i * b->lanes;
-    for (size_t k = 0; k < b->channel_count; k++)
-        if (b->row[k]) *b->row[k] = outputs[k] + at;
+    run->space = b->now = run->lanes == 1 && !b->is_along ? &b->single : &b->space;
+    for (size_t k = 0; b->now == &b->space && k < b->plain_count; k++)
+        if (b->row[b->plain[k]]) *b->row[b->plain[k]] = outputs[b->plain[k]] + at;
     yk_run_begin(run);
     yk_run_steps(run, 0, b->mech->step_count);
     YkStatus here = yk_batch_judge(b, status ? status + at : NULL, run->lanes);
     if (b->is_along) b->clear = clear_lanes(b, here, run->lanes);
     if (b->forces) yk_batch_run_forces(b, run, outputs, at, along.wanted ? along.wanted + at : NULL);
     if (b->forces && b->is_along) end_at_forces(b, run, outputs, at);
-    for (size_t k = 0; k < b->channel_count; k++) yk_batch_write_channel(b, run, k, here != YK_OK, outputs[k] + at);
+    write_channels(b, run, here != YK_OK, outputs, at);
     if (b->has_settled) here = yk_worse(here, yk_batch_write_settled(b, outputs, at, run->lanes));
     if (!b->forces || b->is_along) return here;
     return yk_worse(here, yk_batch_settle_forces(b, outputs, status, at, run->lanes));
@@ -194,15 +210,14 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
 
 static YkRun run_of(const YkBatch *b)
 {
-    return (YkRun){b->mech, (YkSpace *)(uintptr_t)&b->space, b->lanes_of, b->state->branch, NULL,
-                   0,       b->home->slot_reference};
+    return (YkRun){b->mech, NULL, b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference};
 }
 
 YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
                       size_t count)
 {
     YkStatus worst = YK_OK;
-    if (needs_state(b)) return run_poses(b, inputs, outputs, status, count);
+    if (b->needs_state) return run_poses(b, inputs, outputs, status, count);
     YkRun run = run_of(b);
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;

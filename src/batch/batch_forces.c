@@ -31,20 +31,24 @@ void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, s
     yk_pose_forces_follow(f);
     for (size_t k = 0; k < b->mech->coordinate_count; k++)
         if (f->position[k]) yk_batch_write_angle(b, run, k, f->position[k], run->lanes);
-    YkLanePose pose = {&b->space, run->inputs, b->state->time, b->times, (const double *const *)f->position, NULL};
+    YkLanePose pose = {b->now, run->inputs, b->state->time, b->times, (const double *const *)f->position, NULL};
     size_t count = wanted ? list_lanes(f, wanted, run->lanes) : run->lanes;
     if (count < run->lanes) {
         run_some(f, &pose, outputs, at, run->lanes, count);
         return;
     }
     for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + at;
-    yk_lane_forces_run(f->lanes, &pose, f->out, run->lanes);
+    if (b->now == &b->single)
+        yk_lane_forces_run_one(f->lanes, &pose, f->out);
+    else
+        yk_lane_forces_run(f->lanes, &pose, f->out, run->lanes);
 }
 
 size_t yk_batch_finite_lanes(const YkBatch *b, double *const *outputs, size_t at, size_t n)
 {
     size_t lane = 0;
     bool finite;
+    if (n == 1) return yk_pose_forces_are_finite(b->forces, outputs, at) ? 1 : 0;
     yk_lanes_finite(&finite, b->forces->out, b->forces->count, n);
     if (finite) return n;
     while (lane < n && yk_pose_forces_are_finite(b->forces, outputs, at + lane)) lane++;

@@ -52,7 +52,7 @@ double **yk_batch_free_row_of(YkBatch *b, size_t k)
 static void count_turns(const YkBatch *b, size_t coordinate, double *out, size_t n)
 {
     const YkTreeCoordinate *q = &b->mech->coordinates[coordinate];
-    YkTurn from = yk_space_turn(&b->space, q->angle.a), to = yk_space_turn(&b->space, q->angle.b);
+    YkTurn from = yk_space_turn(b->now, q->angle.a), to = yk_space_turn(b->now, q->angle.b);
     double last = b->state->reference[coordinate];
     bool turns = false;
     for (size_t k = 0; k < n; k++) {
@@ -72,7 +72,7 @@ static void count_turns(const YkBatch *b, size_t coordinate, double *out, size_t
 void yk_batch_write_angle(const YkBatch *b, const YkRun *run, size_t coordinate, double *out, size_t n)
 {
     const YkTreeCoordinate *q = &b->mech->coordinates[coordinate];
-    YkTurn from = yk_space_turn(&b->space, q->angle.a), to = yk_space_turn(&b->space, q->angle.b);
+    YkTurn from = yk_space_turn(b->now, q->angle.a), to = yk_space_turn(b->now, q->angle.b);
     if (q->input != YK_NONE)
         memcpy(out, run->inputs[3 * q->input], n * sizeof *out);
     else
@@ -109,7 +109,7 @@ static void write_joint_angle(const YkBatch *b, const YkRun *run, size_t joint, 
 
 static void write_turning(const YkBatch *b, size_t k, double *out, size_t n)
 {
-    YkTurn from = yk_space_turn(&b->space, b->turns[k][0]), to = yk_space_turn(&b->space, b->turns[k][1]);
+    YkTurn from = yk_space_turn(b->now, b->turns[k][0]), to = yk_space_turn(b->now, b->turns[k][1]);
     bool is_rate = b->channels[k].order == 1;
     yk_lanes_difference(out, is_rate ? to.w : to.a, is_rate ? from.w : from.a, n);
 }
@@ -129,7 +129,7 @@ static void write_angle(const YkBatch *b, const YkRun *run, size_t k, double *ou
 
 static void write_distance(const YkBatch *b, int32_t distance, int order, double *out, size_t n)
 {
-    YkSlide d = yk_space_slide(&b->space, distance);
+    YkSlide d = yk_space_slide(b->now, distance);
     memcpy(out, order == 0 ? d.d : order == 1 ? d.v : d.a, n * sizeof *out);
 }
 
@@ -185,11 +185,12 @@ void yk_batch_mask(const YkBatch *b, size_t k, double *out, size_t n)
     bool is_input =
         c.kind == YK_CHANNEL_COORDINATE && b->mech->coordinates[c.index].input != YK_NONE; // known at a dead point too
     bool is_rate = (c.order > 0 && !is_input) || c.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(c);
-    yk_lanes_mask(out, b->space.margin, is_rate ? nextafter(YK_SINGULAR_MARGIN, 1) : YK_LIMIT_MARGIN, n);
+    yk_lanes_mask(out, b->now->margin, is_rate ? nextafter(YK_SINGULAR_MARGIN, 1) : YK_LIMIT_MARGIN, n);
 }
 
 void yk_batch_write_channel(const YkBatch *b, const YkRun *run, size_t k, bool masks, double *out)
 {
-    if (!b->row[k] && !yk_channel_needs_forces(b->channels[k])) make_channel(b, run, k, out);
+    bool is_there = b->row[k] && b->now == &b->space;
+    if (!is_there && !yk_channel_needs_forces(b->channels[k])) make_channel(b, run, k, out);
     if (masks) yk_batch_mask(b, k, out, run->lanes);
 }

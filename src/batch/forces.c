@@ -1,52 +1,23 @@
-// Makes and runs the forces of lanes.
-#include "batch/forces.h"
+// Makes the forces of lanes: the tape, and from where its leaves get their values.
 #include <stdlib.h>
 #include "base/text.h"
-#include "graph/tape.h"
+#include "batch/lane_forces.h"
 #include "law/law.h"
 #include "program/balance.h"
 
 enum { BODIES_MAX = 64 }; // the equations of all bodies are dense while they are made
 
-typedef enum SourceKind {
-    SOURCE_TURN,       // c, s, w, a of an orientation
-    SOURCE_SLIDE,      // d, v, a of a distance
-    SOURCE_NODE,       // x, y, vx, vy, ax, ay
-    SOURCE_COORDINATE, // position of an angle that is no input
-    SOURCE_INPUT,      // position, velocity
-    SOURCE_GAIN,       // of a relation with a law
-    SOURCE_TIME,
-    SOURCE_PARAMETER
-} SourceKind;
-
-typedef struct Source { // where the lanes of a leaf lie
-    SourceKind kind;
-    int32_t index, part;
-    size_t leaf; // of the tape
-} Source;
-
-struct YkLaneForces {
-    const YkMechanism *mech;
-    const YkVariant *variant;
-    YkTape *tape;
-    Source *sources; // per leaf; once the tape is made, of those it reads
-    YkRef *leaves;
-    size_t leaf_count, leaf_capacity;
-    bool *needs; // per coordinate
-    bool failed;
-};
-
 // --- leaves
 
-static YkRef leaf(YkLaneForces *f, YkGraph *g, SourceKind kind, size_t index, int32_t part)
+static YkRef leaf(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t index, int32_t part)
 {
-    YkLeafClass leaf_class = kind == SOURCE_PARAMETER ? YK_LEAF_PARAMETER : YK_LEAF_POSE;
+    YkLeafClass leaf_class = kind == YK_LEAF_OF_PARAMETER ? YK_LEAF_PARAMETER : YK_LEAF_POSE;
     if (f->leaf_count == f->leaf_capacity) {
         f->failed = true;
         return 0;
     }
     YkRef ref = yk_graph_leaf(g, leaf_class, yk_graph_text(g, "%d.%d.%d", (int)kind, (int)index, (int)part));
-    f->sources[f->leaf_count] = (Source){kind, (int32_t)index, part, 0};
+    f->sources[f->leaf_count] = (YkLeafSource){.kind = kind, .index = (int32_t)index, .part = part};
     f->leaves[f->leaf_count++] = ref;
     return ref;
 }
@@ -90,7 +61,7 @@ static void find_parameters(YkLaneForces *f, YkProgram *p)
         if (p->graph.values[p->parameter[k]].op != YK_VALUE_LEAF) continue;
         if (f->leaf_count == f->leaf_capacity) f->failed = true;
         if (f->failed) return;
-        f->sources[f->leaf_count] = (Source){SOURCE_PARAMETER, (int32_t)k, 0, 0};
+        f->sources[f->leaf_count] = (YkLeafSource){.kind = YK_LEAF_OF_PARAMETER, .index = (int32_t)k};
         f->leaves[f->leaf_count++] = p->parameter[k];
     }
 }
@@ -101,22 +72,22 @@ static void place_pose(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
     const YkMechanism *mech = p->mech;
     p->unit[0] = yk_graph_vec_number(g, 1, 0);
     for (size_t k = 1; k < mech->slot_count; k++) {
-        p->unit[k] = (YkRefVec){leaf(f, g, SOURCE_TURN, k, 0), leaf(f, g, SOURCE_TURN, k, 1)};
-        r->turn[k] = leaf(f, g, SOURCE_TURN, k, 2);
-        s->turn[k] = leaf(f, g, SOURCE_TURN, k, 3);
+        p->unit[k] = (YkRefVec){leaf(f, g, YK_LEAF_OF_TURN, k, 0), leaf(f, g, YK_LEAF_OF_TURN, k, 1)};
+        r->turn[k] = leaf(f, g, YK_LEAF_OF_TURN, k, 2);
+        s->turn[k] = leaf(f, g, YK_LEAF_OF_TURN, k, 3);
     }
     for (size_t k = 0; k < mech->distance_count; k++) {
-        p->distance[k] = leaf(f, g, SOURCE_SLIDE, k, 0);
-        r->slide[k] = leaf(f, g, SOURCE_SLIDE, k, 1);
-        s->slide[k] = leaf(f, g, SOURCE_SLIDE, k, 2);
+        p->distance[k] = leaf(f, g, YK_LEAF_OF_SLIDE, k, 0);
+        r->slide[k] = leaf(f, g, YK_LEAF_OF_SLIDE, k, 1);
+        s->slide[k] = leaf(f, g, YK_LEAF_OF_SLIDE, k, 2);
     }
     for (size_t k = 0; k < mech->node_count; k++) {
-        p->node[k] = (YkRefVec){leaf(f, g, SOURCE_NODE, k, 0), leaf(f, g, SOURCE_NODE, k, 1)};
-        r->node[k] = (YkRefVec){leaf(f, g, SOURCE_NODE, k, 2), leaf(f, g, SOURCE_NODE, k, 3)};
-        s->node[k] = (YkRefVec){leaf(f, g, SOURCE_NODE, k, 4), leaf(f, g, SOURCE_NODE, k, 5)};
+        p->node[k] = (YkRefVec){leaf(f, g, YK_LEAF_OF_NODE, k, 0), leaf(f, g, YK_LEAF_OF_NODE, k, 1)};
+        r->node[k] = (YkRefVec){leaf(f, g, YK_LEAF_OF_NODE, k, 2), leaf(f, g, YK_LEAF_OF_NODE, k, 3)};
+        s->node[k] = (YkRefVec){leaf(f, g, YK_LEAF_OF_NODE, k, 4), leaf(f, g, YK_LEAF_OF_NODE, k, 5)};
     }
     for (size_t k = 0; k < mech->relation_count + mech->derived_count; k++)
-        if (mech->relations[k].law) p->slope[2 * k] = leaf(f, g, SOURCE_GAIN, k, 0);
+        if (mech->relations[k].law) p->slope[2 * k] = leaf(f, g, YK_LEAF_OF_GAIN, k, 0);
 }
 
 static void place_coordinates(YkLaneForces *f, YkForces *forces, const YkRates *r)
@@ -126,11 +97,11 @@ static void place_coordinates(YkLaneForces *f, YkForces *forces, const YkRates *
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
         YkMotionRef *m = &forces->motion[k];
         if (c->input != YK_NONE) {
-            m->position = leaf(f, &p->graph, SOURCE_INPUT, (size_t)c->input, 0);
-            m->velocity = leaf(f, &p->graph, SOURCE_INPUT, (size_t)c->input, 1);
+            m->position = leaf(f, &p->graph, YK_LEAF_OF_INPUT, (size_t)c->input, 0);
+            m->velocity = leaf(f, &p->graph, YK_LEAF_OF_INPUT, (size_t)c->input, 1);
             continue;
         }
-        m->position = c->is_distance ? p->distance[c->distance] : leaf(f, &p->graph, SOURCE_COORDINATE, k, 0);
+        m->position = c->is_distance ? p->distance[c->distance] : leaf(f, &p->graph, YK_LEAF_OF_COORDINATE, k, 0);
         m->velocity = yk_program_coordinate_rate(p, k, r);
     }
 }
@@ -172,7 +143,7 @@ static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channel
     YkRef *roots = YK_NEW(p->arena, YkRef, count + 1);
     YkRates r = yk_program_new_rates(p), s = yk_program_new_rates(p);
     f->leaves[f->leaf_count] = p->time;
-    f->sources[f->leaf_count++] = (Source){SOURCE_TIME, 0, 0, 0};
+    f->sources[f->leaf_count++] = (YkLeafSource){.kind = YK_LEAF_OF_TIME};
     if (!roots || p->failed || !yk_forces_start(&forces, p)) return NULL;
     find_parameters(f, p);
     place_pose(f, p, &r, &s);
@@ -203,19 +174,6 @@ static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_
     return f->tape != NULL;
 }
 
-// Keeps the sources of the leaves that the tape reads.
-static void keep_needed(YkLaneForces *f)
-{
-    size_t count = 0;
-    for (size_t k = 0; k < f->leaf_count; k++) {
-        if (!yk_tape_needs(f->tape, k)) continue;
-        if (f->sources[k].kind == SOURCE_COORDINATE) f->needs[f->sources[k].index] = true;
-        f->sources[count] = f->sources[k];
-        f->sources[count++].leaf = k;
-    }
-    f->leaf_count = count;
-}
-
 YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
                                  bool *fits)
 {
@@ -224,11 +182,10 @@ YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *chann
     if (!f) return NULL;
     f->mech = mech;
     f->variant = mech->variant;
-    if (!make(f, channels, channel_count, lanes, fits)) {
+    if (!make(f, channels, channel_count, lanes, fits) || !yk_lane_forces_keep_needed(f)) {
         yk_lane_forces_free(f);
         return NULL;
     }
-    keep_needed(f);
     yk_lane_forces_redesign(f);
     return f;
 }
@@ -238,6 +195,7 @@ void yk_lane_forces_free(YkLaneForces *f)
     if (!f) return;
     yk_tape_free(f->tape);
     free(f->sources);
+    free(f->needed);
     free(f->leaves);
     free(f->needs);
     free(f);
@@ -251,49 +209,4 @@ size_t yk_lane_forces_length(const YkLaneForces *f)
 bool yk_lane_forces_needs(const YkLaneForces *f, size_t coordinate)
 {
     return f->needs[coordinate];
-}
-
-// --- running
-
-void yk_lane_forces_redesign(YkLaneForces *f)
-{
-    for (size_t k = 0; k < f->leaf_count; k++)
-        if (f->sources[k].kind == SOURCE_PARAMETER)
-            yk_tape_set(f->tape, f->sources[k].leaf, yk_redesign_now(f->variant->redesign, f->sources[k].index));
-    yk_tape_prepare(f->tape);
-}
-
-static const double *lanes_of(const Source *s, const YkLanePose *pose)
-{
-    const YkSpace *space = pose->space;
-    if (s->kind == SOURCE_TURN) {
-        YkTurn t = yk_space_turn(space, s->index);
-        return (const double *const[]){t.c, t.s, t.w, t.a}[s->part];
-    }
-    if (s->kind == SOURCE_SLIDE) {
-        YkSlide d = yk_space_slide(space, s->index);
-        return (const double *const[]){d.d, d.v, d.a}[s->part];
-    }
-    if (s->kind == SOURCE_NODE) {
-        YkPlane n = yk_space_plane(space, s->index);
-        return (const double *const[]){n.x, n.y, n.vx, n.vy, n.ax, n.ay}[s->part];
-    }
-    if (s->kind == SOURCE_COORDINATE) return pose->positions[s->index];
-    if (s->kind == SOURCE_INPUT) return pose->inputs[3 * s->index + s->part];
-    if (s->kind == SOURCE_TIME) return pose->times;
-    return space->gain + (size_t)s->index * space->stride;
-}
-
-void yk_lane_forces_run(YkLaneForces *f, const YkLanePose *pose, double *const *out, size_t n)
-{
-    for (const Source *s = f->sources; s < f->sources + f->leaf_count; s++) {
-        if (s->kind == SOURCE_PARAMETER) continue;
-        if (s->kind == SOURCE_TIME && !pose->times)
-            yk_tape_set(f->tape, s->leaf, pose->time);
-        else if (pose->which)
-            yk_tape_pack_lanes(f->tape, s->leaf, lanes_of(s, pose), pose->which, n);
-        else
-            yk_tape_set_lanes(f->tape, s->leaf, lanes_of(s, pose));
-    }
-    yk_tape_run(f->tape, out, n);
 }

@@ -28,5 +28,7 @@ typedef struct YkLanePose {
 bool yk_lane_forces_needs(const YkLaneForces *forces, size_t coordinate);
 // Computes out[channel][0 .. n) for n lanes of a pose. Forces of poses at dead points are not finite, or meaningless.
 void yk_lane_forces_run(YkLaneForces *forces, const YkLanePose *pose, double *const *out, size_t n);
+// Does the same for one pose in a space of one lane, with the same bits.
+void yk_lane_forces_run_one(YkLaneForces *forces, const YkLanePose *pose, double *const *out);
 
 #endif

@@ -13,11 +13,15 @@ struct YkBatch {
     YkState *state; // its branches, reference angles, and inputs for NULL arrays; poses of machines with groups are
                     // tracked in it
     YkState *home;  // groups: every pose starts here
-    YkSpace space;
+    YkSpace space, single; // for blocks of lanes; for one pose
+    YkSpace *now;          // which of them this block uses
     YkChannel *channels;
     int32_t (*turns)[2]; // per channel: the orientations of its angle (a, b)
     double ***row;       // per channel: the lanes in which it is made, redirected to its output; or NULL
     size_t channel_count, lanes;
+    size_t *plain; // the channels that need no forces
+    size_t plain_count;
+    bool needs_state;        // every pose is solved by a state
     double *constant;        // [3 * input + k][lane]: for NULL arrays
     const double **lanes_of; // the runner's view of the inputs of this block
     YkPlane point;           // scratch: the lanes of one point

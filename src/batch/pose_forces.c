@@ -92,14 +92,14 @@ static void run_lane(YkPoseForces *f, const YkState *state, double *const *outpu
         if (f->position[k]) f->position[k][0] = yk_state_coordinate(state, k).position;
     for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + pose;
     YkLanePose at = {&state->space, state->input_lanes, state->time, NULL, (const double *const *)f->position, NULL};
-    yk_lane_forces_run(f->lanes, &at, f->out, 1);
+    yk_lane_forces_run_one(f->lanes, &at, f->out);
 }
 
 bool yk_pose_forces_are_finite(const YkPoseForces *f, double *const *outputs, size_t pose)
 {
-    bool finite = true;
-    for (size_t k = 0; finite && k < f->count; k++) finite = isfinite(outputs[f->place[k]][pose]);
-    return finite;
+    double numbers = 0; // or NaN
+    for (size_t k = 0; k < f->count; k++) numbers += 0 * outputs[f->place[k]][pose];
+    return numbers == 0;
 }
 
 void yk_pose_forces_clear(const YkPoseForces *f, double *const *outputs, size_t pose)

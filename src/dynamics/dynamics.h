@@ -56,6 +56,11 @@ bool yk_dynamics_find_dry(YkDynamics *dynamics, const YkState *state, int round)
 double yk_dynamics_dry_tolerance(int round);
 YkStatus yk_dynamics_fail_at_dry(YkDynamics *dynamics); // it does not settle: forgets it
 double yk_dynamics_dry_limit(const YkDynamics *dynamics, const YkLoadItem *item);
+// Returns the cam of a contact that nothing holds, neither a groove nor a second roller; NULL for all others.
+const YkCam *yk_dynamics_loose_cam(const YkDynamics *dynamics, size_t contact);
+// Returns how strongly such a contact would have to pull, less what is rounding, over 1 / its distance from the shaft:
+// above 0 if it would. 0 for all others.
+double yk_dynamics_contact_pull(const YkDynamics *dynamics, size_t contact);
 // Returns the kinetic and potential energy at the state's pose, without forces.
 YkEnergy yk_dynamics_energy_at(YkDynamics *dynamics, const YkState *state);
 YkStatus yk_dynamics_fail_at_input(YkDynamics *dynamics, int input);

@@ -247,15 +247,26 @@ YkReaction yk_dynamics_contact(const YkDynamics *d, size_t contact)
     return d->contact[contact];
 }
 
-bool yk_dynamics_contact_pulls(const YkDynamics *d, size_t contact)
+const YkCam *yk_dynamics_loose_cam(const YkDynamics *d, size_t contact)
 {
     const YkRelation *relation = &d->mech->relations[contact];
-    if (relation->kind != YK_RELATION_CAM) return false;
+    if (relation->kind != YK_RELATION_CAM) return NULL;
     const YkCam *cam = &d->mech->model->cams[relation->index];
+    return cam->is_groove || cam->is_conjugate ? NULL : cam;
+}
+
+double yk_dynamics_contact_pull(const YkDynamics *d, size_t contact)
+{
+    const YkCam *cam = yk_dynamics_loose_cam(d, contact);
+    if (!cam) return 0;
     const YkReaction *r = &d->contact[contact], *shaft = &d->joint[cam->cam_joint];
     YkVec outwards = {r->at[0] - shaft->at[0], r->at[1] - shaft->at[1]}, force = {r->force[0], r->force[1]};
-    bool is_held = cam->is_groove || cam->is_conjugate;
-    return !is_held && yk_dot(outwards, force) < -1e-9 * yk_norm(outwards) * d->largest_force;
+    return -yk_dot(outwards, force) - 1e-9 * yk_norm(outwards) * d->largest_force;
+}
+
+bool yk_dynamics_contact_pulls(const YkDynamics *d, size_t contact)
+{
+    return yk_dynamics_contact_pull(d, contact) > 0;
 }
 
 double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)

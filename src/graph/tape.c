@@ -4,33 +4,17 @@
 #include <string.h>
 #include "graph/tape_steps.h"
 
-typedef struct Maker {
-    YkTape *tape;
-    const YkGraph *graph;
-    int32_t *uses;    // per value: how many needed values, and roots, depend on it
-    bool *is_within;  // per value: a product that its only user multiplies itself
-    int32_t *of_call; // per call of the graph: that of the tape, or YK_NONE
-    YkRef *made;      // per step: the value that it computes
-    size_t call_count, most_arguments;
-    bool failed;
-} Maker;
-
-static const YkValue *at(const Maker *m, YkRef value)
-{
-    return &m->graph->values[value];
-}
-
 // --- what is needed
 
-static void use_operands(Maker *m, YkRef value)
+static void use_operands(YkTapeMaker *m, YkRef value)
 {
-    const YkValue *v = at(m, value);
+    const YkValue *v = yk_tape_value(m, value);
     const YkRef operands[] = {v->a, v->b, v->c};
     for (size_t k = 0; k < 3; k++)
         if (operands[k] != YK_NONE) m->uses[operands[k]]++;
 }
 
-static void use_call(Maker *m, int32_t index)
+static void use_call(YkTapeMaker *m, int32_t index)
 {
     const YkCall *call = &m->graph->calls[index];
     if (m->of_call[index] != YK_NONE) return; // another result of it has counted them
@@ -40,60 +24,29 @@ static void use_call(Maker *m, int32_t index)
 }
 
 // Counts from the last value to the first, since operands come before what they are for.
-static void count_uses(Maker *m, const YkRef *roots, size_t root_count)
+static void count_uses(YkTapeMaker *m, const YkRef *roots, size_t root_count)
 {
     for (size_t k = 0; k < root_count; k++) m->uses[roots[k]]++;
     for (YkRef v = (YkRef)m->graph->count - 1; v >= 0; v--) {
-        YkValueKind op = at(m, v)->op;
+        YkValueKind op = yk_tape_value(m, v)->op;
         if (m->uses[v] == 0 || op == YK_VALUE_NUMBER || op == YK_VALUE_LEAF) continue;
         if (op == YK_VALUE_RESULT)
-            use_call(m, at(m, v)->a);
+            use_call(m, yk_tape_value(m, v)->a);
         else
             use_operands(m, v);
     }
 }
 
-// Returns whether the operand of a sum is a product that nothing else needs.
-static bool is_own_product(const Maker *m, YkRef sum, YkRef operand)
-{
-    const YkValue *v = at(m, operand);
-    return v->op == YK_VALUE_MULTIPLY && m->uses[operand] == 1 && v->of_parameters == at(m, sum)->of_parameters;
-}
-
-static void find_own_products(Maker *m)
-{
-    for (YkRef v = 0; v < (YkRef)m->graph->count; v++) {
-        bool is_sum = at(m, v)->op == YK_VALUE_ADD || at(m, v)->op == YK_VALUE_SUBTRACT;
-        if (m->uses[v] == 0 || !is_sum) continue;
-        const YkRef operands[] = {at(m, v)->a, at(m, v)->b};
-        for (size_t k = 0; k < 2; k++)
-            if (is_own_product(m, v, operands[k])) m->is_within[operands[k]] = true;
-    }
-}
-
 // --- steps, whose operands are still values
 
-static YkTapeStep step_of(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d)
+YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d)
 {
-    return (YkTapeStep){.op = op, .in = {a, b, c, d}, .call = YK_NONE};
+    return (YkTapeStep){.op = op, .in = {a, b, c, d, YK_NONE}, .call = YK_NONE};
 }
 
-static YkTapeStep sum_of(const Maker *m, const YkValue *v)
+static YkTapeStep rare_step(const YkTapeMaker *m, const YkValue *v)
 {
-    bool adds = v->op == YK_VALUE_ADD;
-    const YkValue *a = at(m, v->a), *b = at(m, v->b);
-    if (m->is_within[v->a] && m->is_within[v->b])
-        return step_of(adds ? YK_TAPE_DOT : YK_TAPE_CROSS, a->a, a->b, b->a, b->b);
-    if (m->is_within[v->a])
-        return step_of(adds ? YK_TAPE_PRODUCT_PLUS : YK_TAPE_PRODUCT_LESS, a->a, a->b, v->b, YK_NONE);
-    if (m->is_within[v->b])
-        return step_of(adds ? YK_TAPE_PRODUCT_PLUS : YK_TAPE_LESS_PRODUCT, b->a, b->b, v->a, YK_NONE);
-    return step_of(adds ? YK_TAPE_ADD : YK_TAPE_SUBTRACT, v->a, v->b, YK_NONE, YK_NONE);
-}
-
-static YkTapeStep rare_step(const Maker *m, const YkValue *v)
-{
-    YkTapeStep s = step_of(YK_TAPE_RARE, v->a, v->b, v->c, YK_NONE);
+    YkTapeStep s = yk_tape_step(YK_TAPE_RARE, v->a, v->b, v->c, YK_NONE);
     s.kind = v->op;
     s.function = v->function;
     if (v->op != YK_VALUE_RESULT) return s;
@@ -102,24 +55,27 @@ static YkTapeStep rare_step(const Maker *m, const YkValue *v)
     return s;
 }
 
-static YkTapeStep make_step(const Maker *m, const YkValue *v)
+static YkTapeStep make_step(const YkTapeMaker *m, YkRef value)
 {
+    const YkValue *v = yk_tape_value(m, value);
     switch (v->op) {
     case YK_VALUE_ADD:
     case YK_VALUE_SUBTRACT:
-        return sum_of(m, v);
+        return yk_tape_sum(m, value);
     case YK_VALUE_MULTIPLY:
-        return step_of(YK_TAPE_MULTIPLY, v->a, v->b, YK_NONE, YK_NONE);
+        return yk_tape_step(YK_TAPE_MULTIPLY, v->a, v->b, YK_NONE, YK_NONE);
     case YK_VALUE_DIVIDE:
-        return step_of(YK_TAPE_DIVIDE, v->a, v->b, YK_NONE, YK_NONE);
+        return yk_tape_step(YK_TAPE_DIVIDE, v->a, v->b, YK_NONE, YK_NONE);
     case YK_VALUE_MINUS:
-        return step_of(YK_TAPE_MINUS, v->a, YK_NONE, YK_NONE, YK_NONE);
+        return yk_tape_step(YK_TAPE_MINUS, v->a, YK_NONE, YK_NONE, YK_NONE);
     case YK_VALUE_SIZE:
-        return step_of(YK_TAPE_SIZE, v->a, YK_NONE, YK_NONE, YK_NONE);
+        return yk_tape_step(YK_TAPE_SIZE, v->a, YK_NONE, YK_NONE, YK_NONE);
+    case YK_VALUE_NONZERO:
+        return yk_tape_step(YK_TAPE_NONZERO, v->a, YK_NONE, YK_NONE, YK_NONE);
     case YK_VALUE_CHOOSE:
-        return step_of(YK_TAPE_CHOOSE, v->a, v->b, v->c, YK_NONE);
+        return yk_tape_step(YK_TAPE_CHOOSE, v->a, v->b, v->c, YK_NONE);
     case YK_VALUE_FUNCTION:
-        if (v->function == YK_SQRT) return step_of(YK_TAPE_ROOT, v->a, YK_NONE, YK_NONE, YK_NONE);
+        if (v->function == YK_SQRT) return yk_tape_step(YK_TAPE_ROOT, v->a, YK_NONE, YK_NONE, YK_NONE);
         return rare_step(m, v);
     default:
         return rare_step(m, v);
@@ -127,7 +83,7 @@ static YkTapeStep make_step(const Maker *m, const YkValue *v)
 }
 
 // Notes the values that a call takes and gives.
-static void make_call(Maker *m, int32_t index)
+static void make_call(YkTapeMaker *m, int32_t index)
 {
     const YkCall *call = &m->graph->calls[index];
     YkArena *arena = m->tape->arena;
@@ -153,9 +109,9 @@ static void make_call(Maker *m, int32_t index)
 }
 
 // Returns whether a value has a step of its own.
-static bool has_step(Maker *m, YkRef value)
+static bool has_step(YkTapeMaker *m, YkRef value)
 {
-    const YkValue *v = at(m, value);
+    const YkValue *v = yk_tape_value(m, value);
     if (m->uses[value] == 0 || m->is_within[value] || v->op == YK_VALUE_NUMBER || v->op == YK_VALUE_LEAF) return false;
     if (v->op != YK_VALUE_RESULT) return true;
     bool is_first = m->tape->calls[m->of_call[v->a]].arguments == NULL; // the step of a call makes all its results
@@ -163,38 +119,40 @@ static bool has_step(Maker *m, YkRef value)
     return is_first;
 }
 
-static void make_steps(Maker *m, bool of_parameters)
+static void make_steps(YkTapeMaker *m, bool of_parameters)
 {
     YkTape *t = m->tape;
     for (YkRef v = 0; v < (YkRef)m->graph->count && !yk_arena_failed(t->arena); v++) {
-        if (at(m, v)->of_parameters != of_parameters || !has_step(m, v)) continue;
+        if (yk_tape_value(m, v)->of_parameters != of_parameters || !has_step(m, v)) continue;
         m->made[t->step_count] = v;
-        t->steps[t->step_count++] = make_step(m, at(m, v));
+        t->steps[t->step_count++] = make_step(m, v);
     }
 }
 
 // --- the tape
 
-static bool make(Maker *m, YkArena *work, const YkRef *leaves, const YkRef *roots)
+static bool make(YkTapeMaker *m, YkArena *work, const YkRef *leaves, const YkRef *roots)
 {
     YkTape *t = m->tape;
     const YkGraph *g = m->graph;
     m->uses = YK_NEW(work, int32_t, g->count + 1);
     m->is_within = YK_NEW(work, bool, g->count + 1);
+    m->inner = YK_NEW(work, YkRef, g->count + 1);
     m->of_call = YK_NEW(work, int32_t, g->call_count + 1);
     m->made = YK_NEW(work, YkRef, g->count + t->root_count + 1);
     t->steps = YK_NEW(t->arena, YkTapeStep, g->count + t->root_count + 1);
     t->calls = YK_NEW(t->arena, YkTapeCall, g->call_count + 1);
     if (yk_arena_failed(work) || yk_arena_failed(t->arena)) return false;
     for (size_t k = 0; k < g->call_count; k++) m->of_call[k] = YK_NONE;
+    for (size_t k = 0; k < g->count; k++) m->inner[k] = YK_NONE;
     count_uses(m, roots, t->root_count);
     if (m->failed) return false;
-    find_own_products(m);
+    yk_tape_find_sums(m);
     make_steps(m, true);
     t->prelude_count = t->step_count;
     make_steps(m, false);
     t->scratch = YK_NEW(t->arena, double, m->most_arguments + 3);
-    return !yk_arena_failed(t->arena) && yk_tape_place(t, work, g, leaves, roots, m->made);
+    return !yk_arena_failed(t->arena) && yk_tape_place(t, work, g, leaves, roots, m->made) && yk_tape_make_one(t, work);
 }
 
 YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
@@ -209,7 +167,7 @@ YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count
         t->lanes = lanes;
         t->leaf_count = leaf_count;
         t->root_count = root_count;
-        good = make(&(Maker){.tape = t, .graph = graph}, work, leaves, roots);
+        good = make(&(YkTapeMaker){.tape = t, .graph = graph}, work, leaves, roots);
     }
     yk_arena_free(work);
     if (good) return t;
@@ -250,15 +208,31 @@ void yk_tape_set(YkTape *t, size_t leaf, double value)
     if (!yk_tape_needs(t, leaf)) return;
     for (size_t k = 0; k < t->lanes; k++) t->own_row[leaf][k] = value;
     t->row[leaf] = t->own_row[leaf];
+    double *one = yk_tape_leaf_of_one(t, leaf);
+    if (one) *one = value;
 }
 
 void yk_tape_prepare(YkTape *t)
 {
     yk_tape_run_steps(t, t->steps, t->prelude_count, t->lanes);
+    yk_tape_prepare_one(t);
+}
+
+static void run_first_lane(YkTape *t, double *const *out)
+{
+    for (size_t k = 0; k < t->leaf_count; k++) {
+        double *one = yk_tape_leaf_of_one(t, k);
+        if (one) *one = *t->row[k];
+    }
+    yk_tape_run_one(t, out);
 }
 
 void yk_tape_run(YkTape *t, double *const *out, size_t n)
 {
+    if (n == 1) {
+        run_first_lane(t, out);
+        return;
+    }
     for (size_t k = 0; k < t->root_count; k++) t->row[t->leaf_count + k] = out[k];
     yk_tape_run_steps(t, t->steps + t->prelude_count, t->step_count - t->prelude_count, n);
 }

@@ -22,7 +22,7 @@ static int32_t new_row(Placer *p)
 // Calls a function for every place in a step that names a value it reads.
 static void each_operand(Placer *p, YkTapeStep *s, int32_t step, void (*visit)(Placer *p, int32_t *value, int32_t step))
 {
-    for (size_t k = 0; k < 4; k++)
+    for (size_t k = 0; k < YK_TAPE_OPERANDS; k++)
         if (s->in[k] != YK_NONE) visit(p, &s->in[k], step);
     if (s->call == YK_NONE) return;
     YkTapeCall *call = &p->tape->calls[s->call];
@@ -68,7 +68,7 @@ static void place_step(Placer *p, YkTapeStep *s, YkRef made, int32_t step)
     }
     each_operand(p, s, step, leave);
     each_operand(p, s, step, take_row_of);
-    for (size_t k = 0; k < 4; k++)
+    for (size_t k = 0; k < YK_TAPE_OPERANDS; k++)
         if (s->in[k] == YK_NONE) s->in[k] = s->out; // not read
 }
 
@@ -105,7 +105,7 @@ static void copy_roots(Placer *p, const YkRef *roots)
         if (p->row[roots[k]] == out) continue;
         place_constant(p, &(int32_t){roots[k]}, 0);
         t->steps[t->step_count++] =
-            (YkTapeStep){.op = YK_TAPE_COPY, .out = out, .in = {p->row[roots[k]]}, .call = YK_NONE};
+            (YkTapeStep){.op = YK_TAPE_COPY, .out = out, .in = {p->row[roots[k]], out, out, out, out}, .call = YK_NONE};
     }
 }
 
@@ -128,6 +128,7 @@ static bool make_rows(Placer *p, const bool *is_needed)
     t->own_row = YK_NEW(t->arena, double *, t->leaf_count + 1);
     double *numbers = YK_NEW(t->arena, double, rows *(t->lanes + APART) + 8);
     if (yk_arena_failed(t->arena)) return false;
+    numbers = (double *)(((uintptr_t)numbers + 63) & ~(uintptr_t)63); // a cache line
     for (size_t k = t->leaf_count + t->root_count; k < t->row_count; k++) t->row[k] = next_row(t, &numbers);
     for (size_t k = 0; k < t->leaf_count; k++)
         if (is_needed[k]) t->row[k] = t->own_row[k] = next_row(t, &numbers);
@@ -144,7 +145,7 @@ static void find_needed(const YkTape *t, bool *is_needed)
 {
     for (size_t s = 0; s < t->step_count; s++) {
         const YkTapeStep *step = &t->steps[s];
-        for (size_t k = 0; k < 4; k++)
+        for (size_t k = 0; k < YK_TAPE_OPERANDS; k++)
             if ((size_t)step->in[k] < t->leaf_count) is_needed[step->in[k]] = true;
         for (size_t k = 0; step->call != YK_NONE && k < t->calls[step->call].argument_count; k++)
             if ((size_t)t->calls[step->call].arguments[k] < t->leaf_count)

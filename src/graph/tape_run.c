@@ -17,7 +17,7 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
     double *const *row = tape->row;
     for (const YkTapeStep *s = steps; s < steps + count; s++) {
         double *out = row[s->out];
-        const double *a = row[s->in[0]], *b = row[s->in[1]], *c = row[s->in[2]], *d = row[s->in[3]];
+        const double *a = row[s->in[0]], *b = row[s->in[1]], *c = row[s->in[2]], *d = row[s->in[3]], *e = row[s->in[4]];
         switch (s->op) {
         case YK_TAPE_ADD:
             EACH(a[i] + b[i]);
@@ -39,16 +39,38 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
             EACH(a[i] * b[i] + c[i] * d[i]);
         case YK_TAPE_CROSS:
             EACH(a[i] * b[i] - c[i] * d[i]);
+        case YK_TAPE_PLUS_DOT:
+            EACH(e[i] + (a[i] * b[i] + c[i] * d[i]));
+        case YK_TAPE_LESS_DOT:
+            EACH(e[i] - (a[i] * b[i] + c[i] * d[i]));
+        case YK_TAPE_DOT_LESS:
+            EACH((a[i] * b[i] + c[i] * d[i]) - e[i]);
+        case YK_TAPE_PLUS_CROSS:
+            EACH(e[i] + (a[i] * b[i] - c[i] * d[i]));
+        case YK_TAPE_LESS_CROSS:
+            EACH(e[i] - (a[i] * b[i] - c[i] * d[i]));
+        case YK_TAPE_CROSS_LESS:
+            EACH((a[i] * b[i] - c[i] * d[i]) - e[i]);
+        case YK_TAPE_PLUS_PLUS:
+            EACH((e[i] + a[i] * b[i]) + c[i] * d[i]);
+        case YK_TAPE_PLUS_LESS:
+            EACH((e[i] + a[i] * b[i]) - c[i] * d[i]);
+        case YK_TAPE_LESS_PLUS:
+            EACH((e[i] - a[i] * b[i]) + c[i] * d[i]);
+        case YK_TAPE_LESS_LESS:
+            EACH((e[i] - a[i] * b[i]) - c[i] * d[i]);
         case YK_TAPE_ROOT:
             EACH(sqrt(a[i]));
         case YK_TAPE_SIZE:
             EACH(fabs(a[i]));
+        case YK_TAPE_NONZERO:
+            EACH(fabs(a[i]) + 1e-200);
         case YK_TAPE_CHOOSE:
             EACH(a[i] < 0 ? b[i] : c[i]);
         case YK_TAPE_COPY:
             EACH(a[i]);
         case YK_TAPE_RARE:
-            for (size_t i = 0; i < n; i++) yk_tape_run_rare(tape, s, i);
+            for (size_t i = 0; i < n; i++) yk_tape_run_rare(tape, tape->calls, row, s, i);
             break;
         }
     }
@@ -85,8 +107,6 @@ static double value_of(const YkTapeStep *s, double a, double b)
         return sqrt(a > 0 ? a : 0);
     case YK_VALUE_PER_ROOT:
         return 1 / sqrt(a < 1e-36 ? 1e-36 : a);
-    case YK_VALUE_NONZERO:
-        return fabs(a) + 1e-200;
     case YK_VALUE_LEAST:
         return a < b ? a : b;
     case YK_VALUE_LARGEST:
@@ -138,22 +158,22 @@ static void solve(double *a, size_t n, size_t m)
         for (size_t k = n; k < width; k++) a[i * width + k] /= a[i * width + i];
 }
 
-static void run_call(const YkTape *tape, const YkTapeCall *call, size_t lane)
+static void run_call(const YkTape *tape, const YkTapeCall *call, double *const *row, size_t lane)
 {
     double *value = tape->scratch;
-    for (size_t k = 0; k < call->argument_count; k++) value[k] = tape->row[call->arguments[k]][lane];
+    for (size_t k = 0; k < call->argument_count; k++) value[k] = row[call->arguments[k]][lane];
     if (call->kind == YK_CALL_SOLVE)
         solve(value, (size_t)call->n, (size_t)call->m);
     else
         tape->laws.evaluate(tape->laws.context, call->index, value[0], value);
     for (size_t k = 0; k < call->result_count; k++)
-        if (call->results[k] != YK_NONE) tape->row[call->results[k]][lane] = value[k];
+        if (call->results[k] != YK_NONE) row[call->results[k]][lane] = value[k];
 }
 
-void yk_tape_run_rare(const YkTape *tape, const YkTapeStep *s, size_t lane)
+void yk_tape_run_rare(const YkTape *tape, const YkTapeCall *calls, double *const *row, const YkTapeStep *s, size_t lane)
 {
     if (s->call != YK_NONE)
-        run_call(tape, &tape->calls[s->call], lane);
+        run_call(tape, &calls[s->call], row, lane);
     else
-        tape->row[s->out][lane] = value_of(s, tape->row[s->in[0]][lane], tape->row[s->in[1]][lane]);
+        row[s->out][lane] = value_of(s, row[s->in[0]][lane], row[s->in[1]][lane]);
 }

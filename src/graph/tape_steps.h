@@ -15,17 +15,29 @@ typedef enum YkTapeOp {
     YK_TAPE_LESS_PRODUCT, // c - a b
     YK_TAPE_DOT,          // a b + c d
     YK_TAPE_CROSS,        // a b - c d
+    YK_TAPE_PLUS_DOT,     // e + (a b + c d)
+    YK_TAPE_LESS_DOT,     // e - (a b + c d)
+    YK_TAPE_DOT_LESS,     // (a b + c d) - e
+    YK_TAPE_PLUS_CROSS,   // e + (a b - c d)
+    YK_TAPE_LESS_CROSS,   // e - (a b - c d)
+    YK_TAPE_CROSS_LESS,   // (a b - c d) - e
+    YK_TAPE_PLUS_PLUS,    // (e + a b) + c d
+    YK_TAPE_PLUS_LESS,    // (e + a b) - c d
+    YK_TAPE_LESS_PLUS,    // (e - a b) + c d
+    YK_TAPE_LESS_LESS,    // (e - a b) - c d
     YK_TAPE_ROOT,
     YK_TAPE_SIZE,
-    YK_TAPE_CHOOSE, // a < 0 ? b : c
-    YK_TAPE_RARE,   // a function of formulas, or a call: lane by lane
+    YK_TAPE_NONZERO, // |a| + 1e-200
+    YK_TAPE_CHOOSE,  // a < 0 ? b : c
+    YK_TAPE_RARE,    // a function of formulas, or a call: lane by lane
     YK_TAPE_COPY
 } YkTapeOp;
 
+enum { YK_TAPE_OPERANDS = 5 };
 typedef struct YkTapeStep {
     YkTapeOp op;
-    int32_t out, in[4]; // rows
-    YkValueKind kind;   // RARE: of the value
+    int32_t out, in[YK_TAPE_OPERANDS]; // rows
+    YkValueKind kind;                  // RARE: of the value
     YkFunction function;
     int32_t call; // RARE: of the tape's calls, or YK_NONE
 } YkTapeStep;
@@ -36,6 +48,8 @@ typedef struct YkTapeCall {
     size_t argument_count, result_count;
     int32_t *arguments, *results; // rows; YK_NONE for a result that is not needed
 } YkTapeCall;
+
+typedef struct YkTapeOne YkTapeOne; // tape_one.c: the same for one lane
 
 struct YkTape {
     YkArena *arena;
@@ -48,7 +62,32 @@ struct YkTape {
     size_t prelude_count, step_count; // the first steps depend on parameters alone
     YkTapeCall *calls;
     double *scratch; // of a call
+    YkTapeOne *one;
 };
+
+typedef struct YkTapeMaker { // what makes a tape
+    YkTape *tape;
+    const YkGraph *graph;
+    int32_t *uses;    // per value: how many needed values, and roots, depend on it
+    bool *is_within;  // per value: a product or sum that its only user computes itself
+    YkRef *inner;     // per sum: the sum within it, or YK_NONE
+    int32_t *of_call; // per call of the graph: that of the tape, or YK_NONE
+    YkRef *made;      // per step: the value that it computes
+    size_t call_count, most_arguments;
+    bool failed;
+} YkTapeMaker;
+
+static inline const YkValue *yk_tape_value(const YkTapeMaker *maker, YkRef value)
+{
+    return &maker->graph->values[value];
+}
+
+// Makes a step whose operands are values.
+YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d);
+// tape_sums.c: finds the products and sums that the step of another sum computes, once uses are counted.
+void yk_tape_find_sums(YkTapeMaker *maker);
+// Makes the step of a sum.
+YkTapeStep yk_tape_sum(const YkTapeMaker *maker, YkRef value);
 
 // tape_rows.c: replaces the values in the steps by rows, which are reused once their values are no longer needed.
 // made[k]: the value that step k computes. Returns false when out of memory, or if a leaf that is needed is not among
@@ -57,7 +96,14 @@ bool yk_tape_place(YkTape *tape, YkArena *work, const YkGraph *graph, const YkRe
                    const YkRef *made);
 // tape_run.c: runs steps over n lanes.
 void yk_tape_run_steps(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n);
-// Evaluates one lane of a rare operation.
-void yk_tape_run_rare(const YkTape *tape, const YkTapeStep *step, size_t lane);
+// Evaluates one lane of a rare operation, whose calls and operands name these rows.
+void yk_tape_run_rare(const YkTape *tape, const YkTapeCall *calls, double *const *row, const YkTapeStep *step,
+                      size_t lane);
+
+// tape_one.c: makes the operations of one lane from those on rows, once these are placed. Returns false when out of
+// memory.
+bool yk_tape_make_one(YkTape *tape, YkArena *work);
+// Takes the values that depend on parameters alone.
+void yk_tape_prepare_one(YkTape *tape);
 
 #endif

@@ -95,7 +95,7 @@ static YkWrenchRef shaking(YkBalanceSystem *w)
         YkWrenchRef own = w->f->load[b];
         YkRefVec center = yk_forces_center(p, (int32_t)b), at = yk_program_at(p, (int32_t)b, center);
         if (p->model->bodies[b].has_mass) {
-            YkRefVec a = yk_program_at_accel(p, (int32_t)b, center, &w->velocities, &w->accelerations);
+            YkRefVec a = yk_program_body_accel(p, (int32_t)b, center, &w->velocities, &w->accelerations);
             YkRefVec pull = yk_graph_vec_subtract(g, w->f->gravity, a);
             YkRef turn = w->accelerations.turn[p->mech->bodies[b].orientation];
             own.force = yk_graph_vec_add(g, own.force, yk_graph_vec_scale(g, yk_forces_mass(p, (int32_t)b), pull));

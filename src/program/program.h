@@ -149,6 +149,9 @@ YkRefVec yk_program_at(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_program_at_rate(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities);
 YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                              const YkRates *accelerations);
+// body_accel.c: returns the acceleration of a point of a body with fewer operations, for poses that need no rates of it.
+YkRefVec yk_program_body_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
+                               const YkRates *accelerations);
 // Return names for variables, not yet unique.
 const char *yk_program_slot_name(YkProgram *program, int32_t slot);
 const char *yk_program_distance_name(YkProgram *program, int32_t distance);

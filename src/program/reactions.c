@@ -93,7 +93,7 @@ static void enter_right(YkBalanceSystem *w, int32_t body)
     YkRef moment = yk_graph_minus(g, load->moment);
     if (p->model->bodies[body].has_mass) {
         YkRefVec center = yk_forces_center(p, body);
-        YkRefVec a = yk_program_at_accel(p, body, center, &w->velocities, &w->accelerations);
+        YkRefVec a = yk_program_body_accel(p, body, center, &w->velocities, &w->accelerations);
         YkRefVec pull = yk_graph_vec_subtract(g, a, w->f->gravity);
         force = yk_graph_vec_add(g, force, yk_graph_vec_scale(g, yk_forces_mass(p, body), pull));
         YkRef spin = w->accelerations.turn[p->mech->bodies[body].orientation];
@@ -142,7 +142,7 @@ static void take_own(YkBalanceSystem *w, const YkJoint *pin, YkRef *out)
     YkRefVec force = yk_graph_vec_scale(g, yk_graph_number(g, 1.0 / pin->copies), (YkRefVec){out[0], out[1]});
     if (p->model->bodies[planet].has_mass) {
         YkRefVec center = yk_forces_center(p, planet);
-        YkRefVec pull = yk_program_at_accel(p, planet, center, &w->velocities, &w->accelerations);
+        YkRefVec pull = yk_program_body_accel(p, planet, center, &w->velocities, &w->accelerations);
         double others = (pin->copied_side == 1 ? 1 : -1) * (1 - 1.0 / pin->copies);
         YkRef mass = yk_graph_multiply(g, yk_graph_number(g, others), yk_forces_mass(p, planet));
         pull = yk_graph_vec_scale(g, mass, yk_graph_vec_subtract(g, pull, w->f->gravity));

@@ -14,7 +14,8 @@ static const char *word_of(YkHappeningKind kind)
                                         [YK_HAPPENING_SLIP] = "begins to slip",
                                         [YK_HAPPENING_CHANGE_POINT] = "passes a change point",
                                         [YK_HAPPENING_DEAD_POINT] = "passes a dead point",
-                                        [YK_HAPPENING_CROSSING] = "crosses a value"};
+                                        [YK_HAPPENING_CROSSING] = "crosses a value",
+                                        [YK_HAPPENING_LIFT_OFF] = "loses its follower"};
     return words[kind];
 }
 

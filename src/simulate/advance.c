@@ -146,7 +146,7 @@ static bool has_contacts(const YkSimulation *sim)
 static void look_back(YkSimulation *sim)
 {
     if (sim->is_lean && sim->watch_count == 0) return;
-    if (sim->watch_count == 0 && !has_contacts(sim)) return;
+    if (sim->watch_count == 0 && sim->model->cam_count == 0 && !has_contacts(sim)) return;
     yk_simulation_look(sim);
     sim->is_elsewhere = true;
 }

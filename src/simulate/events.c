@@ -22,12 +22,21 @@ typedef struct Event {
     const YkLoadItem *item; // STOP or COULOMB
     const YkEventWatch *watch;
     double way; // watch: +1 rising, -1 falling
+    size_t cam; // if there is neither item nor watch: a contact that pushes, and then would have to pull
 } Event;
+
+// Returns how strongly a cam would have to pull, above 0 if it would; 0 where forces are not known.
+static double pull_here(YkSimulation *sim, size_t cam)
+{
+    const YkDynamics *dynamics = yk_simulation_dynamics(sim);
+    return sim->forces_are_known ? yk_dynamics_contact_pull(dynamics, cam) : 0;
+}
 
 static double event_here(const Event *e)
 {
     YkSimulation *sim = e->sim;
     const YkLoadItem *item = e->item;
+    if (!item && !e->watch) return pull_here(sim, e->cam);
     if (!item) return e->way * (yk_simulation_channel(sim, e->watch->channel) - e->watch->level);
     if (item->kind == YK_LOAD_COULOMB)
         return -item->direction * yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
@@ -47,7 +56,7 @@ static bool visit(YkSimulation *sim, double t, bool with_accelerations)
 
 static double event_at(const Event *e, double t, bool *ok)
 {
-    *ok = *ok && visit(e->sim, t, e->watch != NULL);
+    *ok = *ok && visit(e->sim, t, !e->item);
     return *ok ? event_here(e) : 0;
 }
 
@@ -176,7 +185,7 @@ static void look_at_items(YkSimulation *sim, bool *ok)
         YkLoadItem *item = &loads->items[k];
         bool is_stop = item->kind == YK_LOAD_STOP, slides = item->kind == YK_LOAD_COULOMB && item->direction != 0;
         if ((!is_stop && !slides) || is_in_contact(sim, item)) continue;
-        double t = first_time(&(Event){sim, item, NULL, 0}, ok);
+        double t = first_time(&(Event){sim, item, NULL, 0, 0}, ok);
         if (t == HUGE_VAL || (sim->pending != YK_PENDING_NONE && t >= sim->pending_time)) continue;
         sim->pending = is_stop ? YK_PENDING_STOP : YK_PENDING_STICK;
         sim->pending_item = k;
@@ -186,7 +195,7 @@ static void look_at_items(YkSimulation *sim, bool *ok)
 
 static void look_at_watch(YkSimulation *sim, YkEventWatch *watch, double end, bool *ok)
 {
-    Event e = {sim, NULL, watch, 1};
+    Event e = {sim, NULL, watch, 1, 0};
     double now = event_at(&e, end, ok), last = watch->last;
     watch->last = now;
     if (!*ok || (last <= 0) == (now <= 0)) return;
@@ -195,6 +204,47 @@ static void look_at_watch(YkSimulation *sim, YkEventWatch *watch, double end, bo
     e.way = way;
     double t = locate(&e, from, way * last, end, way * now, ok);
     if (*ok) yk_simulation_note(sim, YK_HAPPENING_CROSSING, t, watch->name, watch->level);
+}
+
+// --- cams that would have to pull
+
+static bool has_lifted(const YkSimulation *sim, const char *name)
+{
+    for (size_t k = 0; k < sim->happening_count; k++)
+        if (sim->happenings[k].kind == YK_HAPPENING_LIFT_OFF && strcmp(sim->happenings[k].name, name) == 0) return true;
+    return false;
+}
+
+static void note_lift_off(const Event *e, const YkCam *cam, double t, bool *ok)
+{
+    YkSimulation *sim = e->sim;
+    *ok = *ok && visit(sim, t, false);
+    double angle = yk_state_channel(sim->state, (YkChannel){.kind = YK_CHANNEL_JOINT_ANGLE, .index = cam->cam_joint});
+    const char *name = yk_dynamics_contact_name(sim->dynamics, e->cam);
+    if (*ok) yk_simulation_note(sim, YK_HAPPENING_LIFT_OFF, t, name, angle);
+}
+
+// Looks for the times in the last step, up to `end`, from which a cam would have to pull.
+static void look_at_cam(YkSimulation *sim, size_t contact, double end, bool *ok)
+{
+    const YkCam *cam = yk_dynamics_loose_cam(sim->dynamics, contact);
+    if (!cam) return;
+    Event e = {.sim = sim, .cam = contact};
+    double from = yk_ode_previous(sim->ode), a = from, fa = event_at(&e, from, ok);
+    if (*ok && fa > 0 && !has_lifted(sim, yk_dynamics_contact_name(sim->dynamics, contact)))
+        note_lift_off(&e, cam, from, ok);
+    for (int k = 1; k <= PROBES && *ok; k++) {
+        double t = k == PROBES ? end : from + (end - from) * k / PROBES, f = event_at(&e, t, ok);
+        if (*ok && f > 0 && fa <= 0) note_lift_off(&e, cam, locate(&e, a, fa, t, f, ok), ok);
+        a = t;
+        fa = f;
+    }
+}
+
+static void look_at_cams(YkSimulation *sim, double end, bool *ok)
+{
+    for (size_t k = 0; sim->model->cam_count > 0 && k < yk_dynamics_contact_count(sim->dynamics); k++)
+        look_at_cam(sim, k, end, ok);
 }
 
 // Returns whether drives move the machine now: it then has kinetic energy where its one free coordinate merely turns
@@ -211,7 +261,7 @@ static bool is_driven(const YkSimulation *sim)
 bool yk_simulation_look_dead(YkSimulation *sim)
 {
     YkEventWatch watch = {.channel = {.kind = YK_CHANNEL_COORDINATE, .index = sim->first, .order = 1}};
-    Event e = {sim, NULL, &watch, 1};
+    Event e = {sim, NULL, &watch, 1, 0};
     if (sim->first == YK_NONE) return false;
     double last = sim->first_rate, now = event_here(&e);
     sim->first_rate = now;
@@ -229,7 +279,7 @@ bool yk_simulation_look_dead(YkSimulation *sim)
 void yk_simulation_watch_start(YkSimulation *sim)
 {
     for (size_t k = 0; k < sim->watch_count; k++)
-        sim->watches[k].last = event_here(&(Event){sim, NULL, &sim->watches[k], 1});
+        sim->watches[k].last = event_here(&(Event){sim, NULL, &sim->watches[k], 1, 0});
 }
 
 void yk_simulation_look(YkSimulation *sim)
@@ -238,4 +288,5 @@ void yk_simulation_look(YkSimulation *sim)
     look_at_items(sim, &ok);
     double end = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);
     for (size_t k = 0; k < sim->watch_count; k++) look_at_watch(sim, &sim->watches[k], end, &ok);
+    look_at_cams(sim, end, &ok);
 }

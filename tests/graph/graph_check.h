@@ -38,6 +38,8 @@ static inline double graph_operate(const YkValue *v, double a, double b, double 
         return sin(a);
     case YK_VALUE_COSINE:
         return cos(a);
+    case YK_VALUE_NONZERO:
+        return fabs(a) + 1e-200;
     case YK_VALUE_SIZE:
         return fabs(a);
     case YK_VALUE_CHOOSE:

@@ -117,6 +117,42 @@ static void test_random_graphs(void **unused)
     }
 }
 
+// A sum of two products and one more term is one step, with the bits of its parts; so is the size that is never 0.
+static void test_joined_sums(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 5;
+    for (int kind = 0; kind < 11; kind++) {
+        start(&c, &seed);
+        YkGraph *g = &c.graph;
+        YkRef e = c.leaves[4], ab = yk_graph_multiply(g, c.leaves[0], c.leaves[1]),
+              cd = yk_graph_multiply(g, c.leaves[2], c.leaves[3]);
+        YkRef dot = yk_graph_add(g, ab, cd), cross = yk_graph_subtract(g, ab, cd);
+        YkRef plus = yk_graph_add(g, e, ab), less = yk_graph_subtract(g, e, ab);
+        const YkRef sums[] = {
+            yk_graph_add(g, e, dot),        yk_graph_subtract(g, e, dot),          yk_graph_subtract(g, dot, e),
+            yk_graph_add(g, e, cross),      yk_graph_subtract(g, e, cross),        yk_graph_subtract(g, cross, e),
+            yk_graph_add(g, plus, cd),      yk_graph_subtract(g, plus, cd),        yk_graph_add(g, less, cd),
+            yk_graph_subtract(g, less, cd), yk_graph_unary(g, YK_VALUE_NONZERO, e)};
+        for (int k = 0; k < ROOTS; k++) c.roots[k] = sums[kind];
+        YkTape *t = tape_of(&c, (YkTapeLaws){0});
+        assert_int_equal(yk_tape_length(t), ROOTS); // one step, and copies for the other roots
+        double *numbers = calloc(g->count, sizeof *numbers);
+        run(&c, t, 0, LANES);
+        for (size_t i = 0; i < LANES; i++) {
+            for (int k = 0; k < LEAVES + PARAMETERS; k++) numbers[c.leaves[k]] = c.leaf[k][i];
+            graph_evaluate(g, numbers);
+            assert_memory_equal(&c.out[1][i], &numbers[sums[kind]], sizeof(double));
+            run(&c, t, i, 1);
+            assert_memory_equal(&c.out[1][i], &numbers[sums[kind]], sizeof(double));
+        }
+        yk_tape_free(t);
+        free(numbers);
+        end(&c);
+    }
+}
+
 // Leaves of a pose may also have one value in all lanes, and parameters others later.
 static void test_values_for_all_lanes(void **unused)
 {
@@ -215,8 +251,12 @@ static void test_what_a_tape_cannot_do(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_graphs), cmocka_unit_test(test_values_for_all_lanes),  cmocka_unit_test(test_laws),
-        cmocka_unit_test(test_equations),     cmocka_unit_test(test_what_a_tape_cannot_do),
+        cmocka_unit_test(test_random_graphs),
+        cmocka_unit_test(test_joined_sums),
+        cmocka_unit_test(test_values_for_all_lanes),
+        cmocka_unit_test(test_laws),
+        cmocka_unit_test(test_equations),
+        cmocka_unit_test(test_what_a_tape_cannot_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -23,7 +23,7 @@ typedef struct YkSimulationAnswer {
     double *rows;    // all of them, if JSON or a plot needs them
     size_t row_count, row_capacity;
     YkStatus status;
-    bool is_pulled;              // a cam was seen to pull its follower: reported once
+    size_t told_count;           // events that were looked at for cams that lose their followers
     bool is_interrupted, is_cut; // by a signal; by an output that accepts no more
 } YkSimulationAnswer;
 

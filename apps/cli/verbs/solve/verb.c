@@ -177,7 +177,7 @@ static int solve(Writer *writer)
         yk_tell_status(session, status, message);
     }
     begin(writer, status, message);
-    if (session->dynamics) yk_warn_of_pulling_cams(session, session->dynamics, NULL);
+    if (session->dynamics) yk_warn_of_pulling_cams(session, session->dynamics);
     yk_solve_of_warn(session);
     YkStatus written = write_all(writer, pose, &all);
     end(writer, &all);

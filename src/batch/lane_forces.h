@@ -1,0 +1,42 @@
+// The inside of YkLaneForces: what makes the tape, and what runs it.
+#ifndef BATCH_LANE_FORCES_H
+#define BATCH_LANE_FORCES_H
+#include "batch/forces.h"
+#include "graph/tape.h"
+
+typedef enum YkLeafKind {
+    YK_LEAF_OF_TURN,       // c, s, w, a of an orientation
+    YK_LEAF_OF_SLIDE,      // d, v, a of a distance
+    YK_LEAF_OF_NODE,       // x, y, vx, vy, ax, ay
+    YK_LEAF_OF_COORDINATE, // position of an angle that is no input
+    YK_LEAF_OF_INPUT,      // position, velocity
+    YK_LEAF_OF_GAIN,       // of a relation with a law
+    YK_LEAF_OF_TIME,
+    YK_LEAF_OF_PARAMETER
+} YkLeafKind;
+
+typedef struct YkLeafSource { // where the lanes of a leaf lie
+    YkLeafKind kind;
+    int32_t index, part;
+    size_t leaf;   // of the tape
+    size_t number; // TURN, SLIDE, NODE, GAIN: among the numbers of a space for one pose
+    double *one;   // where the tape reads it for one lane
+} YkLeafSource;
+
+struct YkLaneForces {
+    const YkMechanism *mech;
+    const YkVariant *variant;
+    YkTape *tape;
+    YkLeafSource *sources; // per leaf, while the tape is made
+    YkLeafSource *needed;  // of the leaves that the tape reads, those of the space first
+    size_t needed_count, in_space;
+    YkRef *leaves;
+    size_t leaf_count, leaf_capacity;
+    bool *needs; // per coordinate
+    bool failed;
+};
+
+// forces_run.c: keeps the sources of the leaves that the tape reads. Returns false when out of memory.
+bool yk_lane_forces_keep_needed(YkLaneForces *forces);
+
+#endif

@@ -1,0 +1,33 @@
+// What one lane of a tape runs from.
+#ifndef GRAPH_TAPE_ONE_H
+#define GRAPH_TAPE_ONE_H
+#include "graph/tape_steps.h"
+
+typedef struct YkTapeNumber { // a number of one lane that is read from a row: of a constant, or of a leaf
+    int32_t row, place;
+} YkTapeNumber;
+
+typedef struct YkTapeOperation { // where it reads and writes
+    const double *a, *b, *c, *d, *e;
+    double *out;
+} YkTapeOperation;
+
+typedef struct YkTapeGroup { // operations of one kind
+    YkTapeOp op;
+    int32_t count;
+} YkTapeGroup;
+
+struct YkTapeOne {
+    double *value;         // per place
+    double **at;           // per place: its address, as rows of one lane
+    int32_t *leaf;         // per leaf: its place, or YK_NONE
+    int32_t *root;         // per root: its place
+    YkTapeNumber *numbers; // what depends on parameters alone
+    size_t number_count, group_count;
+    YkTapeOperation *operations;
+    YkTapeGroup *groups;
+    YkTapeStep *rare; // of the groups of rare operations, by places
+    YkTapeCall *calls;
+};
+
+#endif
