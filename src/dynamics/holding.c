@@ -238,7 +238,7 @@ static bool differs(const YkReaction *a, const YkReaction *b, double near, doubl
            fabs(a->moment - b->moment) > near * size;
 }
 
-// Finds the rows at f = h->f, and how each changes with each friction.
+// Finds the rows without dry friction, h->f = 0, and how each changes with each friction.
 static YkStatus find_columns(YkHolding *h, YkDynamics *d, YkState *state, YkMethod method)
 {
     YkStatus status = solve_with(h, d, state, method, h->f);
@@ -251,8 +251,8 @@ static YkStatus find_columns(YkHolding *h, YkDynamics *d, YkState *state, YkMeth
         YkStanding *s = &h->standing[j];
         double length = item_of(h, d, j)->is_distance ? 1 : size;
         s->unit = largest > 0 ? largest * fmin(s->limit, length) : fmin(s->limit, length);
-        memcpy(h->trial, h->f, h->count * sizeof *h->trial);
-        h->trial[j] += s->unit;
+        memset(h->trial, 0, h->count * sizeof *h->trial);
+        h->trial[j] = s->unit;
         status = solve_with(h, d, state, method, h->trial);
         if (!is_good(status)) return status;
         read_rows(h, d, state, h->row);
@@ -260,8 +260,6 @@ static YkStatus find_columns(YkHolding *h, YkDynamics *d, YkState *state, YkMeth
         for (size_t k = 0; k < h->joints && s->stands; k++)
             if (differs(reaction_of(d, k), &h->before[k], 1e-9 * s->unit / length, size)) h->depends[k] = true;
     }
-    for (size_t r = 0; r < h->rows; r++) // at f = 0
-        for (size_t j = 0; j < h->count; j++) h->base[r] -= h->column[r * h->count + j] * h->f[j];
     return YK_OK;
 }
 

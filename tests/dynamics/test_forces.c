@@ -159,6 +159,34 @@ static void every_count_balances(void **unused)
     }
 }
 
+// The follower's law is s = 5 mm (1 - cos x): without weight and spring the cam would have to pull it where its
+// acceleration along its line is negative, whichever way the line points.
+static void a_contact_pulls_where_the_follower_is_slowed(void **unused)
+{
+    (void)unused;
+    static const char *const faces[] = {"face: flat", "roller: 6 mm", "roller: 6 mm, groove: true"};
+    for (int k = 0; k < 24; k++) {
+        char text[1000];
+        double line = 0.26 + 0.7853981633974483 * (k / 3);
+        snprintf(text, sizeof text,
+                 "laws:\n  lift: {period: 2*pi, segments: [{formula: {to: 2*pi, s: 5 mm*(1 - cos(x))}}]}\n"
+                 "cams:\n  c: {cam: shaft, follower: tappet, law: lift, base: 40 mm, %s}\n"
+                 "bodies: {shaft: {}, tappet: {mass: 3}}\njoints:\n  K: {pin: [ground, shaft], angle: q}\n"
+                 "  T: {slide: [ground, tappet], along: %.17g rad, distance: s}\ndrives: {q: 10 rad/s * t}\n",
+                 faces[k % 3], line);
+        Rig rig = rig_of_text(text);
+        for (int turn = 0; turn < 16; turn++) {
+            double x = 0.3 + 0.39269908169872414 * turn, accel = 100 * 0.005 * cos(x);
+            yk_state_set_input(rig.state, 0, (YkMotion){x, 10, 0});
+            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkMethod)(turn & 1)), YK_OK);
+            YkReaction r = yk_dynamics_contact(rig.dynamics, 0);
+            CHECK_NEAR(fabs(r.force[0] * cos(line) + r.force[1] * sin(line)), 3 * fabs(accel), 1e-12);
+            assert_int_equal(yk_dynamics_contact_pulls(rig.dynamics, 0), accel < 0 && k % 3 != 2);
+        }
+        rig_free(&rig);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -169,6 +197,7 @@ int main(void)
         cmocka_unit_test(inverse_undoes_forward),
         cmocka_unit_test(a_hanging_weight_pulls_its_pin),
         cmocka_unit_test(the_toggle_has_twenty_equations),
+        cmocka_unit_test(a_contact_pulls_where_the_follower_is_slowed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -91,6 +91,42 @@ static void a_guide_jams_within_its_cone(void **unused)
     }
 }
 
+// A slab (2 kg) that already slides on the ground, a block (3 kg) at rest on it, and beside them a block (5 kg) at rest
+// on an incline: the slab's friction is a load for what stands on it, and nothing to the third.
+static void one_joint_slides_while_others_stand(void **unused)
+{
+    (void)unused;
+    const double g = 10, m = 2, n = 3, under = 0.1, over = 0.4, slope = 0.4 * 5 * g * cos(0.3),
+                 weight = 5 * g * sin(0.3);
+    for (int method = 0; method < 2; method++) {
+        Rig rig = rig_of_text(
+            "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  slab: {points: {P: [0, 0]}, mass: 2}\n"
+            "  block: {points: {P: [0, 0]}, mass: 3}\n  other: {points: {P: [0, 0]}, mass: 5}\njoints:\n"
+            "  U: {slide: [ground, slab], along: x, distance: x, friction: {coulomb: 0.1}}\n"
+            "  V: {slide: [slab, block], along: x, distance: y, friction: {coulomb: 0.4}}\n"
+            "  W: {slide: [ground, other], along: 0.3 rad, distance: z, friction: {coulomb: 0.4}}\n"
+            "drives: {z: 0 m}\nstart: {x.rate: 1}\n");
+        size_t x = yk_coordinate_find(rig.mech, "x"), y = yk_coordinate_find(rig.mech, "y"), input = 0;
+        while (yk_input_coordinate(rig.mech, input) != x) input++;
+        for (int k = -12; k <= 12; k++) { // no solution may depend on the one before
+            double way = k & 1 ? 1 : -1, effort = 5 * k, sliding = -way * under * (m + n) * g;
+            double together = (effort + sliding) / (m + n);
+            bool slips = fabs(together) > over * g;
+            double drag = copysign(over * n * g, together), a = slips ? (effort + sliding - drag) / m : together;
+            yk_state_set_input(rig.state, input, (YkMotion){0, way, 0});
+            yk_dynamics_set_effort(rig.dynamics, x, effort);
+            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkMethod)method), YK_OK);
+            CHECK_NEAR(yk_state_coordinate(rig.state, x).acceleration, a, 1e-10);
+            CHECK_NEAR(yk_state_coordinate(rig.state, y).acceleration, slips ? drag / n - a : 0, 1e-10);
+            YkEffortRange range = range_of(&rig, "z");
+            assert_true(range.is_known && !range.is_single);
+            CHECK_NEAR(range.low, weight - slope, 1e-10);
+            CHECK_NEAR(range.high, weight + slope, 1e-10);
+        }
+        rig_free(&rig);
+    }
+}
+
 #define PIN(R) "friction: {coulomb: 0.15, radius: " #R " m}"
 #define PRESS                                                                                                          \
     "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"                                                  \
@@ -217,6 +253,7 @@ int main(void)
         cmocka_unit_test(a_block_on_an_incline_is_held_by_a_range),
         cmocka_unit_test(a_free_block_sticks_or_slips),
         cmocka_unit_test(a_guide_jams_within_its_cone),
+        cmocka_unit_test(one_joint_slides_while_others_stand),
         cmocka_unit_test(the_ends_are_those_of_all_senses_of_friction),
         cmocka_unit_test(the_ends_are_those_of_the_slowest_motion),
         cmocka_unit_test(the_range_is_what_keeps_it_at_rest),

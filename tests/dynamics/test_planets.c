@@ -86,6 +86,13 @@ static size_t joint_of(const Rig *rig, const char *name)
     return joint;
 }
 
+static size_t body_of(const Rig *rig, const char *name)
+{
+    size_t body = 0;
+    while (strcmp(yk_model_body_name(rig->model, body), name) != 0) body++;
+    return body;
+}
+
 static YkReaction reaction(const Rig *rig, const char *name)
 {
     return yk_dynamics_reaction(rig->dynamics, joint_of(rig, name));
@@ -130,6 +137,28 @@ static double effort_along(const Rig *rig, const char *name)
     return yk_dynamics_channel(rig->dynamics, rig->state, channel);
 }
 
+// Every planet's own balance, not that of all of them; both close.
+static void check_balances(const Rig *a, const Rig *b, double size)
+{
+    static const char *const names[] = {"arm", "sun", "ring", "p0"};
+    for (size_t n = 0; n < 4; n++) {
+        YkBalance of[2];
+        for (int side = 0; side < 2; side++) {
+            const Rig *rig = side ? b : a;
+            of[side] = yk_dynamics_balance(rig->dynamics, body_of(rig, names[n]));
+            CHECK_NEAR(of[side].residual, 0, 1e-11);
+        }
+        for (int k = 0; k < 2; k++) {
+            CHECK_NEAR(of[0].loads.force[k], of[1].loads.force[k], 1e-9 * size);
+            CHECK_NEAR(of[0].reactions.force[k], of[1].reactions.force[k], 1e-9 * size);
+            CHECK_NEAR(of[0].inertia.force[k], of[1].inertia.force[k], 1e-9 * size);
+        }
+        CHECK_NEAR(of[0].loads.moment, of[1].loads.moment, 1e-9 * size);
+        CHECK_NEAR(of[0].reactions.moment, of[1].reactions.moment, 1e-9 * size);
+        CHECK_NEAR(of[0].inertia.moment, of[1].inertia.moment, 1e-9 * size);
+    }
+}
+
 static void prescribe(Rig *rig, bool is)
 {
     for (size_t i = 0; i < yk_input_count(rig->mech); i++) yk_dynamics_prescribe(rig->dynamics, i, is);
@@ -168,6 +197,7 @@ static void without_weight_every_force_is_that_of_the_machine_with_all_planets(v
             CHECK_NEAR(effort_along(&rigs[0], "s"), effort_along(&rigs[1], "s"), 1e-9 * size);
             CHECK_NEAR(effort_along(&rigs[0], "c"), effort_along(&rigs[1], "c"), 1e-9 * size);
             check_sums(&rigs[0], &rigs[1], size);
+            check_balances(&rigs[0], &rigs[1], size);
         }
         for (int side = 0; side < 2; side++) rig_free(&rigs[side]);
     }

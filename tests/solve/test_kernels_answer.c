@@ -125,6 +125,70 @@ static void one_bad_lane_is_enough_to_be_unwell(void **state)
     }
 }
 
+// Margins that stay well above their own change do not dip, until three of them do, wherever these stand.
+static void a_dip_is_seen_wherever_it_is(void **state)
+{
+    (void)state;
+    const double falls[][3] = {
+        {0.1, 0.1, 1e-15}, {0.1, 1e-15, 0.1}, {1e-15, 0.1, 0.1}, // as good as singular
+        {0.1, 0.5, 0.5},   {0.5, 0.1, 0.5},   {0.5, 0.5, 0.1},   // change by more than `most`
+        {0.02, 0.2, 0.2},  {0.2, 0.02, 0.2},  {0.2, 0.2, 0.02},  // small beside their change
+    };
+    for (size_t n = 1; n <= 20; n++)
+        for (size_t k = 0; k < sizeof falls / sizeof *falls; k++)
+            for (size_t at = 0; at < n; at++) {
+                double margin[22];
+                bool dips = true;
+                for (size_t i = 0; i < n + 2; i++) margin[i] = 0.3 + 0.01 * (double)(i % 3);
+                yk_lanes_dip(&dips, margin, 1e-12, 0.3, n);
+                assert_false(dips);
+                memcpy(margin + at, falls[k], sizeof falls[k]);
+                yk_lanes_dip(&dips, margin, 1e-12, 0.3, n);
+                assert_true(dips);
+            }
+    const double even[] = {0.06, 0.2, 0.31}; // differ by 0.25 of `most` 0.3, and the least is 0.24 of that
+    bool dips = true;
+    yk_lanes_dip(&dips, even, 1e-12, 0.3, 1);
+    assert_false(dips);
+}
+
+// Unit vectors that turn by equal steps: they swing where the step is longer than the angle of the least cosine.
+static void a_swing_is_a_step_beyond_the_angle(void **state)
+{
+    (void)state;
+    const double limit = 0.5;
+    for (size_t n = 1; n <= 20; n++)
+        for (size_t at = 0; at <= n; at++)
+            for (int way = -1; way <= 1; way += 2) {
+                double c[21], s[21], angle = 2.9 * way;
+                for (size_t i = 0; i <= n; i++) {
+                    c[i] = cos(angle), s[i] = sin(angle);
+                    angle += way * (i == at ? limit + 0.01 : limit - 0.01);
+                }
+                bool swings = false;
+                yk_lanes_swing(&swings, c, s, cos(limit), n);
+                assert_int_equal(swings, at < n);
+            }
+}
+
+static void one_number_that_is_not_finite_is_enough(void **state)
+{
+    (void)state;
+    double first[20], second[20], *rows[] = {first, second};
+    const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    for (size_t i = 0; i < 20; i++) first[i] = 1e300, second[i] = -(double)i;
+    for (size_t n = 1; n <= 20; n++)
+        for (size_t i = 0; i < 20; i++)
+            for (size_t k = 0; k < 6; k++) {
+                double kept = rows[k / 3][i];
+                bool finite;
+                rows[k / 3][i] = bad[k % 3];
+                yk_lanes_finite(&finite, rows, 2, n);
+                assert_int_equal(finite, i >= n);
+                rows[k / 3][i] = kept;
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -134,6 +198,9 @@ int main(void)
         cmocka_unit_test(difference_takes_absent_rows_for_zero),
         cmocka_unit_test(mask_lets_only_good_lanes_pass),
         cmocka_unit_test(one_bad_lane_is_enough_to_be_unwell),
+        cmocka_unit_test(a_dip_is_seen_wherever_it_is),
+        cmocka_unit_test(a_swing_is_a_step_beyond_the_angle),
+        cmocka_unit_test(one_number_that_is_not_finite_is_enough),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

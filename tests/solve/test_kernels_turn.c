@@ -59,10 +59,14 @@ static void far_angles_are_right_too(void **state)
     YkTurn out = pool_turn(&pool), ground = {0};
     double *theta = pool_full(&pool, 0.5);
     theta[3] = 1e9, theta[100] = -3e5, theta[256] = 1e22;
-    yk_lanes_turn(out, ground, theta, NULL, NULL, 0, -1, LANES);
-    for (size_t i = 0; i < LANES; i++) {
-        CHECK_NEAR(out.c[i], (double)cosl(-(long double)theta[i]), 1.2e-16);
-        CHECK_NEAR(out.s[i], (double)sinl(-(long double)theta[i]), 1.2e-16);
+    for (int k = 0; k <= 1; k++) {
+        double offset = 0.75 * k; // the sum is exact but for 1e22, where the offset is below the rounding
+        yk_lanes_turn(out, ground, theta, NULL, NULL, offset, -1, LANES);
+        for (size_t i = 0; i < LANES; i++) {
+            long double angle = -(long double)(theta[i] + offset);
+            CHECK_NEAR(out.c[i], (double)cosl(angle), 1.2e-16);
+            CHECK_NEAR(out.s[i], (double)sinl(angle), 1.2e-16);
+        }
     }
 }
 

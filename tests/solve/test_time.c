@@ -33,6 +33,25 @@ static void a_pose_is_known_after_any_number_of_turns(void **unused)
     machine_free(&other);
 }
 
+// A held position, velocity or acceleration replaces the drive's; the other two remain the drive's own.
+static void what_is_held_replaces_the_drive(void **unused)
+{
+    (void)unused;
+    for (int order = 0; order < 3; order++) {
+        Machine m = machine_parse(FOUR_BAR("1 + 2 rad/s * t + 3 rad/s^2 * t^2"), true);
+        double expected[] = {1 + 2 * 0.1 + 3 * 0.01, 2 + 6 * 0.1, 6};
+        yk_state_hold_input(m.state, 0, order, 0.875);
+        expected[order] = 0.875;
+        assert_int_equal(yk_state_set_time(m.state, 0.1, m.problems), YK_OK);
+        assert_int_equal(yk_state_solve(m.state), YK_OK);
+        YkMotion q = yk_state_coordinate(m.state, yk_coordinate_find(m.mech, "q"));
+        CHECK_NEAR(q.position, expected[0], 1e-15);
+        CHECK_NEAR(q.velocity, expected[1], 1e-15);
+        CHECK_NEAR(q.acceleration, expected[2], 1e-14);
+        machine_free(&m);
+    }
+}
+
 // Rates up to 1e100 have an answer, larger ones a status: nothing overflows without a word.
 static void rates_that_overflow_are_refused(void **unused)
 {
@@ -81,6 +100,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pose_is_known_after_any_number_of_turns),
+        cmocka_unit_test(what_is_held_replaces_the_drive),
         cmocka_unit_test(rates_that_overflow_are_refused),
         cmocka_unit_test(digits_that_are_lost_are_told),
     };
