@@ -131,7 +131,7 @@ static YkDefect judge(Search *search, YkMachineTry *try, YkText *text, YkVerdict
     if (defect == YK_DEFECT_NONE) {
         for (size_t r = 0; r < fit->rows; r++)
             for (size_t c = 0; c < machine->channel_count; c++) fit->value[c][r] = yk_sweep_value(t.sweep, r, c);
-        yk_machine_judge(fit, fit->value, fit->low_miss, &again);
+        yk_machine_judge(fit, fit->value, fit->next_miss, &again);
         double room =
             1e-6 * (fabs(try->error) + yk_mechanism_size(machine->mech) * yk_mechanism_size(machine->mech) * 1e-6);
         if (!(fabs(again.error - try->error) <= room)) defect = YK_DEFECT_ASSEMBLY; // another configuration
