@@ -45,6 +45,34 @@ static bool make_room(YkArena *arena, YkMachineFit *fit)
     return true;
 }
 
+// Lists the positions that `start:` gives and that the inputs do not determine alone.
+static bool make_starting(YkArena *arena, YkMachineFit *fit)
+{
+    const YkModel *model = fit->task->machine.model;
+    const YkMechanism *mech = yk_variant_mechanism(fit->variant);
+    YkChannel *channel = YK_NEW(arena, YkChannel, model->start_count + 1);
+    fit->start = YK_NEW(arena, size_t, model->start_count + 1);
+    fit->still = YK_NEW(arena, const double *, 3 * yk_input_count(mech) + 1);
+    if (!channel || !fit->start || !fit->still) return false;
+    memset(fit->still, 0, 3 * yk_input_count(mech) * sizeof *fit->still);
+    for (size_t k = 0; k < model->start_count; k++) {
+        size_t c = yk_coordinate_find(mech, model->coordinates[model->starts[k].coordinate].name);
+        if (model->starts[k].is_rate || c == YK_NOT_FOUND || mech->coordinates[c].input != YK_NONE) continue;
+        channel[fit->start_count] = (YkChannel){YK_CHANNEL_COORDINATE, (int)c, 0, YK_QUANTITY_NUMBER};
+        fit->start[fit->start_count++] = k;
+    }
+    fit->starting = yk_batch_new(fit->state, channel, fit->start_count);
+    return fit->starting != NULL;
+}
+
+bool yk_machine_start(YkMachineFit *fit, const double *parameters, double *value)
+{
+    double *out[YK_STARTS_MAX];
+    if (fit->start_count > YK_STARTS_MAX || yk_variant_set(fit->variant, parameters) != YK_OK) return false;
+    for (size_t k = 0; k < fit->start_count; k++) out[k] = &value[k];
+    return yk_batch_run(fit->starting, fit->still, out, NULL, 1) >= 0;
+}
+
 bool yk_machine_fit_new(const YkTask *task, YkArena *arena, YkMachineFit *fit, YkProblems *problems)
 {
     const YkMachineTask *machine = &task->machine;
@@ -61,7 +89,7 @@ bool yk_machine_fit_new(const YkTask *task, YkArena *arena, YkMachineFit *fit, Y
         return false;
     }
     if (status >= 0) fit->batch = yk_batch_new(fit->state, machine->channel, machine->channel_count);
-    bool is_ready = fit->batch && yk_machine_slopes_new(fit, arena);
+    bool is_ready = fit->batch && make_starting(arena, fit) && yk_machine_slopes_new(fit, arena);
     if (!is_ready) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory during the synthesis");
     return is_ready;
 }
@@ -70,6 +98,7 @@ void yk_machine_fit_free(YkMachineFit *fit)
 {
     yk_gradient_free(fit->gradient);
     yk_batch_free(fit->placing);
+    yk_batch_free(fit->starting);
     yk_batch_free(fit->batch);
     yk_state_free(fit->state);
     yk_variant_free(fit->variant);

@@ -17,7 +17,7 @@ typedef struct YkShares {
     size_t count;
 } YkShares;
 
-enum { YK_FIT_LANES = 64 };
+enum { YK_FIT_LANES = 64, YK_STARTS_MAX = 256 };
 
 typedef struct YkMachineFit {
     const YkTask *task;
@@ -25,12 +25,15 @@ typedef struct YkMachineFit {
     YkState *state;
     YkBatch *batch;
     size_t rows, misses;
-    double *at;               // [rows] values of the swept coordinate, SI
-    double **value;           // [channels][rows]
-    const double **inputs;    // [3 inputs]
-    signed char *status;      // [rows]
-    double *miss, *next_miss; // [misses]
-    double *row, *A, *b;      // of the least squares
+    double *at;                 // [rows] values of the swept coordinate, SI
+    double **value;             // [channels][rows]
+    const double **inputs;      // [3 inputs]
+    signed char *status;        // [rows]
+    double *miss, *next_miss;   // [misses]
+    double *row, *A, *b;        // of the least squares
+    YkBatch *starting;          // computes the coordinates of `start:` at the inputs of the file
+    size_t *start, start_count; // their indices in the model's starts
+    const double **still;       // [3 inputs]: none of them moves
     // Derivatives: poses at some rows, with all variables of the loops.
     YkGradient *gradient;
     YkBatch *placing; // computes the variables
@@ -61,6 +64,9 @@ void yk_machine_fit_free(YkMachineFit *fit);
 void yk_machine_judge(const YkMachineFit *fit, double *const *value, double *miss, YkMachineTry *try);
 // Moves the machine with these parameters. Returns false if it does not go through its range.
 bool yk_machine_measure(YkMachineFit *fit, double *miss, YkMachineTry *try);
+// Finds the coordinates of `start:` at these parameters, on the branches of the task's machine: value[start_count], SI.
+// Returns false if the machine does not close at the inputs of the file.
+bool yk_machine_start(YkMachineFit *fit, const double *parameters, double *value);
 // Lists how the misses depend on the values, by rows.
 void yk_machine_share(const YkMachineFit *fit, double *const *value, YkShares *shares);
 // Prepares derivatives. Returns false when out of memory. machine_slopes.c
