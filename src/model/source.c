@@ -97,7 +97,7 @@ bool yk_source_replace(const char *source, const char *section, const YkOverride
     for (size_t i = 0; is_map && i < values_now->count; i++)
         is_map = values_now->pairs[i].value->kind == YK_NODE_SCALAR;
     bool good = is_map && replace(values_now, values, count, source, strlen(source), text);
-    if (!arena || yk_arena_failed(arena)) text->failed = true;
+    if (!root) text->failed = true; // a model was read from this text
     yk_arena_free(arena);
     return good && !text->failed;
 }

@@ -53,7 +53,7 @@ static void a_section_of_values_is_replaced_in_place(void **state)
     assert_false(yk_source_replace("name: x\n", "start", values, 2, &text));
     assert_false(yk_source_replace("start: {b: [1, 2]}\n", "start", values, 2, &text));
     assert_false(yk_source_replace("start: [1]\n", "start", values, 2, &text));
-    assert_false(yk_source_replace("start: {b: >-\n  3}\n", "start", values, 2, &text));
+    assert_false(yk_source_replace("start:\n  b: >-\n    3\n", "start", values, 2, &text));
     assert_false(text.failed);
     yk_text_free(&text);
 }
