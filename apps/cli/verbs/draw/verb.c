@@ -161,16 +161,6 @@ static bool draw_polygon(YkSession *session, YkFileKind kind)
     return good;
 }
 
-// Returns whether the pose lacks the centres or the polygon that were asked for.
-static bool lacks_construction(const YkSession *session)
-{
-    for (size_t k = 0; k < yk_problems_count(session->problems); k++) {
-        int code = yk_problems_get(session->problems, k)->code;
-        if (code == YK_CODE_NO_CENTERS || code == YK_CODE_NO_POLYGON) return true;
-    }
-    return false;
-}
-
 static bool draw(Drawer *drawer, YkFileKind kind)
 {
     if (drawer->session->request->polygon) return draw_polygon(drawer->session, kind);
@@ -305,7 +295,7 @@ int yk_run_draw(YkSession *session)
         exit_code = yk_status_exit(status);
         bool is_drawn = status >= 0 && draw(&drawer, kind);
         if (is_drawn) exit_code = yk_session_finish(session, exit_code);
-        if (status >= 0 && !is_drawn) exit_code = lacks_construction(session) ? YK_EXIT_NO_ANSWER : YK_EXIT_WRONG;
+        if (status >= 0 && !is_drawn) exit_code = yk_lacks_construction(session) ? YK_EXIT_NO_ANSWER : YK_EXIT_WRONG;
     }
     yk_drawing_free(drawer.drawing);
     free(drawer.points);

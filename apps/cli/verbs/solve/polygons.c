@@ -15,6 +15,15 @@ bool yk_polygon_read(YkSession *session, YkPolygonKind *kind)
     return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is velocity or acceleration, not %q", word);
 }
 
+bool yk_lacks_construction(const YkSession *session)
+{
+    for (size_t k = 0; k < yk_problems_count(session->problems); k++) {
+        int code = yk_problems_get(session->problems, k)->code;
+        if (code == YK_CODE_NO_CENTERS || code == YK_CODE_NO_POLYGON) return true;
+    }
+    return false;
+}
+
 static YkPolygon *polygon_of(YkSession *session, const YkState *state)
 {
     YkPolygonKind kind;

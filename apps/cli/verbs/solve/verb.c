@@ -145,16 +145,6 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
     }
 }
 
-// Returns whether instant centres or a polygon were asked for where there are none.
-static bool lacks_construction(const YkSession *session)
-{
-    for (size_t k = 0; k < yk_problems_count(session->problems); k++) {
-        int code = yk_problems_get(session->problems, k)->code;
-        if (code == YK_CODE_NO_CENTERS || code == YK_CODE_NO_POLYGON) return true;
-    }
-    return false;
-}
-
 static int solve(Writer *writer)
 {
     YkSession *session = writer->session;
@@ -184,7 +174,7 @@ static int solve(Writer *writer)
     YkStatus written = write_all(writer, pose, &all);
     end(writer, &all);
     int exit_code = yk_status_exit(status < 0 ? status : written);
-    if (exit_code == YK_EXIT_DONE && lacks_construction(session)) exit_code = YK_EXIT_NO_ANSWER;
+    if (exit_code == YK_EXIT_DONE && yk_lacks_construction(session)) exit_code = YK_EXIT_NO_ANSWER;
     return yk_session_finish(session, exit_code);
 }
 
