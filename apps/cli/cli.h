@@ -41,6 +41,7 @@ typedef struct YkRequest {
     YkWords checks;         // derive
     const char *what, *svg; // derive
     const char *animate;    // draw
+    const char *polygon;    // draw, solve
     const char *assembly;
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
     const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
@@ -54,7 +55,7 @@ typedef struct YkRequest {
     const char *within;        // solve --all, synthesize
     const char *task;          // new
     const char *fluctuation;   // balance
-    bool defects, centers;     // synthesize, solve
+    bool defects, centers;     // synthesize; solve, draw
     const char *prefix;        // code
     bool single, kinematics;   // code
     YkAssignments pose, reach; // map

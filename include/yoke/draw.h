@@ -2,6 +2,7 @@
 #ifndef YOKE_DRAW_H
 #define YOKE_DRAW_H
 
+#include <yoke/centers.h>
 #include <yoke/sweep.h>
 
 #ifdef __cplusplus
@@ -25,6 +26,9 @@ YK_API YkDrawing *yk_drawing_new(const YkMechanism *mech, const YkDrawOptions *o
 YK_API void yk_drawing_free(YkDrawing *drawing);
 YK_API YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state);  // adds a pose
 YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state); // adds only the traced points' positions
+// Adds instant centres, those of the last pose: marks with the names of both bodies, with the lines of Kennedy's theorem;
+// centres far away or at infinity are told below. NULL: none. Returns YK_OK or YK_NO_MEMORY.
+YK_API YkStatus yk_drawing_centers(YkDrawing *drawing, const YkCenters *centers);
 YK_API const char *yk_drawing_svg(YkDrawing *drawing); // a whole SVG document; NULL when out of memory
 // Returns the drawing, made with options.moving, at a pose. The elements of body 3 have class b3; the
 // names of joint 2 and body 3 have classes j2 and n3. Returns NULL when out of memory.

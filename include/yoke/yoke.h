@@ -38,6 +38,7 @@
 #include <yoke/design.h>
 #include <yoke/synthesis.h>
 #include <yoke/centers.h>
+#include <yoke/polygon.h>
 #include <yoke/balancing.h>
 #include <yoke/derive.h>
 #include <yoke/train.h>

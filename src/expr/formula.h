@@ -17,6 +17,9 @@ bool yk_formula_is_constant(const YkFormula *formula); // eval then accepts NULL
 int yk_formula_variable(const YkFormula *formula, double *sign);
 // Returns the value; not finite if the expression has none (division by zero, root of a negative number, ...).
 double yk_formula_eval(const YkFormula *formula, const double *variables);
+// Returns the exact derivative of the value where the variables change at the rates direction[index]; NaN if there is
+// none. At a kink (abs, min, max) it is that just after it.
+double yk_formula_slope(const YkFormula *formula, const double *variables, const double *direction);
 // Does the same as yk_formula_eval for n <= YK_FORMULA_LANES sets of variables at once, variables[index][lane]. Returns
 // the lanes of the value, in scratch[YK_FORMULA_SCRATCH] or a variable's own; they stay valid until scratch is used
 // again.

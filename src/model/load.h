@@ -93,6 +93,10 @@ static inline bool yk_load_goes_on(const YkLoader *loader)
 
 // source.c: keeps the text, with the values that overrides replaced.
 void yk_load_keep_source(YkLoader *loader, const char *source, size_t length);
+// Adds to `text` the source of a model with new values of a section of plain values: `parameters`, `start`. Comments and
+// layout stay. Returns false if the section has other entries, or a value that is folded over lines by `>`; text->failed
+// is set when out of memory.
+bool yk_source_replace(const char *source, const char *section, const YkOverride *values, size_t count, YkText *text);
 
 // A document that is not a machine but has units, parameters and values as a machine's file has them, such as a task.
 // yk_model_read then gives a model that holds these and nothing else.

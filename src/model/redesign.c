@@ -363,6 +363,14 @@ bool yk_redesign_along_varies(const YkRedesign *r, int32_t joint)
 {
     return r->along_varies[joint];
 }
+size_t yk_redesign_count(const YkRedesign *r)
+{
+    return r->chosen_count;
+}
+const double *yk_redesign_values(const YkRedesign *r)
+{
+    return r->value;
+}
 int32_t yk_redesign_derived(const YkRedesign *r, size_t k, const YkFormula **formula)
 {
     if (k >= r->derived_count) return YK_NONE;

@@ -29,6 +29,8 @@ double yk_redesign_value(const YkRedesign *redesign, size_t index); // the value
 
 bool yk_redesign_varies(const YkRedesign *redesign, int32_t parameter); // of the model: chosen, or derived from such
 double yk_redesign_now(const YkRedesign *redesign, int32_t parameter);  // its value, as last set
+size_t yk_redesign_count(const YkRedesign *redesign);                   // of names[]
+const double *yk_redesign_values(const YkRedesign *redesign);           // [parameter]: all of them
 
 // What varies, for callers that keep numbers derived from the model.
 bool yk_redesign_point_varies(const YkRedesign *redesign, int32_t point); // YK_NONE: an origin, which does not vary

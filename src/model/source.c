@@ -58,24 +58,24 @@ static size_t scalar_end(const char *text, size_t length, size_t at, const YkNod
     return at;
 }
 
-// The value that an override gives a parameter, the last where there are several; NULL: none does.
-static const char *new_value(const YkLoader *loader, const char *name)
+// The new value of a name, the last where there are several; NULL: it has none.
+static const char *new_value(const YkOverride *values, size_t count, const char *name)
 {
     const char *value = NULL;
-    for (size_t i = 0; loader->options && i < loader->options->parameter_count; i++)
-        if (strcmp(loader->options->parameters[i].name, name) == 0) value = loader->options->parameters[i].value;
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(values[i].name, name) == 0) value = values[i].value;
     return value;
 }
 
-// The text with the new values in place of the old; false where one of these is not found as it is written.
-static bool replace(const YkLoader *loader, const char *source, size_t length, YkText *text)
+// The text with new values of a section in place of the old; false where one of these is not found as it is written.
+static bool replace(const YkNode *section, const YkOverride *values, size_t count, const char *source, size_t length,
+                    YkText *text)
 {
-    const YkNode *section = yk_node_get(loader->root, "parameters");
     size_t done = 0, start = 0;
     uint32_t line = 1;
     for (size_t i = 0; section && i < section->count; i++) {
-        YkNode *old = section->pairs[i].value;
-        const char *value = new_value(loader, section->pairs[i].key->text);
+        const YkNode *old = section->pairs[i].value;
+        const char *value = new_value(values, count, section->pairs[i].key->text);
         if (!value) continue;
         size_t from = offset_of(source, length, old->place, &start, &line);
         size_t to = scalar_end(source, length, from, old);
@@ -88,13 +88,28 @@ static bool replace(const YkLoader *loader, const char *source, size_t length, Y
     return true;
 }
 
+bool yk_source_replace(const char *source, const char *section, const YkOverride *values, size_t count, YkText *text)
+{
+    YkArena *arena = yk_arena_new();
+    const YkNode *root = arena ? yk_doc_parse(source, strlen(source), "model", arena, NULL) : NULL;
+    const YkNode *values_now = root && root->kind == YK_NODE_MAP ? yk_node_get(root, section) : NULL;
+    bool is_map = values_now && values_now->kind == YK_NODE_MAP;
+    for (size_t i = 0; is_map && i < values_now->count; i++)
+        is_map = values_now->pairs[i].value->kind == YK_NODE_SCALAR;
+    bool good = is_map && replace(values_now, values, count, source, strlen(source), text);
+    if (!root) text->failed = true; // a model was read from this text
+    yk_arena_free(arena);
+    return good && !text->failed;
+}
+
 // The tree laid out anew, with the new values.
 static void lay_out(const YkLoader *loader, YkText *text)
 {
     const YkNode *section = yk_node_get(loader->root, "parameters");
     for (size_t i = 0; section && i < section->count; i++) {
         YkNode *scalar = section->pairs[i].value;
-        const char *value = new_value(loader, section->pairs[i].key->text);
+        const char *value =
+            new_value(loader->options->parameters, loader->options->parameter_count, section->pairs[i].key->text);
         if (!value) continue;
         scalar->text = value; // the caller's: read here and no more
         scalar->length = strlen(value);
@@ -111,7 +126,8 @@ void yk_load_keep_source(YkLoader *loader, const char *source, size_t length)
         length -= 3;
     }
     bool is_changed = loader->options && loader->options->parameter_count > 0;
-    if (is_changed && !replace(loader, source, length, &text)) {
+    if (is_changed && !replace(yk_node_get(loader->root, "parameters"), loader->options->parameters,
+                               loader->options->parameter_count, source, length, &text)) {
         yk_text_clear(&text);
         lay_out(loader, &text);
     }

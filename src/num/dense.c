@@ -121,20 +121,35 @@ size_t yk_qr_factor(size_t m, size_t n, double *A, size_t *order, double *tau, d
     return rank;
 }
 
+// Applies the Householder reflection of column k to b[m].
+static void reflect(size_t m, size_t n, const double *A, const double *tau, size_t k, double *b)
+{
+    double sum = b[k];
+    for (size_t i = k + 1; i < m; i++) sum += A[i * n + k] * b[i];
+    sum *= tau[k];
+    b[k] -= sum;
+    for (size_t i = k + 1; i < m; i++) b[i] -= sum * A[i * n + k];
+}
+
 void yk_qr_solve(size_t m, size_t n, const double *A, const size_t *order, const double *tau, size_t rank, double *b,
                  double *x)
 {
-    for (size_t k = 0; k < rank; k++) {
-        double sum = b[k];
-        for (size_t i = k + 1; i < m; i++) sum += A[i * n + k] * b[i];
-        sum *= tau[k];
-        b[k] -= sum;
-        for (size_t i = k + 1; i < m; i++) b[i] -= sum * A[i * n + k];
-    }
+    for (size_t k = 0; k < rank; k++) reflect(m, n, A, tau, k, b);
     for (size_t j = 0; j < n; j++) x[j] = 0;
     for (size_t i = rank; i-- > 0;) {
         double sum = b[i];
         for (size_t j = i + 1; j < rank; j++) sum -= A[i * n + j] * x[order[j]];
         x[order[i]] = sum / A[i * n + i];
     }
+}
+
+void yk_qr_solve_transposed(size_t m, size_t n, const double *A, const size_t *order, const double *tau,
+                            const double *b, double *x)
+{
+    for (size_t i = 0; i < m; i++) x[i] = i < n ? b[order[i]] : 0;
+    for (size_t i = 0; i < n; i++) { // R^T y = b in the order of the pivots
+        for (size_t j = 0; j < i; j++) x[i] -= A[j * n + i] * x[j];
+        x[i] /= A[i * n + i];
+    }
+    for (size_t k = n; k-- > 0;) reflect(m, n, A, tau, k, x);
 }

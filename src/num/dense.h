@@ -19,6 +19,9 @@ size_t yk_qr_factor(size_t m, size_t n, double *A, size_t *order, double *tau, d
 // Overwrites b[m].
 void yk_qr_solve(size_t m, size_t n, const double *A, const size_t *order, const double *tau, size_t rank, double *b,
                  double *x);
+// Finds an x[m] with A^T x = b[n] from factors of full rank n.
+void yk_qr_solve_transposed(size_t m, size_t n, const double *A, const size_t *order, const double *tau,
+                            const double *b, double *x);
 
 // Computes the singular values of A[m][n], m >= n, in no order; overwrites A. Rotates pairs of columns until all are
 // orthogonal: small values keep their digits however the columns are scaled. Cost O(m n^2) a round, some ten rounds.

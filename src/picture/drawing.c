@@ -53,6 +53,8 @@ void yk_drawing_free(YkDrawing *drawing)
     free(drawing->placed);
     free(drawing->motions);
     free(drawing->traces);
+    free(drawing->centers);
+    free(drawing->shows_center);
     yk_text_free(&drawing->svg);
     free(drawing);
 }
@@ -130,6 +132,7 @@ static const char *write_document(YkDrawing *drawing, double seconds, bool to_an
     if (drawing->pose_count > 0) {
         yk_drawing_bodies(drawing, drawing->pose_count - 1);
         if (drawing->options.labels) yk_drawing_labels(drawing);
+        yk_drawing_mark_centers(drawing);
     }
     yk_drawing_margin(drawing);
     yk_text_puts(svg, "</svg>\n");

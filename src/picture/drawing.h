@@ -2,6 +2,7 @@
 #ifndef PICTURE_DRAWING_H
 #define PICTURE_DRAWING_H
 #include <yoke/draw.h>
+#include <yoke/centers.h>
 #include "base/text.h"
 #include "base/vec.h"
 #include "model/model.h"
@@ -39,7 +40,10 @@ struct YkDrawing {
     double bar;                  // width of a bar, px
     size_t shown;                // moving: the pose to which the groups are taken
     bool is_scene;               // moving, and each group is in its body's own axes (drawing_scene.c)
-    double fixed_scale;          // px per metre, for whoever shows it; 0: as large as the page allows
+    YkCenter *centers;           // instant centres at the last pose
+    bool *shows_center;          // [center_count]: it lies on the page
+    size_t center_count;
+    double fixed_scale; // px per metre, for whoever shows it; 0: as large as the page allows
 };
 
 // Tells whether a joint is not drawn: a free joint, which holds nothing, and what holds a sketch's loose bodies.
@@ -116,7 +120,11 @@ void yk_drawing_guides(YkDrawing *drawing); // ground rails and ground pins, hat
 void yk_drawing_traces(YkDrawing *drawing);
 void yk_drawing_bodies(YkDrawing *drawing, size_t pose); // bars, plates, boxes, slots, pins
 void yk_drawing_labels(YkDrawing *drawing);              // names, at the last pose
-void yk_drawing_margin(YkDrawing *drawing);              // title and scale bar
+// drawing_centers.c: makes the page hold the centres that are near; the height of the notes on others, px; draws all.
+void yk_drawing_include_centers(YkDrawing *drawing);
+double yk_drawing_notes(const YkDrawing *drawing);
+void yk_drawing_mark_centers(YkDrawing *drawing);
+void yk_drawing_margin(YkDrawing *drawing); // title and scale bar
 
 // Colours of a body: a light one to fill, a dark one for edges and words.
 typedef struct YkColour {

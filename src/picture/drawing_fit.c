@@ -60,13 +60,14 @@ void yk_drawing_fit(YkDrawing *drawing)
     for (size_t i = 0; i < drawing->trace_count * drawing->options.traced_count; i++)
         include(drawing, drawing->traces[i]);
     if (!(drawing->low.x <= drawing->high.x)) drawing->low = drawing->high = yk_vec(0, 0);
+    yk_drawing_include_centers(drawing);
     YkVec extent = yk_sub(drawing->high, drawing->low);
     double across = (page - 2 * margin) / extent.x, up = (tallest - 2 * margin) / extent.y;
     drawing->scale = fmin(across, up);
     if (!isfinite(drawing->scale)) drawing->scale = 1;
     if (drawing->fixed_scale > 0) drawing->scale = drawing->fixed_scale;
     drawing->width = drawing->fixed_scale > 0 ? extent.x * drawing->scale + 2 * margin : page;
-    drawing->height = extent.y * drawing->scale + 2 * margin + head + foot;
+    drawing->height = extent.y * drawing->scale + 2 * margin + head + foot + yk_drawing_notes(drawing);
     double bar = 0.085 * mean_link(drawing) * drawing->scale;
     drawing->bar = fmin(fmax(bar > 0 ? bar : 10, 0.8), 12);
 }

@@ -8,7 +8,7 @@
 #include <yoke/builder.h>
 #include <yoke/move.h>
 
-enum { BATCHES = 30, STARTS = 20, STEPS = 100, KEPT = 40 };
+enum { BATCHES = 200, STARTS = 20, STEPS = 100, KEPT = 40 };
 
 static const double weight_at_first = 100, weight_at_last = 1e8, harder = 100; // of claims
 
@@ -32,9 +32,27 @@ static YkStatus parse(const char *text, size_t length, const YkLoadOptions *opti
     return *model ? YK_OK : problems ? status : YK_NO_MEMORY;
 }
 
-// Writes the machine's file with these values, in the units that it gives them.
-static YkStatus write_model(const YkMachineTask *machine, const double *value, YkText *text)
+// Writes the text of a model with the pose at its start as `start:` gives it, so that it assembles as the search moved it.
+static bool write_start(YkMachineFit *fit, const double *value, const char *source, YkText *text)
 {
+    const YkModel *model = fit->task->machine.model;
+    double at[YK_STARTS_MAX];
+    YkOverride start[YK_STARTS_MAX];
+    char digits[YK_STARTS_MAX][YK_NUMBER_SIZE + 4];
+    if (fit->start_count == 0 || !yk_machine_start(fit, value, at)) return false;
+    for (size_t k = 0; k < fit->start_count; k++) {
+        const YkCoordinate *c = &model->coordinates[model->starts[fit->start[k]].coordinate];
+        size_t length = yk_number_write_digits(at[k], 6, digits[k]);
+        memcpy(digits[k] + length, c->is_distance ? " m" : " rad", c->is_distance ? 3 : 5);
+        start[k] = (YkOverride){c->name, digits[k]};
+    }
+    return yk_source_replace(source, "start", start, fit->start_count, text);
+}
+
+// Writes the machine's file with these values, in the units that it gives them.
+static YkStatus write_model(YkMachineFit *fit, const double *value, YkText *text)
+{
+    const YkMachineTask *machine = &fit->task->machine;
     YkOverride parameters[YK_FREE_MAX];
     char digits[YK_FREE_MAX][YK_NUMBER_SIZE];
     for (size_t k = 0; k < machine->free_count; k++) {
@@ -46,10 +64,14 @@ static YkStatus write_model(const YkMachineTask *machine, const double *value, Y
     options.parameters = parameters;
     options.parameter_count = machine->free_count;
     YkModel *model;
+    YkText started = {0};
     YkStatus status = parse(machine->model->source, machine->model->source_length, &options, &model);
     yk_text_clear(text);
     yk_text_puts(text, "# Found by `yoke synthesize` for a task of the kind machine.\n");
-    if (model) yk_text_puts(text, yk_model_text(model));
+    bool is_started = model && write_start(fit, value, yk_model_text(model), &started);
+    if (model) yk_text_puts(text, is_started ? yk_text_get(&started) : yk_model_text(model));
+    if (started.failed) text->failed = true;
+    yk_text_free(&started);
     yk_model_free(model);
     return text->failed ? YK_NO_MEMORY : status;
 }
@@ -124,14 +146,14 @@ static YkDefect judge(Search *search, YkMachineTry *try, YkText *text, YkVerdict
     Standing t = {0};
     YkMachineTry again = *try;
     YkDefect defect = YK_DEFECT_NONE;
-    YkStatus status = write_model(machine, try->value, text);
+    YkStatus status = write_model(fit, try->value, text);
     if (status >= 0) status = stand(machine, yk_text_get(text), &t);
     if (status < 0) defect = YK_DEFECT_ASSEMBLY;
     if (status >= 0 && (status = sweep(machine, &t)) < 0) defect = YK_DEFECT_BRANCH;
     if (defect == YK_DEFECT_NONE) {
         for (size_t r = 0; r < fit->rows; r++)
             for (size_t c = 0; c < machine->channel_count; c++) fit->value[c][r] = yk_sweep_value(t.sweep, r, c);
-        yk_machine_judge(fit, fit->value, fit->low_miss, &again);
+        yk_machine_judge(fit, fit->value, fit->next_miss, &again);
         double room =
             1e-6 * (fabs(try->error) + yk_mechanism_size(machine->mech) * yk_mechanism_size(machine->mech) * 1e-6);
         if (!(fabs(again.error - try->error) <= room)) defect = YK_DEFECT_ASSEMBLY; // another configuration

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "synthesis/least_squares.h"
 
-enum { POSE = 200 }; // work of a pose
+enum { POSE = 200, GRADIENT = 5 }; // work of a pose; poses of a step for each row
 
 static size_t count_misses(const YkMachineTask *machine, size_t rows)
 {
@@ -26,13 +26,12 @@ static bool make_room(YkArena *arena, YkMachineFit *fit)
     fit->inputs = YK_NEW(arena, const double *, 3 * inputs);
     fit->status = YK_NEW(arena, signed char, rows);
     fit->miss = YK_NEW(arena, double, fit->misses);
-    fit->low_miss = YK_NEW(arena, double, fit->misses);
-    fit->high_miss = YK_NEW(arena, double, fit->misses);
+    fit->next_miss = YK_NEW(arena, double, fit->misses);
     fit->row = YK_NEW(arena, double, fit->misses *n);
     fit->A = YK_NEW(arena, double, (fit->misses + n) * n);
     fit->b = YK_NEW(arena, double, fit->misses + n);
-    bool good = fit->at && fit->value && fit->inputs && fit->status && fit->miss && fit->low_miss && fit->high_miss &&
-                fit->row && fit->A && fit->b;
+    bool good = fit->at && fit->value && fit->inputs && fit->status && fit->miss && fit->next_miss && fit->row &&
+                fit->A && fit->b;
     for (size_t c = 0; good && c < machine->channel_count; c++)
         good = (fit->value[c] = YK_NEW(arena, double, rows)) != NULL;
     if (!good) return false;
@@ -44,6 +43,34 @@ static bool make_room(YkArena *arena, YkMachineFit *fit)
     for (size_t i = 0; i < inputs; i++)
         if (yk_input_coordinate(machine->mech, i) == machine->coordinate) fit->inputs[3 * i] = fit->at;
     return true;
+}
+
+// Lists the positions that `start:` gives and that the inputs do not determine alone.
+static bool make_starting(YkArena *arena, YkMachineFit *fit)
+{
+    const YkModel *model = fit->task->machine.model;
+    const YkMechanism *mech = yk_variant_mechanism(fit->variant);
+    YkChannel *channel = YK_NEW(arena, YkChannel, model->start_count + 1);
+    fit->start = YK_NEW(arena, size_t, model->start_count + 1);
+    fit->still = YK_NEW(arena, const double *, 3 * yk_input_count(mech) + 1);
+    if (!channel || !fit->start || !fit->still) return false;
+    memset(fit->still, 0, 3 * yk_input_count(mech) * sizeof *fit->still);
+    for (size_t k = 0; k < model->start_count; k++) {
+        size_t c = yk_coordinate_find(mech, model->coordinates[model->starts[k].coordinate].name);
+        if (model->starts[k].is_rate || c == YK_NOT_FOUND || mech->coordinates[c].input != YK_NONE) continue;
+        channel[fit->start_count] = (YkChannel){YK_CHANNEL_COORDINATE, (int)c, 0, YK_QUANTITY_NUMBER};
+        fit->start[fit->start_count++] = k;
+    }
+    fit->starting = yk_batch_new(fit->state, channel, fit->start_count);
+    return fit->starting != NULL;
+}
+
+bool yk_machine_start(YkMachineFit *fit, const double *parameters, double *value)
+{
+    double *out[YK_STARTS_MAX];
+    if (fit->start_count > YK_STARTS_MAX || yk_variant_set(fit->variant, parameters) != YK_OK) return false;
+    for (size_t k = 0; k < fit->start_count; k++) out[k] = &value[k];
+    return yk_batch_run(fit->starting, fit->still, out, NULL, 1) >= 0;
 }
 
 bool yk_machine_fit_new(const YkTask *task, YkArena *arena, YkMachineFit *fit, YkProblems *problems)
@@ -62,12 +89,16 @@ bool yk_machine_fit_new(const YkTask *task, YkArena *arena, YkMachineFit *fit, Y
         return false;
     }
     if (status >= 0) fit->batch = yk_batch_new(fit->state, machine->channel, machine->channel_count);
-    if (!fit->batch) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory during the synthesis");
-    return fit->batch != NULL;
+    bool is_ready = fit->batch && make_starting(arena, fit) && yk_machine_slopes_new(fit, arena);
+    if (!is_ready) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory during the synthesis");
+    return is_ready;
 }
 
 void yk_machine_fit_free(YkMachineFit *fit)
 {
+    yk_gradient_free(fit->gradient);
+    yk_batch_free(fit->placing);
+    yk_batch_free(fit->starting);
     yk_batch_free(fit->batch);
     yk_state_free(fit->state);
     yk_variant_free(fit->variant);
@@ -77,31 +108,12 @@ bool yk_machine_measure(YkMachineFit *fit, double *miss, YkMachineTry *try)
 {
     try->cost = try->error = INFINITY;
     if (yk_variant_set(fit->variant, try->value) != YK_OK) return false;
+    fit->poses += fit->rows;
     yk_batch_run(fit->batch, fit->inputs, fit->value, fit->status, fit->rows);
     for (size_t r = 0; r < fit->rows; r++)
         if (fit->status[r] < 0 || fit->status[r] == YK_SINGULAR) return false;
     yk_machine_judge(fit, fit->value, miss, try);
     return isfinite(try->cost);
-}
-
-// Fills the derivatives of all misses. Returns false if the machine comes apart beside the try.
-static bool differentiate(YkMachineFit *fit, const YkMachineTry *try)
-{
-    static const double step = 1e-6; // of the range
-    const YkMachineTask *machine = &fit->task->machine;
-    for (size_t j = 0; j < machine->free_count; j++) {
-        double h = step * (machine->range[j].high - machine->range[j].low);
-        YkMachineTry low = *try, high = *try;
-        low.value[j] -= h;
-        high.value[j] += h;
-        bool has_low = yk_machine_measure(fit, fit->low_miss, &low);
-        bool has_high = yk_machine_measure(fit, fit->high_miss, &high);
-        if (!has_low && !has_high) return false;
-        double width = (has_high ? high.value[j] : try->value[j]) - (has_low ? low.value[j] : try->value[j]);
-        const double *from = has_low ? fit->low_miss : fit->miss, *to = has_high ? fit->high_miss : fit->miss;
-        for (size_t r = 0; r < fit->misses; r++) fit->row[r * machine->free_count + j] = (to[r] - from[r]) / width;
-    }
-    return true;
 }
 
 bool yk_machine_improve(YkMachineFit *fit, YkMachineTry *try, size_t steps)
@@ -118,17 +130,17 @@ bool yk_machine_improve(YkMachineFit *fit, YkMachineTry *try, size_t steps)
     if (!yk_machine_measure(fit, fit->miss, try)) return false;
     for (size_t k = 0; k < steps && still < 5 && damping < damping_max && try->cost > 0; k++) {
         double step[YK_FREE_MAX];
-        if (!yk_pace_spend(fit->pace, POSE * fit->rows * (2 * n + 2))) return true;
+        if (!yk_pace_spend(fit->pace, POSE * fit->rows * GRADIENT)) return true;
         YkMachineTry next = *try;
-        if (is_new && !differentiate(fit, try)) return true;
+        if (is_new && !yk_machine_differentiate(fit, try)) return true;
         YkLinear linear = {n, fit->misses, fit->row, fit->miss, try->value, low, high, fit->A, fit->b};
         yk_linear_step(&linear, damping, step);
         for (size_t j = 0; j < n; j++) next.value[j] = fmin(fmax(try->value[j] + step[j], low[j]), high[j]);
-        is_new = yk_machine_measure(fit, fit->low_miss, &next) && next.cost < try->cost;
+        is_new = yk_machine_measure(fit, fit->next_miss, &next) && next.cost < try->cost;
         damping = is_new ? fmax(damping * 0.2, 1e-14) : damping * 5;
         if (!is_new) continue;
         still = next.cost > (1 - 1e-6) * try->cost ? still + 1 : 0;
-        memcpy(fit->miss, fit->low_miss, fit->misses * sizeof *fit->miss);
+        memcpy(fit->miss, fit->next_miss, fit->misses * sizeof *fit->miss);
         *try = next;
     }
     return true;

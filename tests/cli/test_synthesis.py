@@ -162,6 +162,30 @@ class Synthesis(Case):
         self.wrong(806, "solve", path, "--centers", "--format", "csv")
         self.assertEqual(Run("solve", os.path.join(ROOT, "examples", "double-pendulum.yaml"), "--centers").code, 1)
 
+    def test_polygons(self):
+        path = os.path.join(ROOT, "examples", "quick-return.yaml")
+        answer = self.good("solve", path, "--polygon", "acceleration", "--format", "json").json()["configurations"][0]
+        polygon = answer["polygon"]
+        self.assertEqual(polygon["kind"], "acceleration")
+        self.assertIn("coriolis", [v["part"] for v in polygon["vectors"]])
+        image = {i["name"]: i["value"] for i in polygon["images"]}
+        ends = {(v["from"], v["to"]): [s + d for s, d in zip(v["start"], v["value"])] for v in polygon["vectors"]}
+        for (_, to), end in ends.items():
+            for one, other in zip(end, image[to]):
+                self.assertAlmostEqual(one, other, delta=1e-12)
+        self.assertEqual(len(polygon["steps"]), 3)
+        self.assertIn("Coriolis", self.good("solve", path, "--polygon", "acceleration").out)
+        self.assertIn("velocity polygon", self.good("draw", path, "--polygon", "velocity").out)
+        self.assertIn('class="center"', self.good("draw", path, "--centers").out)
+        free = os.path.join(ROOT, "examples", "driven-coupler.yaml")
+        for verb in ("solve", "draw"):
+            self.wrong(806, verb, path, "--polygon", "force")
+            self.assertEqual(Run(verb, free, "--polygon", "velocity").code, 1)
+        self.wrong(806, "solve", path, "--polygon", "velocity", "--format", "csv")
+        self.wrong(806, "draw", path, "--polygon", "velocity", "--trace", "ram.C")
+        self.wrong(806, "draw", path, "--centers", "--animate", "a.svg")
+        self.assertEqual(Run("draw", os.path.join(ROOT, "examples", "double-pendulum.yaml"), "--centers").code, 1)
+
     def test_new_writes_tasks_that_work(self):
         self.write("four-bar.yaml", self.good("new", "four-bar").out)
         for kind in ("path", "motion", "function", "stroke", "machine"):

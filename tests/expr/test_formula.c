@@ -162,6 +162,38 @@ static void there_is_no_value_exactly_where_the_tree_has_a_fault(void **state)
     assert_true(counts[1] > 2000);
 }
 
+// The jet of the tree has the rates of the variables; where it has none, the formula says so or differs by a kink.
+static void slopes_are_those_of_the_tree(void **state)
+{
+    (void)state;
+    uint64_t seed = 19;
+    int compared = 0, none = 0;
+    for (int trial = 0; trial < 4000; trial++) {
+        char text[8192] = "";
+        grow(&seed, 1 + trial % 5, trial % 2 ? WHOLE_POWERS : ANY_POWERS, text, sizeof text);
+        Fixture fixture = fixture_new();
+        const YkExpr *expr = fixture_parse(&fixture, text);
+        const YkFormula *formula = yk_formula_compile(expr, resolve, NULL, fixture.arena);
+        for (int k = 0; k < 5; k++) {
+            Point point = random_point(&seed, 1);
+            double direction[VARIABLES] = {1, 1.37, 1.74};
+            YkJet jet;
+            const char *why;
+            bool has = !yk_expr_eval(expr, lookup, &point, &jet, &why);
+            double slope = yk_formula_slope(formula, point.value, direction);
+            if (!has && !isfinite(slope)) none++;
+            if (!has || !isfinite(slope)) continue; // higher derivatives of the jet may overflow
+            bool is_same = fabs(slope - jet.d[1]) <= 1e-11 * (1 + fabs(slope));
+            if (!is_same) print_error("«%s»: %.17g, the tree gives %.17g\n", text, slope, jet.d[1]);
+            assert_true(is_same);
+            compared++;
+        }
+        fixture_free(&fixture);
+    }
+    assert_true(compared > 8000);
+    assert_true(none > 1000);
+}
+
 static void whole_powers_are_good_to_the_last_bits(void **state)
 {
     (void)state;
@@ -323,6 +355,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_are_those_of_the_tree_to_the_last_bit),
         cmocka_unit_test(there_is_no_value_exactly_where_the_tree_has_a_fault),
+        cmocka_unit_test(slopes_are_those_of_the_tree),
         cmocka_unit_test(whole_powers_are_good_to_the_last_bits),
         cmocka_unit_test(what_has_no_value_is_not_finite),
         cmocka_unit_test(a_variable_that_is_not_finite_leaves_no_value),

@@ -5,6 +5,7 @@
 #include "model/examples.h"
 #include "model/fixture.h"
 #include "doc/node.h"
+#include "model/load.h"
 #include <yoke/yoke.h>
 
 static void check_text(const char *text, const char *name, const char *value, const char *expected)
@@ -38,6 +39,23 @@ static void only_replaced_values_are_new(void **state)
     check_text("parameters: {'l': \"1 + \\\n  2\", h: 1}\n" BODY, "l", "4", "parameters: {'l': 4, h: 1}\n" BODY);
     check_text("parameters:\n  l: >-\n    3\n" BODY, "l", "4",
                "parameters:\n  l: 4\nbodies:\n  a: {}\njoints:\n  O: {pin: [ground, a]}\n");
+}
+
+static void a_section_of_values_is_replaced_in_place(void **state)
+{
+    (void)state;
+    static const YkOverride values[] = {{"b", "0.5 rad"}, {"c", "3 m"}};
+    YkText text = {0};
+    assert_true(yk_source_replace("name: x # why\nstart:\n  a: 1\n  b: -20 deg # open\njoints: {}\n", "start", values,
+                                  2, &text));
+    assert_string_equal(yk_text_get(&text), "name: x # why\nstart:\n  a: 1\n  b: 0.5 rad # open\njoints: {}\n");
+    yk_text_clear(&text);
+    assert_false(yk_source_replace("name: x\n", "start", values, 2, &text));
+    assert_false(yk_source_replace("start: {b: [1, 2]}\n", "start", values, 2, &text));
+    assert_false(yk_source_replace("start: [1]\n", "start", values, 2, &text));
+    assert_false(yk_source_replace("start:\n  b: >-\n    3\n", "start", values, 2, &text));
+    assert_false(text.failed);
+    yk_text_free(&text);
 }
 
 // Every coordinate at a few times: the bits of two models are the same.
@@ -132,6 +150,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_text_is_kept_byte_for_byte),
         cmocka_unit_test(only_replaced_values_are_new),
+        cmocka_unit_test(a_section_of_values_is_replaced_in_place),
         cmocka_unit_test(every_example_is_the_same_machine_when_written),
         cmocka_unit_test(a_file_that_cannot_be_written_is_told),
     };

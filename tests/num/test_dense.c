@@ -178,6 +178,27 @@ static void qr_leaves_a_residual_at_right_angles(void **state)
     }
 }
 
+static void the_transpose_is_solved_by_the_same_factors(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    for (int trial = 0; trial < 400; trial++) {
+        size_t n = 1 + (size_t)(check_random(&seed) % MOST), m = n + (size_t)(check_random(&seed) % (MOST - n + 1));
+        double A[MOST * MOST], QR[MOST * MOST], tau[MOST], b[MOST], x[MOST];
+        size_t order[MOST];
+        fill_of_rank(m, n, n, A, &seed);
+        fill(b, n, &seed);
+        memcpy(QR, A, sizeof A);
+        assert_int_equal(yk_qr_factor(m, n, QR, order, tau, 1e-10), n);
+        yk_qr_solve_transposed(m, n, QR, order, tau, b, x);
+        for (size_t j = 0; j < n; j++) {
+            double sum = 0;
+            for (size_t i = 0; i < m; i++) sum += A[i * n + j] * x[i];
+            CHECK_NEAR(sum, b[j], 1e-8);
+        }
+    }
+}
+
 static void a_zero_matrix_has_rank_zero_and_solution_zero(void **state)
 {
     (void)state;
@@ -208,6 +229,7 @@ int main(void)
         cmocka_unit_test(qr_finds_the_rank_of_a_product),
         cmocka_unit_test(the_diagonal_of_r_falls),
         cmocka_unit_test(qr_leaves_a_residual_at_right_angles),
+        cmocka_unit_test(the_transpose_is_solved_by_the_same_factors),
         cmocka_unit_test(a_zero_matrix_has_rank_zero_and_solution_zero),
         cmocka_unit_test(the_tolerance_decides_what_counts),
     };

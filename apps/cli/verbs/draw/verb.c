@@ -7,6 +7,7 @@
 #include "range.h"
 #include "reach.h"
 #include "stop.h"
+#include "verbs/solve/solve.h"
 #include "write/file.h"
 
 enum { POSES_MAX = 1000, TRACE_STEPS = 720 };
@@ -134,8 +135,35 @@ static YkStatus gather(Drawer *drawer)
     return status < 0 ? status : yk_drawing_pose(drawer->drawing, session->state);
 }
 
+// Adds the instant centres of the pose. Returns false with a problem if there are none.
+static bool add_centers(Drawer *drawer)
+{
+    YkSession *session = drawer->session;
+    if (!session->request->centers) return true;
+    YkCenters *centers = yk_centers_new(session->state, session->problems);
+    bool good = centers && yk_drawing_centers(drawer->drawing, centers) == YK_OK;
+    if (centers && !good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    yk_centers_free(centers);
+    return good;
+}
+
+// Draws the polygon of the pose in place of the machine.
+static bool draw_polygon(YkSession *session, YkFileKind kind)
+{
+    YkPolygonKind what;
+    if (!yk_polygon_read(session, &what)) return false;
+    YkPolygon *polygon = yk_polygon_new(session->state, what, session->problems);
+    if (!polygon) return false;
+    const char *svg = yk_polygon_svg(polygon);
+    bool good = svg ? yk_convert_svg(svg, kind, &session->out, session->problems)
+                    : yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    yk_polygon_free(polygon);
+    return good;
+}
+
 static bool draw(Drawer *drawer, YkFileKind kind)
 {
+    if (drawer->session->request->polygon) return draw_polygon(drawer->session, kind);
     YkSession *session = drawer->session;
     YkDrawOptions options = yk_default_draw_options();
     options.labels = !session->request->no_labels;
@@ -143,6 +171,7 @@ static bool draw(Drawer *drawer, YkFileKind kind)
     options.traced_count = session->request->trace.count;
     drawer->drawing = yk_drawing_new(session->mech, &options);
     YkStatus status = drawer->drawing ? gather(drawer) : YK_NO_MEMORY;
+    if (status == YK_OK && !add_centers(drawer)) return false;
     const char *svg = status == YK_OK ? yk_drawing_svg(drawer->drawing) : NULL;
     if (!svg) {
         bool is_memory = status == YK_OK || status == YK_NO_MEMORY;
@@ -236,6 +265,14 @@ static bool prepare(Drawer *drawer)
         return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--to %s needs --animate FILE", request->to);
     if (request->steps && !request->animate)
         return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--steps %s needs --animate FILE", request->steps);
+    YkPolygonKind kind;
+    if (!yk_polygon_read(drawer->session, &kind)) return false;
+    if (request->animate && (request->polygon || request->centers))
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--animate draws no %s",
+                                 request->polygon ? "polygon" : "instant centres");
+    if (request->polygon && (request->over || request->trace.count > 0 || request->centers))
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE,
+                                 "--polygon is a picture of its own: leave out --over, --trace and --centers%s", "");
     drawer->has_range = request->over != NULL;
     if (request->over && !yk_over_split(session, request->over, &drawer->over)) return false;
     if (!yk_session_count(session, "--poses", request->poses, POSES_MAX, 0, &drawer->poses)) return false;
@@ -256,7 +293,9 @@ int yk_run_draw(YkSession *session)
         YkStatus status = yk_session_reach(session, NULL);
         yk_reach_tell(session, status);
         exit_code = yk_status_exit(status);
-        if (status >= 0) exit_code = draw(&drawer, kind) ? yk_session_finish(session, exit_code) : YK_EXIT_WRONG;
+        bool is_drawn = status >= 0 && draw(&drawer, kind);
+        if (is_drawn) exit_code = yk_session_finish(session, exit_code);
+        if (status >= 0 && !is_drawn) exit_code = yk_lacks_construction(session) ? YK_EXIT_NO_ANSWER : YK_EXIT_WRONG;
     }
     yk_drawing_free(drawer.drawing);
     free(drawer.points);

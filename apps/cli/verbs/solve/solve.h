@@ -17,6 +17,12 @@ void yk_solve_of_csv(YkSession *session, const YkState *state); // one row a con
 // Write the instant centres (--centers); a machine without them gets a problem, and nothing is written.
 void yk_centers_text(YkSession *session, const YkState *state);
 void yk_centers_json(YkSession *session, YkJson *json, const YkState *state);
+// Write the polygon of --polygon; at a pose without one there is a problem, and nothing is written.
+bool yk_polygon_read(YkSession *session, YkPolygonKind *kind); // false with a problem: --polygon has another word
+// Returns whether instant centres or a polygon were asked for where there are none.
+bool yk_lacks_construction(const YkSession *session);
+void yk_polygon_text(YkSession *session, const YkState *state);
+void yk_polygon_json(YkSession *session, YkJson *json, const YkState *state);
 // Write the forces of the configuration if session->dynamics has them.
 void yk_forces_text(YkSession *session, const YkState *state);
 void yk_forces_json(YkSession *session, YkJson *json, const YkState *state);

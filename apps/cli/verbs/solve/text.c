@@ -166,5 +166,6 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index)
         add_all(session, state);
     }
     if (session->request->centers) yk_centers_text(session, state);
+    if (session->request->polygon) yk_polygon_text(session, state);
     yk_text_free(&label);
 }

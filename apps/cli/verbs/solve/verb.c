@@ -145,14 +145,6 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
     }
 }
 
-// Returns whether instant centres were asked for where there are none.
-static bool lacks_centers(const YkSession *session)
-{
-    for (size_t k = 0; k < yk_problems_count(session->problems) && session->request->centers; k++)
-        if (yk_problems_get(session->problems, k)->code == YK_CODE_NO_CENTERS) return true;
-    return false;
-}
-
 static int solve(Writer *writer)
 {
     YkSession *session = writer->session;
@@ -182,7 +174,7 @@ static int solve(Writer *writer)
     YkStatus written = write_all(writer, pose, &all);
     end(writer, &all);
     int exit_code = yk_status_exit(status < 0 ? status : written);
-    if (exit_code == YK_EXIT_DONE && lacks_centers(session)) exit_code = YK_EXIT_NO_ANSWER;
+    if (exit_code == YK_EXIT_DONE && yk_lacks_construction(session)) exit_code = YK_EXIT_NO_ANSWER;
     return yk_session_finish(session, exit_code);
 }
 
@@ -206,6 +198,10 @@ int yk_run_solve(YkSession *session)
     bool good = yk_roll_within(session, &seconds) && read_columns(session, &columns);
     if (session->request->centers && session->request->format == YK_FORMAT_CSV)
         good = yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--centers are written as text or json, not %q", "csv");
+    YkPolygonKind kind;
+    good = good && yk_polygon_read(session, &kind);
+    if (good && session->request->polygon && session->request->format == YK_FORMAT_CSV)
+        good = yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is written as text or json, not %q", "csv");
     writer.dynamics = session->dynamics;
     writer.scratch = yk_session_new_state(session, session->mech);
     int exit_code = YK_EXIT_WRONG;

@@ -1,0 +1,106 @@
+// yoke solve --polygon: the vectors of a velocity or acceleration polygon, with the steps of its construction.
+#include <math.h>
+#include <string.h>
+#include "session.h"
+#include "verbs/solve/solve.h"
+#include "write/table.h"
+
+static const char *const parts[] = {"turning", "normal", "tangential", "sliding", "coriolis"};
+
+bool yk_polygon_read(YkSession *session, YkPolygonKind *kind)
+{
+    const char *word = session->request->polygon;
+    *kind = word && strcmp(word, "acceleration") == 0 ? YK_POLYGON_ACCELERATION : YK_POLYGON_VELOCITY;
+    if (!word || *kind == YK_POLYGON_ACCELERATION || strcmp(word, "velocity") == 0) return true;
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is velocity or acceleration, not %q", word);
+}
+
+bool yk_lacks_construction(const YkSession *session)
+{
+    for (size_t k = 0; k < yk_problems_count(session->problems); k++) {
+        int code = yk_problems_get(session->problems, k)->code;
+        if (code == YK_CODE_NO_CENTERS || code == YK_CODE_NO_POLYGON) return true;
+    }
+    return false;
+}
+
+static YkPolygon *polygon_of(YkSession *session, const YkState *state)
+{
+    YkPolygonKind kind;
+    return yk_polygon_read(session, &kind) ? yk_polygon_new(state, kind, session->problems) : NULL;
+}
+
+void yk_polygon_text(YkSession *session, const YkState *state)
+{
+    static const char *const heads[] = {"from", "to", "part", "of", "x", "y", "size"};
+    YkPolygon *p = polygon_of(session, state);
+    if (!p) return;
+    YkTable *table = yk_table_new(7);
+    const char *unit = yk_polygon_kind(p) == YK_POLYGON_VELOCITY ? "m/s" : "m/s^2";
+    for (size_t k = 0; k < 7; k++) yk_table_head(table, heads[k], k < 4 ? NULL : unit);
+    for (size_t k = 0; k < yk_polygon_vector_count(p); k++) {
+        YkPolygonVector v = yk_polygon_vector(p, k);
+        const char *words[] = {v.from, v.to, parts[v.part], yk_model_body_name(session->model, v.body)};
+        for (size_t i = 0; i < 4; i++) yk_table_word(table, words[i]);
+        for (size_t i = 0; i < 2; i++) yk_table_number(table, v.value[i], YK_DIGITS);
+        yk_table_number(table, sqrt(v.value[0] * v.value[0] + v.value[1] * v.value[1]), YK_DIGITS);
+    }
+    yk_text_format(&session->out, "\n%s polygon\n",
+                   yk_polygon_kind(p) == YK_POLYGON_VELOCITY ? "Velocity" : "Acceleration");
+    for (size_t k = 0; k < yk_polygon_step_count(p); k++)
+        yk_text_format(&session->out, "  %z. %s\n", k + 1, yk_polygon_step(p, k));
+    yk_text_puts(&session->out, "\n");
+    yk_table_write(table, 2, &session->out);
+    yk_table_free(table);
+    yk_polygon_free(p);
+}
+
+static void add_pair(YkJson *json, const char *key, const double value[2])
+{
+    yk_json_list(json, key, YK_JSON_INLINE);
+    for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, value[i]);
+    yk_json_end(json);
+}
+
+static void add_vector(const YkSession *session, YkJson *json, const YkPolygonVector *v)
+{
+    yk_json_object(json, NULL, YK_JSON_INLINE);
+    yk_json_string(json, "from", v->from);
+    yk_json_string(json, "to", v->to);
+    yk_json_string(json, "part", parts[v->part]);
+    yk_json_string(json, "body", yk_model_body_name(session->model, v->body));
+    if (v->joint != YK_NOT_FOUND) yk_json_string(json, "joint", yk_model_joint_name(session->model, v->joint));
+    yk_json_integer(json, "step", (long long)v->step);
+    add_pair(json, "start", v->start);
+    add_pair(json, "value", v->value);
+    yk_json_end(json);
+}
+
+void yk_polygon_json(YkSession *session, YkJson *json, const YkState *state)
+{
+    YkPolygon *p = polygon_of(session, state);
+    if (!p) return;
+    yk_json_object(json, "polygon", YK_JSON_LINES);
+    yk_json_string(json, "kind", session->request->polygon);
+    yk_json_list(json, "vectors", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_polygon_vector_count(p); k++) {
+        YkPolygonVector v = yk_polygon_vector(p, k);
+        add_vector(session, json, &v);
+    }
+    yk_json_end(json);
+    yk_json_list(json, "images", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_polygon_image_count(p); k++) {
+        YkPolygonImage image = yk_polygon_image(p, k);
+        yk_json_object(json, NULL, YK_JSON_INLINE);
+        yk_json_string(json, "name", image.name);
+        add_pair(json, "at", image.at);
+        add_pair(json, "value", image.value);
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+    yk_json_list(json, "steps", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_polygon_step_count(p); k++) yk_json_string(json, NULL, yk_polygon_step(p, k));
+    yk_json_end(json);
+    yk_json_end(json);
+    yk_polygon_free(p);
+}
