@@ -103,7 +103,7 @@ static void tell(YkRegions *r)
     YkField *f = &r->field;
     YkText text = {0};
     size_t stray = yk_field_stray(f);
-    double whole = (double)f->n * (double)f->n;
+    double percent = floor(10000 * (double)f->proved / ((double)f->n * (double)f->n)) / 100;
     r->is_complete = stray == f->n * f->n && f->lost == 0 && !f->tracer.is_unproved;
     if (f->tracer.is_unproved)
         yk_text_format(&text, "the complex solutions of the group of joint `%s` were not all known from the start",
@@ -111,14 +111,16 @@ static void tell(YkRegions *r)
     else if (f->lost > 0)
         yk_text_format(&text, "at %z places no number of configurations could be found", f->lost);
     else if (stray < f->n * f->n)
-        yk_text_format(&text,
-                       "near %g, %g configurations may meet without a change of their number; elsewhere their number "
-                       "is proved but for the curves",
-                       yk_field_center(f, 0, stray % f->n), yk_field_center(f, 1, stray / f->n));
+        yk_text_format(
+            &text,
+            "the number of configurations is proved in %g %% of the map; away from the curves, near %e %s, %e %s, "
+            "it is not: configurations may meet there, or the tolerance is too wide",
+            percent, yk_field_center(f, 0, stray % f->n), f->is_angle[0] ? "rad" : "m",
+            yk_field_center(f, 1, stray / f->n), f->is_angle[1] ? "rad" : "m");
     else
         yk_text_format(&text,
                        "the number of configurations is proved in %g %% of the map, all but strips along the curves",
-                       floor(10000 * (double)f->proved / whole) / 100);
+                       percent);
     f->tracer.out_of_memory |= text.failed;
     const char *words = text.failed ? "" : yk_text_get(&text);
     size_t length = strlen(words) < sizeof r->message ? strlen(words) : sizeof r->message - 1;
