@@ -88,15 +88,16 @@ YkProblems *yk_session_file_problems(const YkSession *session)
 }
 
 // Compiles with the coordinates that are set as inputs: the swept one, then in the given order.
-static YkMechanism *compile(YkSession *session, const char *swept, YkProblems *problems)
+static YkMechanism *compile(YkSession *session, const char *const *swept, YkProblems *problems)
 {
     const YkRequest *request = session->request;
     const YkAssignments *lists[] = {&request->at, &request->rate, &request->accel};
     size_t count = 0, list_count = session->is_simulation ? 1 : 3,
-           most = 1 + request->at.count + request->rate.count + request->accel.count;
+           most = 2 + request->at.count + request->rate.count + request->accel.count;
     const char **names = calloc(most, sizeof *names);
     if (!names) return NULL;
-    if (swept) add_name(names, &count, swept);
+    for (int k = 0; k < 2; k++)
+        if (swept[k]) add_name(names, &count, swept[k]);
     for (size_t l = 0; l < list_count; l++)
         for (size_t i = 0; i < lists[l]->count; i++) add_name(names, &count, lists[l]->items[i].name);
     YkCompileOptions options = yk_default_compile_options();
@@ -143,7 +144,7 @@ bool yk_session_has_file(YkSession *session)
 }
 
 // Loads the model and, with `compiles`, the mechanism.
-static bool load(YkSession *session, bool compiles, const char *swept)
+static bool load(YkSession *session, bool compiles, const char *const *swept)
 {
     if (!yk_session_has_file(session)) return false;
     YkProblems *problems = yk_problems_new();
@@ -152,7 +153,7 @@ static bool load(YkSession *session, bool compiles, const char *swept)
     if (session->model && compiles) session->mech = compile(session, swept, problems);
     if (session->model) name_file(session, session->problems); // a drive may have no value later
     const YkRequest *request = session->request;
-    if (session->mech && (swept || request->at.count + request->rate.count + request->accel.count > 0))
+    if (session->mech && (swept[0] || request->at.count + request->rate.count + request->accel.count > 0))
         find_base(session);
     bool is_told = yk_problems_error_count(problems) > 0;
     if (session->is_simulation) {
@@ -168,12 +169,17 @@ static bool load(YkSession *session, bool compiles, const char *swept)
 
 bool yk_session_model(YkSession *session)
 {
-    return load(session, false, NULL);
+    return load(session, false, (const char *const[2]){NULL, NULL});
 }
 
 bool yk_session_load(YkSession *session, const char *swept)
 {
-    return load(session, true, swept);
+    return load(session, true, (const char *const[2]){swept, NULL});
+}
+
+bool yk_session_load_over(YkSession *session, const char *first, const char *second)
+{
+    return load(session, true, (const char *const[2]){first, second});
 }
 
 bool yk_session_points(YkSession *session, const YkWords *names, size_t *points)

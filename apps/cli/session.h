@@ -8,6 +8,7 @@ bool yk_session_model(YkSession *session);
 // Loads the model and compiles it; coordinates that the command line sets are its inputs. `swept` (or NULL) is one
 // more, the first. Returns false if the file or a name is wrong, with everything printed.
 bool yk_session_load(YkSession *session, const char *swept);
+bool yk_session_load_over(YkSession *session, const char *first, const char *second); // with two that are swept
 // Makes the state and sets its inputs: drives at --time, then --at, --rate, --accel, which are held from then on.
 // Returns false if a value is wrong. The pose comes from yk_session_reach (reach.h).
 bool yk_session_inputs(YkSession *session);

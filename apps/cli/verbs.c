@@ -94,12 +94,13 @@ const YkVerb yk_verbs[] = {
      "with a secret word in it; Ctrl-C ends it. With -o, writes the page with the machine in it as one HTML file\n"
      "that opens from disk and needs no server.",
      "yoke studio examples/four-bar.yaml -o four-bar.html", yk_run_studio},
-    {"map", "all circuits of the motion, with their limits", "FILE [options]",
+    {"map", "all circuits of the motion, or regions over two freedoms", "FILE [options]",
      "Follows every configuration along one coordinate and shows the whole motion: the circuits on which the machine\n"
      "can live, in which ranges, where each turns back (limits), where branches cross (change points), where the\n"
      "drive stands at a dead point, which joints turn fully, and which circuit contains the start. Between events the\n"
      "number of configurations is proved constant, so that none is missing. --plot draws the map, with --trace the\n"
-     "coupler curves of all circuits.",
+     "coupler curves of all circuits. --over A,B maps two freedoms: regions of equally many configurations; over a\n"
+     "point's x and y, its workspace.",
      "yoke map examples/four-bar.yaml --over theta4", yk_run_map},
     {"cognates", "other machines with the same coupler curve", "FILE [options]",
      "Finds the two other four-bars, or the other slider-crank, whose couplers trace the same curve (Roberts), and\n"

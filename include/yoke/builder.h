@@ -88,6 +88,13 @@ YK_API YkModel *yk_builder_model(YkBuilder *builder, const YkLoadOptions *option
 // when out of memory.
 YK_API const char *yk_builder_text(YkBuilder *builder);
 
+// Returns the same machine with two slides and a pin that carry a point, so that the point's place is a pair of
+// coordinates and can be an input: PREFIXx and PREFIXy are the coordinates, bodies and joints that are added (and the
+// joint PREFIXpin), and the point stands at `at`, m, at the start. The point is to move with its body. options as for
+// loading. Returns NULL with problems added.
+YK_API YkModel *yk_model_carry_point(const YkModel *model, size_t point, const char *prefix, const double at[2],
+                                     const YkLoadOptions *options, YkProblems *problems);
+
 // Returns the model as a model file: read back, it is the same machine to the last bit. If the model came from a file
 // or a text, it is that text, byte for byte, with its comments and in its order; only values that overrides replaced
 // are new. (If such a value is folded over lines by `>`, everything is laid out anew, without comments.) An engaged

@@ -31,6 +31,7 @@
 #include <yoke/drag.h>
 #include <yoke/sweep.h>
 #include <yoke/map.h>
+#include <yoke/regions.h>
 #include <yoke/batch.h>
 #include <yoke/dynamics.h>
 #include <yoke/simulation.h>

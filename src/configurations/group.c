@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/mix.h"
 #include "configurations/count.h"
+#include "configurations/follow.h"
 #include "num/complex.h"
 
 enum { N_MAX = 2 * YK_SYSTEM_LOOPS_MAX, DETOURS = 3, COEFFICIENTS_MAX = 2 * YK_SYSTEM_LOOPS_MAX * (N_MAX + 1) };
@@ -200,6 +201,39 @@ YkGroupStatus yk_group_solve_at(YkGroupKept *kept, const YkVec *pose, double siz
     out->is_complete =
         status == YK_GROUP_SOLVED && kept->is_counted && out->proved_count == kept->expected && out->unclear == 0;
     return status;
+}
+
+// Improves the solutions of the last pose. Returns whether all of this one were found and proved.
+static bool improve_all(const YkShape *shape, const YkVec *pose, YkPace *pace, YkGroupSolutions *out, bool *has_memory)
+{
+    size_t n = shape->unknowns, count = out->proved_count;
+    YkVec *before = malloc((count * n + 1) * sizeof *before);
+    *has_memory = before != NULL;
+    for (size_t s = 0; before && s < count; s++) memcpy(before + s * n, out->proved[s].x, n * sizeof *before);
+    out->proved_count = 0;
+    for (size_t s = 0; s < count && *has_memory && yk_pace_spend(pace, 12 * n * n * (n + 10)); s++) {
+        YkVec *x = before + s * n;
+        if (yk_system_polish(shape, pose, x) < 1e-8) *has_memory = prove(shape, pose, x, out);
+        if (out->proved_count <= s) break; // not proved, or found twice
+    }
+    free(before);
+    return out->proved_count == count;
+}
+
+YkGroupStatus yk_group_solve_near(YkGroupKept *kept, const YkVec *pose, double size, YkPace *pace,
+                                  YkGroupSolutions *out)
+{
+    bool has_memory = true, is_near = out->has_pose && out->is_complete && out->proved_count > 0;
+    if (is_near && improve_all(&kept->shape, pose, pace, out, &has_memory)) {
+        memcpy(out->pose, pose, 2 * yk_coefficient_count(&kept->shape) * sizeof *pose);
+        sort_proved(&kept->shape, out);
+        if (!write_real(&kept->shape, size, out)) return YK_GROUP_NO_MEMORY;
+        out->is_complete = out->unclear == 0;
+        if (out->is_complete) return YK_GROUP_SOLVED;
+    }
+    if (!has_memory) return YK_GROUP_NO_MEMORY;
+    if (is_near) out->has_pose = false;
+    return yk_group_solve_at(kept, pose, size, pace, out);
 }
 
 YkGroupStatus yk_group_solve_all(YkGroupKept *kept, const YkRun *run, size_t index, YkPace *pace, YkGroupSolutions *out)

@@ -20,8 +20,7 @@ void yk_cell_at(const YkPiece *piece, const YkCell *cell, double at, YkVec *x)
         x[k] = yk_vec(cell->x[k].x + t * cell->rate[k].x, cell->x[k].y + t * cell->rate[k].y);
 }
 
-// Takes the steps between two blocks: those before block `level` and after the one before it.
-static void take_steps(YkTracer *t, YkDiscs *discs, size_t level)
+void yk_trace_steps(YkTracer *t, YkDiscs *discs, size_t level)
 {
     size_t from = level == 0 ? 0 : t->pieces[level - 1].step + 1;
     size_t to = level < t->piece_count ? t->pieces[level].step : t->mech->step_count;
@@ -85,13 +84,13 @@ bool yk_trace_place(YkTracer *t, YkStrand *strand, double at)
     double within;
     list_below(t, strand);
     t->discs.input = yk_ball(yk_vec(at, 0), 0);
-    take_steps(t, &t->discs, 0);
+    yk_trace_steps(t, &t->discs, 0);
     for (size_t level = 1; level <= strand->level; level++) {
         const YkCell *cell = yk_strand_cell(t->chain[level], at, at);
         if (!cell) return false;
         enclose_in_cell(t, level - 1, cell, at, x, &within);
         place_point(t, &t->pieces[level - 1], x, within);
-        take_steps(t, &t->discs, level);
+        yk_trace_steps(t, &t->discs, level);
     }
     return true;
 }
@@ -154,16 +153,16 @@ bool yk_trace_place_path(YkTracer *t, YkStrand *strand, double from, double to, 
     *half = YK_BALL_OUT(fmax(to - middle, middle - from));
     t->discs.input = yk_ball(yk_vec(middle, 0), 0);
     t->over.input = yk_ball(yk_vec(middle, 0), *half);
-    take_steps(t, &t->discs, 0);
-    take_steps(t, &t->over, 0);
+    yk_trace_steps(t, &t->discs, 0);
+    yk_trace_steps(t, &t->over, 0);
     for (size_t level = 1; level <= strand->level; level++) {
         const YkCell *cell = yk_strand_cell(t->chain[level], from, to);
         if (!cell) return false;
         place_part(t, level - 1, cell, middle, *half);
         enclose_in_cell(t, level - 1, cell, middle, x, &within);
         place_point(t, &t->pieces[level - 1], x, within);
-        take_steps(t, &t->discs, level);
-        take_steps(t, &t->over, level);
+        yk_trace_steps(t, &t->discs, level);
+        yk_trace_steps(t, &t->over, level);
     }
     return true;
 }
@@ -193,10 +192,10 @@ bool yk_trace_place_between(YkTracer *t, YkStrand *a, double at_a, YkStrand *b, 
     bool is_round = t->is_angle && off > t->period - 1; // ends a whole turn apart are the same input
     t->discs.input = is_round ? yk_ball(yk_vec(at_a, 0), 1e-14)
                               : yk_ball(yk_vec(0.5 * (at_a + at_b), 0), 0.75 * off + 1e-13 * t->scale);
-    take_steps(t, &t->discs, 0);
+    yk_trace_steps(t, &t->discs, 0);
     for (size_t level = 1; level <= a->level; level++) {
         place_point(t, &t->pieces[level - 1], hull[level], radius[level]);
-        take_steps(t, &t->discs, level);
+        yk_trace_steps(t, &t->discs, level);
     }
     return true;
 }

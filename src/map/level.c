@@ -1,6 +1,7 @@
 // Joins the segments of a block to strands, and tells what happens where they meet.
 #include <stdlib.h>
 #include <string.h>
+#include "map/dyad.h"
 #include "map/segments.h"
 #include "num/complex.h"
 
@@ -208,15 +209,25 @@ static void tie_all(YkTracer *t, const Meeting *m)
     free(x);
 }
 
-// Goes from one segment to the next.
-static void pass_zone(YkTracer *t, YkSegment *before, YkSegment *after, size_t level)
+// Returns whether a dyad is proved to have as many real solutions all over a zone as are followed through it. Of a dyad
+// the bounds of its triangle tell, also where complex solutions pass through infinity.
+static bool is_counted(YkTracer *t, YkStrand *below, const Meeting *m, size_t arriving)
 {
+    const YkPiece *piece = &t->pieces[below->level];
+    double half;
+    if (piece->shape.loops != 1 || !yk_trace_place_path(t, below, m->from, m->to, &half)) return false;
+    yk_piece_coefficients(piece, &t->over, &t->coefficients[0]);
+    return yk_dyad_count(&piece->shape, &t->coefficients[0]) == (int)arriving;
+}
+
+// Goes from one segment to the next.
+static void pass_zone(YkTracer *t, YkStrand *below, YkSegment *before, YkSegment *after)
+{
+    size_t level = below->level;
     YkVec x[YK_PIECE_UNKNOWNS];
     Meeting m = {.from = before->to, .to = after->from};
     size_t joined = 0, arriving = 0;
     bool is_far = before->is_far[1] && after->is_far[0]; // solutions pass through infinity, none of them real
-    if (!(m.to - m.from < (is_far ? YK_TRACE_POLE : YK_TRACE_BLUR) * t->scale))
-        yk_note_unproved(t, 0.5 * (m.from + m.to), level);
     for (size_t k = 0; k < before->count; k++) {
         YkStrand *strand = before->real[k];
         if (!go_over(t, strand, m.to, x)) {
@@ -228,6 +239,10 @@ static void pass_zone(YkTracer *t, YkSegment *before, YkSegment *after, size_t l
     }
     for (size_t k = 0; k < after->count; k++)
         if (yk_strand_from(after->real[k]) >= m.to) meet(t, &m, after->real[k], 0);
+    // A wider zone could hide solutions that come in and go again; a dyad's are counted.
+    bool is_narrow = m.to - m.from < YK_TRACE_BLUR * t->scale;
+    if (!is_narrow && (m.count > 0 || !is_counted(t, below, &m, arriving)))
+        yk_note_unproved(t, 0.5 * (m.from + m.to), level);
     if (joined < arriving || (m.count == 0 && !is_far)) yk_note_unproved(t, m.from, level);
     if (m.count > 0) tie_all(t, &m);
 }
@@ -251,7 +266,7 @@ static void trace_on(YkTracer *t, YkStrand *below)
     yk_segments_find(t, below, &segments);
     note_gaps_at_ends(t, below, &segments);
     for (size_t k = 0; k + 1 < segments.count && !t->out_of_memory; k++)
-        pass_zone(t, &segments.items[k], &segments.items[k + 1], below->level);
+        pass_zone(t, below, &segments.items[k], &segments.items[k + 1]);
     // A strand stands in every segment that it passes; its last one hands it over.
     for (size_t k = 0; k < segments.count; k++) {
         YkSegment *s = &segments.items[k];

@@ -6,77 +6,7 @@
 #include "base/problems.h"
 #include "solve/state.h"
 
-// --- what can be mapped
-
-static bool refuse(YkProblems *problems, const char *what, const char *label)
-{
-    yk_problem(problems, YK_CODE_NO_MAP, (YkPlace){0}, "this machine cannot be mapped: %s%s%s%s", what,
-               label ? " (joint `" : "", label ? label : "", label ? "`)" : "");
-    return false;
-}
-
-static const char *reason_of(YkPieceStatus status)
-{
-    switch (status) {
-    case YK_PIECE_REDUNDANT:
-        return "some of its constraints repeat others";
-    case YK_PIECE_RELATIONS:
-        return "gears, belts, cams or laws are solved together with its loops";
-    case YK_PIECE_LARGE:
-        return "a group has more than seven loops";
-    default:
-        return "a distance of a group runs along more than one line";
-    }
-}
-
-// Reads the pieces. Returns false with a problem if one cannot be mapped.
-static bool read_pieces(YkTracer *t, YkProblems *problems)
-{
-    const YkMechanism *mech = t->mech;
-    for (size_t k = 0; k < mech->step_count; k++) {
-        const YkStep *step = &mech->steps[k];
-        if (step->kind != YK_STEP_BLOCK && !yk_discs_can_take(mech, step))
-            return refuse(problems, "a cam, a law, or a gear between moving links is in it", NULL);
-        if (step->kind != YK_STEP_BLOCK) continue;
-        YkPiece *piece = &t->pieces[t->piece_count];
-        YkPieceStatus status = yk_piece_read(piece, mech, k);
-        if (status != YK_PIECE_READ) return refuse(problems, reason_of(status), mech->blocks[step->target].label);
-        t->kept[t->piece_count].outside = YK_OUTSIDE_NOT;
-        t->kept[t->piece_count++].shape = piece->shape;
-    }
-    return true;
-}
-
 // --- the domain
-
-// Returns after how many whole turns of the input everything repeats; 0 if that is not found.
-static double period_of(const YkMechanism *mech)
-{
-    for (int turns = 1; turns <= 720; turns++) {
-        bool repeats = true;
-        for (size_t k = 0; k < mech->step_count; k++) {
-            if (mech->steps[k].kind != YK_STEP_RELATION) continue;
-            const YkRelation *r = &mech->relations[mech->steps[k].target];
-            for (uint32_t s = r->first_source; s < r->first_source + r->source_count; s++) {
-                double way = mech->sources[s].factor * turns;
-                if (mech->sources[s].kind == YK_SOURCE_INPUT)
-                    repeats &= !r->target.is_distance && fabs(way - rint(way)) < 1e-9;
-            }
-        }
-        if (repeats) return 2 * YK_PI * turns;
-    }
-    return 0;
-}
-
-// Returns a length that no distance of the machine exceeds while its loops are bounded by their links.
-static double reach_of(const YkMechanism *mech)
-{
-    double sum = mech->size;
-    for (size_t k = 0; k < mech->term_count; k++)
-        if (mech->terms[k].distance == YK_NONE) sum += yk_norm(mech->terms[k].v);
-    for (size_t k = 0; k < mech->loop_count; k++) sum += yk_norm(mech->loops[k].sum.constant);
-    return sum;
-}
 
 static bool read_domain(YkMap *map, YkProblems *problems)
 {
@@ -85,38 +15,18 @@ static bool read_domain(YkMap *map, YkProblems *problems)
     t->is_angle = !map->mech->coordinates[map->coordinate].is_distance;
     t->scale = t->is_angle ? 1 : map->mech->size;
     if (!t->is_angle) {
-        t->high = reach_of(map->mech) * (1 + aside);
+        t->high = yk_tracer_reach(map->mech) * (1 + aside);
         t->low = -t->high;
         return true;
     }
-    t->period = period_of(map->mech);
-    if (t->period == 0) return refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
+    t->period = yk_tracer_period(map->mech);
+    if (t->period == 0) return yk_map_refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
     t->low = -YK_PI + aside;
     t->high = t->low + t->period;
     return true;
 }
 
 // --- making
-
-static void free_levels(YkTracer *t)
-{
-    for (size_t level = 0; t->levels && level <= t->piece_count; level++) {
-        for (size_t k = 0; k < t->levels[level].count; k++) yk_strand_free(t->levels[level].items[k]);
-        free(t->levels[level].items);
-    }
-    for (size_t level = 0; t->ties && level <= t->piece_count; level++) free(t->ties[level].items);
-    for (size_t k = 0; t->kept && k < t->piece_count; k++) yk_group_kept_end(&t->kept[k]);
-    for (size_t k = 0; t->solutions && k < t->piece_count; k++) yk_group_solutions_end(&t->solutions[k]);
-    free(t->levels);
-    free(t->ties);
-    free(t->kept);
-    free(t->solutions);
-    free(t->pieces);
-    free(t->expected);
-    free(t->chain);
-    yk_discs_end(&t->discs);
-    yk_discs_end(&t->over);
-}
 
 void yk_map_free(YkMap *map)
 {
@@ -133,24 +43,8 @@ void yk_map_free(YkMap *map)
     free(map->turns);
     yk_text_free(&map->picture);
     free(map->inputs);
-    free_levels(&map->tracer);
+    yk_tracer_end(&map->tracer);
     free(map);
-}
-
-static bool make_room(YkMap *map)
-{
-    YkTracer *t = &map->tracer;
-    size_t blocks = map->mech->block_count + 1;
-    t->pieces = calloc(blocks, sizeof *t->pieces);
-    t->kept = calloc(blocks, sizeof *t->kept);
-    t->solutions = calloc(blocks, sizeof *t->solutions);
-    t->expected = calloc(blocks, sizeof *t->expected);
-    t->chain = calloc(blocks, sizeof *t->chain);
-    t->levels = calloc(blocks, sizeof *t->levels);
-    t->ties = calloc(blocks, sizeof *t->ties);
-    bool has_discs = yk_discs_start(&t->discs, map->mech);
-    has_discs = yk_discs_start(&t->over, map->mech) && has_discs;
-    return t->pieces && t->kept && t->solutions && t->expected && t->chain && t->levels && t->ties && has_discs;
 }
 
 // The input alone: one strand over the whole domain, tied to itself after its turns.
@@ -231,7 +125,7 @@ void yk_map_tell(YkMap *map)
 static bool make(YkMap *map, YkState *start, YkProblems *problems)
 {
     YkTracer *t = &map->tracer;
-    if (!read_pieces(t, problems) || !read_domain(map, problems)) return false;
+    if (!yk_tracer_read(t, problems) || !read_domain(map, problems)) return false;
     trace_all(t);
     if (t->out_of_memory || yk_pace_is_stopped(t->pace)) return false;
     map->leaves = &t->levels[t->piece_count];
@@ -247,20 +141,21 @@ static bool is_mappable(const YkState *start, size_t coordinate, YkProblems *pro
 {
     const YkMechanism *mech = start->mech;
     if (coordinate >= mech->coordinate_count || mech->coordinates[coordinate].input == YK_NONE)
-        return refuse(problems, "what it is mapped over is not an input", NULL);
-    return start->has_pose || refuse(problems, "it is not assembled, so that it has no circuit of its own", NULL);
+        return yk_map_refuse(problems, "what it is mapped over is not an input", NULL);
+    return start->has_pose ||
+           yk_map_refuse(problems, "it is not assembled, so that it has no circuit of its own", NULL);
 }
 
 static bool begin(YkMap *map, const YkState *start, size_t coordinate)
 {
     const YkMechanism *mech = start->mech;
-    map->mech = map->tracer.mech = mech;
+    map->mech = mech;
     map->coordinate = coordinate;
     map->joints = yk_model_joint_count(mech->model);
     map->points = yk_model_point_count(mech->model);
     map->width = 1 + mech->coordinate_count + map->joints + 2 * map->points;
     map->inputs = calloc(mech->input_count + 1, sizeof *map->inputs);
-    if (!map->inputs || !make_room(map)) return false;
+    if (!map->inputs || !yk_tracer_begin(&map->tracer, mech)) return false;
     for (size_t k = 0; k < mech->input_count; k++) map->inputs[k] = start->valid_input[3 * k];
     map->tracer.discs.mapped = map->tracer.over.mapped = mech->coordinates[coordinate].input;
     map->tracer.discs.others = map->tracer.over.others = map->inputs;

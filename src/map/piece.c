@@ -6,7 +6,7 @@
 
 bool yk_discs_start(YkDiscs *discs, const YkMechanism *mech)
 {
-    *discs = (YkDiscs){.mech = mech};
+    *discs = (YkDiscs){.mech = mech, .second = YK_NONE};
     discs->slots = calloc(mech->slot_count + mech->orientation_count + 1, sizeof *discs->slots);
     discs->distances = calloc(mech->distance_count + 1, sizeof *discs->distances);
     discs->nodes = calloc(mech->node_count + 1, sizeof *discs->nodes);
@@ -136,6 +136,7 @@ static YkDual power(YkDual z, int n)
 
 static YkDual input_of(const YkDiscs *d, int32_t input)
 {
+    if (input == d->second) return (YkDual){d->second_input, yk_ball(yk_vec(0, 0), 0)};
     if (input != d->mapped) return constant(yk_vec(d->others[input], 0));
     return (YkDual){d->input, real_disc(1, 0)};
 }

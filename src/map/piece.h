@@ -18,8 +18,10 @@ typedef struct YkDual { // a value and its derivative by the mapped input
 // What is known of a pose, or of all poses of an interval: [slot], [distance], [node].
 typedef struct YkDiscs {
     const YkMechanism *mech;
-    YkBall input;         // the mapped one, rad or m
-    int32_t mapped;       // its index among the inputs
+    YkBall input;   // the mapped one, rad or m
+    int32_t mapped; // its index among the inputs
+    int32_t second; // another one that is mapped, or YK_NONE
+    YkBall second_input;
     const double *others; // the values of all inputs: those of the others stay
     YkDual *slots, *distances, *nodes;
 } YkDiscs;

@@ -85,6 +85,20 @@ typedef struct YkTracer {
 #define YK_TRACE_BLUR 1e-5
 #define YK_TRACE_POLE 1e-3 // where they go to infinity
 
+// --- what is followed (tracer.c)
+
+bool yk_map_refuse(YkProblems *problems, const char *what, const char *label); // NO_MAP; returns false
+bool yk_tracer_begin(YkTracer *tracer, const YkMechanism *mech);               // returns false when out of memory
+void yk_tracer_end(YkTracer *tracer);
+// Reads the pieces. Returns false with a problem if one cannot be mapped.
+bool yk_tracer_read(YkTracer *tracer, YkProblems *problems);
+// Returns the angle, rad, after which everything repeats, whole turns of the inputs; 0 if that is not found.
+double yk_tracer_period(const YkMechanism *mech);
+// Returns a length that no distance of the machine exceeds while its loops are bounded by their links.
+double yk_tracer_reach(const YkMechanism *mech);
+
+// --- strands (strand.c)
+
 YkStrand *yk_strand_new(YkTracer *tracer, size_t level, YkStrand *below); // NULL when out of memory, which is noted
 bool yk_strand_keep(YkTracer *tracer, YkStrand *strand); // in the list of its level, which then owns it
 void yk_strand_free(YkStrand *strand);
@@ -107,6 +121,8 @@ void yk_note_unproved(YkTracer *tracer, double at, size_t block);
 
 // --- enclosing (enclose.c)
 
+// Takes the steps between two blocks: those before block `level` and after the one before it.
+void yk_trace_steps(YkTracer *tracer, YkDiscs *discs, size_t level);
 // Encloses the pose of a strand at one input in tracer->discs, and takes all steps up to the next block's. Returns false
 // if it has no cell there.
 bool yk_trace_place(YkTracer *tracer, YkStrand *strand, double at);

@@ -2,65 +2,15 @@
 #include <math.h>
 #include <stdlib.h>
 #include "map/map.h"
+#include "picture/axes.h"
 #include "picture/svg.h"
 
-enum { SIZE = 520, LEFT = 70, TOP = 30, BOTTOM = 56, GAP = 40, COLOURS = 8 };
+enum { GAP = 40, COLOURS = 8 };
 
 static const char *const colours[COLOURS] = {"#1f5f99", "#b35a12", "#1d7350", "#8a4480",
                                              "#8f7400", "#2b7fa3", "#a93f22", "#554aa0"};
 
-// A panel: x from low.x to high.x over its width, y upwards.
-typedef struct Panel {
-    YkText *svg;
-    double left; // px
-    YkVec low, high;
-} Panel;
-
-static YkVec pixel(const Panel *p, YkVec at)
-{
-    double x = (at.x - p->low.x) / (p->high.x - p->low.x), y = (at.y - p->low.y) / (p->high.y - p->low.y);
-    return yk_vec(p->left + SIZE * x, TOP + SIZE * (1 - y));
-}
-
-// Returns a step of 1, 2 or 5 times a power of ten, or of parts of a turn, so that some six fit.
-static double step_of(double length, bool is_degrees)
-{
-    static const double degrees[] = {1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360, 720, 1440, 3600, 7200};
-    double step = 1e-12;
-    for (size_t k = 0; is_degrees && k < sizeof degrees / sizeof *degrees; k++)
-        if (length / degrees[k] <= 8) return degrees[k];
-    while (length / (10 * step) > 1) step *= 10;
-    return length / step <= 2 ? step / 5 : length / step <= 5 ? step / 2 : step;
-}
-
-static void add_frame(const Panel *p, bool is_degrees[2], const char *x_name, const char *y_name)
-{
-    YkVec corners[4] = {pixel(p, p->low), pixel(p, yk_vec(p->high.x, p->low.y)), pixel(p, p->high),
-                        pixel(p, yk_vec(p->low.x, p->high.y))};
-    YkText word = {0};
-    double dx = step_of(p->high.x - p->low.x, is_degrees[0]), dy = step_of(p->high.y - p->low.y, is_degrees[1]);
-    yk_svg_polygon(p->svg, corners, 4, "fill=\"none\" stroke=\"#888\"");
-    for (double k = ceil(p->low.x / dx); k * dx <= p->high.x; k++) {
-        YkVec at = pixel(p, yk_vec(k * dx, p->low.y));
-        yk_svg_line(p->svg, at, yk_vec(at.x, TOP), "stroke=\"#ddd\"");
-        yk_text_clear(&word);
-        yk_text_format(&word, "%e", k == 0 ? 0 : k * dx);
-        yk_svg_word(p->svg, yk_vec(at.x, at.y + 16), yk_text_get(&word), "text-anchor=\"middle\" fill=\"#333\"");
-    }
-    for (double k = ceil(p->low.y / dy); k * dy <= p->high.y; k++) {
-        YkVec at = pixel(p, yk_vec(p->low.x, k * dy));
-        yk_svg_line(p->svg, at, yk_vec(p->left + SIZE, at.y), "stroke=\"#ddd\"");
-        yk_text_clear(&word);
-        yk_text_format(&word, "%e", k == 0 ? 0 : k * dy);
-        yk_svg_word(p->svg, yk_vec(at.x - 6, at.y + 4), yk_text_get(&word), "text-anchor=\"end\" fill=\"#333\"");
-    }
-    yk_svg_word(p->svg, yk_vec(p->left + SIZE / 2.0, TOP + SIZE + 36), x_name, "text-anchor=\"middle\"");
-    yk_svg_word(p->svg, yk_vec(p->left, TOP - 10), y_name, "text-anchor=\"start\"");
-    if (word.failed) yk_text_fail(p->svg);
-    yk_text_free(&word);
-}
-
-static void add_line(const Panel *p, const YkVec *points, size_t count, size_t circuit, bool is_start)
+static void add_line(const YkPanel *p, const YkVec *points, size_t count, size_t circuit, bool is_start)
 {
     YkText style = {0};
     if (count < 2) return;
@@ -77,7 +27,7 @@ typedef struct Axes {
     YkMap *map;
     size_t x, y; // coordinates
     double turn[2], factor[2];
-    Panel panel;
+    YkPanel panel;
     YkVec *points;
 } Axes;
 
@@ -104,7 +54,7 @@ static void add_branch(const Axes *a, size_t circuit, size_t branch, bool is_sta
             add_line(&a->panel, a->points, count, circuit, is_start);
             count = 0;
         }
-        a->points[count++] = pixel(&a->panel, at);
+        a->points[count++] = yk_panel_pixel(&a->panel, at);
         before = at;
     }
     add_line(&a->panel, a->points, count, circuit, is_start);
@@ -114,7 +64,7 @@ static void add_event(const Axes *a, size_t circuit, size_t k)
 {
     YkMapEvent event = yk_map_event(a->map, circuit, k);
     double y = yk_map_event_value(a->map, circuit, k, a->y);
-    YkVec at = pixel(&a->panel, place(a, event.at, y));
+    YkVec at = yk_panel_pixel(&a->panel, place(a, event.at, y));
     const char *style = event.kind == YK_MAP_LIMIT          ? "fill=\"#fff\" stroke=\"#c0392b\" stroke-width=\"2\""
                         : event.kind == YK_MAP_CHANGE_POINT ? "fill=\"#c0392b\" stroke=\"none\""
                                                             : "fill=\"#fff\" stroke=\"#333\" stroke-width=\"2\"";
@@ -154,7 +104,7 @@ static void add_map(Axes *a, const YkMapPicture *options)
     const YkTreeCoordinate *c = a->map->mech->coordinates;
     yk_text_format(&x, "%s [%s]", c[a->x].name, c[a->x].is_distance ? options->length_unit : options->angle_unit);
     yk_text_format(&y, "%s [%s]", c[a->y].name, c[a->y].is_distance ? options->length_unit : options->angle_unit);
-    add_frame(&a->panel, is_degrees, yk_text_get(&x), yk_text_get(&y));
+    yk_panel_frame(&a->panel, is_degrees, yk_text_get(&x), yk_text_get(&y));
     for (size_t k = yk_map_circuit_count(a->map); k-- > 0;)
         for (size_t b = 0; b < yk_map_circuit(a->map, k).branches; b++)
             add_branch(a, k, b, yk_map_circuit(a->map, k).contains_start);
@@ -186,7 +136,7 @@ static void add_curves(Axes *a, const YkMapPicture *o)
                         YkVec at = point_at(a, o, c, b, r, k);
                         low = pass == 0 ? yk_vec(fmin(low.x, at.x), fmin(low.y, at.y)) : low;
                         high = pass == 0 ? yk_vec(fmax(high.x, at.x), fmax(high.y, at.y)) : high;
-                        if (pass == 1) a->points[r] = pixel(&a->panel, at);
+                        if (pass == 1) a->points[r] = yk_panel_pixel(&a->panel, at);
                     }
                     if (pass == 1) add_line(&a->panel, a->points, rows, c, yk_map_circuit(a->map, c).contains_start);
                 }
@@ -198,7 +148,7 @@ static void add_curves(Axes *a, const YkMapPicture *o)
         YkText x = {0}, y = {0};
         yk_text_format(&x, "x [%s]", o->length_unit);
         yk_text_format(&y, "y [%s]", o->length_unit);
-        add_frame(&a->panel, is_degrees, yk_text_get(&x), yk_text_get(&y));
+        yk_panel_frame(&a->panel, is_degrees, yk_text_get(&x), yk_text_get(&y));
         if (x.failed || y.failed) yk_text_fail(a->panel.svg);
         yk_text_free(&x);
         yk_text_free(&y);
@@ -224,20 +174,16 @@ const char *yk_map_picture(YkMap *map, const YkMapPicture *o)
     YkVec *points = malloc(most_rows(map) * sizeof *points);
     if (!points) return NULL;
     Axes a = {.map = map, .x = map->coordinate, .y = o->coordinate, .points = points};
-    a.panel = (Panel){.svg = &map->picture, .left = LEFT};
+    a.panel = (YkPanel){.svg = &map->picture, .left = YK_PANEL_LEFT};
     a.factor[0] = map->mech->coordinates[a.x].is_distance ? o->length : o->angle;
     a.factor[1] = map->mech->coordinates[a.y].is_distance ? o->length : o->angle;
     set_axis(&a, 0, a.x, &a.panel.low.x, &a.panel.high.x);
     set_axis(&a, 1, a.y, &a.panel.low.y, &a.panel.high.y);
-    int width = LEFT + SIZE + GAP + (o->point_count > 0 ? LEFT + SIZE : 0), height = TOP + SIZE + BOTTOM;
+    int width = YK_PANEL_LEFT + YK_PANEL_SIZE + GAP + (o->point_count > 0 ? YK_PANEL_LEFT + YK_PANEL_SIZE : 0);
     yk_text_clear(&map->picture);
-    yk_text_format(&map->picture,
-                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-                   "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" "
-                   "fill=\"#fff\"/>\n",
-                   width, height, width, height);
+    yk_panel_begin(&a.panel, width);
     add_map(&a, o);
-    a.panel.left = 2 * LEFT + SIZE + GAP - 20;
+    a.panel.left = 2 * YK_PANEL_LEFT + YK_PANEL_SIZE + GAP - 20;
     if (o->point_count > 0) add_curves(&a, o);
     yk_text_puts(&map->picture, "</svg>\n");
     free(points);

@@ -63,10 +63,43 @@ class Map(Case):
         self.assertIn('stroke-width="3"', svg)
         self.assertNotIn("nan", svg)
 
+    def test_a_workspace_is_the_annuli_of_both_legs(self):
+        answer = self.answer(example("five-bar"), "--over", "reachL.P.x,reachL.P.y", "--tol", "0.005")
+        self.assertIs(answer["complete"], True)
+        self.assertEqual(answer["coordinates"], ["reachL.P.x", "reachL.P.y"])
+        region, = answer["regions"]
+        self.assertEqual((region["configurations"], region["contains_start"], len(region["holes"])), (4, True, 1))
+        self.assertEqual(sorted(b["of"] for b in region["bounds"]), ["A", "P"])
+        # Two discs of radius 0.46 whose centres are 0.12 apart share a lens; two holes of radius 0.06 touch.
+        lens = 2 * 0.46**2 * math.acos(0.12 / 0.92) - 0.06 * math.sqrt(0.92**2 - 0.12**2)
+        self.assertAlmostEqual(region["area"], lens - 2 * math.pi * 0.06**2, 4)
+        for x, y in region["polygon"]:
+            self.assertLess(max(math.hypot(x + 0.06, y), math.hypot(x - 0.06, y)), 0.4601)
+        svg = self.path("regions.svg")
+        self.good("map", example("five-bar"), "--tol", "0.02", "--plot", svg)
+        with open(svg, encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn("<title>2 configurations</title>", text)
+        self.assertIn("theta2 [rad]", text)
+
+    def test_two_coordinates_are_asked_for_well(self):
+        file = example("five-bar")
+        self.wrong(806, "map", file, "--tol", "1")
+        self.wrong(806, "map", example("four-bar"), "--tol", "0.01")
+        self.wrong(806, "map", file, "--over", "theta1,theta2", "--tol", "0.00001")
+        self.wrong(815, "map", file, "--over", "reachL.Q.x,reachL.Q.y")
+        self.wrong(502, "map", file, "--over", "theta1,nothing")
+        self.wrong(502, "map", file, "--over", "theta1,")
+        self.wrong(818, "map", file, "--of", "theta1")
+        for words in (("--trace", "reachL.P"), ("--of", "theta1")):
+            self.wrong(817, "map", file, "--plot", self.path("x.svg"), *words)
+        self.wrong(817, "map", file, "--over", "theta1,theta2", "--reach", "theta1=1")
+        for words in ((example("four-bar"), "--over", "theta2,theta4"), (file, "--over", "theta1,theta1")):
+            run = Run("map", *words)
+            self.assertNotEqual(run.code, 0, run.out)
+            self.assertIn("error", run.err)
+
     def test_more_freedoms_are_held(self):
-        run = Run("map", example("five-bar"))
-        self.assertEqual(run.code, 1)
-        self.assertIn("E0850", run.err)
         held = self.answer(example("five-bar-motors"), "--over", "theta1", "--at", "theta2=2.2")
         self.assertIs(held["complete"], True)
         for circuit in held["circuits"]:

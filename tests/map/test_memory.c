@@ -40,8 +40,51 @@ static void test_each_failure_is_told(void **unused)
     yk_problems_free(problems);
 }
 
+// The same for a map over two freedoms, here of a machine whose point is carried, and for that machine.
+static void test_each_failure_of_regions_is_told(void **unused)
+{
+    (void)unused;
+    skip_unless_interposed();
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_load(YOKE_ROOT "/examples/five-bar.yaml", NULL, problems);
+    const char *inputs[] = {"p_x", "p_y"};
+    const double at[2] = {0, 0.3};
+    YkCompileOptions options = yk_default_compile_options();
+    options.inputs = inputs;
+    options.input_count = 2;
+    const YkRegionsOptions coarse = {0.05};
+    const YkRegionsPicture picture = {{"x", NULL}, {"m", NULL}, {1, 1}};
+    long failures = 0, blocks = live;
+    for (long allowed = 0;; allowed += 1 + allowed / 40) {
+        countdown = allowed;
+        has_failed = false;
+        YkModel *carried = yk_model_carry_point(model, yk_model_find_point(model, "reachL.P"), "p_", at, NULL, NULL);
+        YkMechanism *mech = carried ? yk_mechanism_compile(carried, &options, NULL) : NULL;
+        YkState *state = mech ? yk_state_new(mech) : NULL;
+        bool stands = state && yk_state_set_time(state, 0, NULL) >= 0 && yk_state_assemble(state) >= 0;
+        YkRegions *regions =
+            stands ? yk_regions_new(state, yk_input_coordinate(mech, 0), yk_input_coordinate(mech, 1), &coarse, NULL)
+                   : NULL;
+        const char *svg = regions ? yk_regions_picture(regions, &picture) : NULL;
+        countdown = -1;
+        bool done = !has_failed;
+        assert_int_equal(done, svg != NULL);
+        failures++;
+        yk_regions_free(regions);
+        yk_state_free(state);
+        yk_mechanism_free(mech);
+        yk_model_free(carried);
+        assert_int_equal(live, blocks);
+        if (done) break;
+    }
+    assert_true(failures >= 50);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_failure_is_told)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_failure_is_told),
+                                       cmocka_unit_test(test_each_failure_of_regions_is_told)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,6 +19,30 @@ bool yk_map_plot(const YkMapAnswer *answer, const char *path);
 // Returns the joint that labels the block of an event, or the coordinate that stands at a dead point; NULL if none.
 const char *yk_map_event_of(const YkMapAnswer *answer, YkMapEvent event);
 
+// Returns whether the machine has so many freedoms that --at does not hold; refuses it otherwise.
+bool yk_map_has_freedoms(YkSession *session, size_t wanted);
+
+#define YK_MAP_CARRIAGE "map_carriage_" // begins the names of what carries a point
+
+// A map over two coordinates, or over a point's x and y.
+typedef struct YkRegionsAnswer {
+    YkSession *session;
+    YkRegions *regions;
+    YkModel *model; // in which a point is carried, or NULL
+    YkMechanism *own_mech;
+    YkState *own_state;
+    const YkMechanism *mech; // what is mapped
+    YkState *state;
+    size_t coordinate[2];
+    const char *names[2];
+    YkQuantity quantity[2];
+} YkRegionsAnswer;
+// Answers `map` over two coordinates (NULL: the free inputs of a session that is loaded), or over a point's x and y
+// (regions.c). Returns the exit code.
+int yk_map_regions(YkSession *session, const char *first, const char *second);
+void yk_map_regions_text(const YkRegionsAnswer *answer);
+void yk_map_regions_json(const YkRegionsAnswer *answer);
+
 // Answers --reach. Returns the exit code: 0 if there is a way, 1 if there is none.
 int yk_map_reach(YkMapAnswer *answer);
 

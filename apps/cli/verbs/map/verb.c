@@ -13,27 +13,36 @@ static size_t free_inputs(const YkSession *session)
     return count > held ? count - held : 0;
 }
 
-// Refuses machines with too few or too many freedoms. --over and --at have made their coordinates inputs.
-static bool has_one_freedom(YkSession *session, size_t mapped)
+bool yk_map_has_freedoms(YkSession *session, size_t wanted)
 {
     size_t count = yk_input_count(session->mech), left = free_inputs(session);
+    if (left == wanted) return true;
     YkText count_word = {0};
-    for (size_t k = 0; k < session->hold_count; k++)
-        if (session->holds[k].order == 0 && yk_input_coordinate(session->mech, session->holds[k].input) == mapped)
-            return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "%q is mapped, so --at cannot hold it",
-                                     yk_coordinate_info(session->mech, mapped).name);
-    if (left == 1) return true;
     yk_text_format(&count_word, "%z", left);
-    yk_session_refuse(session, YK_CODE_NO_MAP, "a map is made over one freedom, and this machine has %s",
+    yk_session_refuse(session, YK_CODE_NO_MAP, "a map is made over one freedom or two, and this machine has %s",
                       yk_text_get(&count_word));
     yk_text_free(&count_word);
     if (count == 0)
         yk_problem_hint(session->problems, "`yoke solve --all` lists the configurations of a machine without freedom");
-    else
+    else if (left > 2)
         yk_problem_hint(session->problems,
-                        "hold all inputs but one for a section of the whole map, as in `--at %s=VALUE`",
+                        "hold all inputs but one or two for a section of the whole map, as in `--at %s=VALUE`",
                         yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, count - 1)).name);
+    else if (left == 2)
+        yk_problem_hint(session->problems, "map it over two coordinates, as in `--over %s,%s`, or hold one by --at",
+                        yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, 0)).name,
+                        yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, 1)).name);
     return false;
+}
+
+// Refuses machines with too few or too many freedoms. --over and --at have made their coordinates inputs.
+static bool has_one_freedom(YkSession *session, size_t mapped)
+{
+    for (size_t k = 0; k < session->hold_count; k++)
+        if (session->holds[k].order == 0 && yk_input_coordinate(session->mech, session->holds[k].input) == mapped)
+            return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "%q is mapped, so --at cannot hold it",
+                                     yk_coordinate_info(session->mech, mapped).name);
+    return yk_map_has_freedoms(session, 1);
 }
 
 // --- the verb
@@ -84,14 +93,38 @@ static bool is_asked_well(YkSession *session)
     return true;
 }
 
+// Maps two coordinates, "A,B".
+static int run_over_two(YkSession *session, const char *over)
+{
+    YkText names[2] = {{0}, {0}};
+    const char *comma = strchr(over, ',');
+    yk_text_add(&names[0], over, (size_t)(comma - over));
+    yk_text_puts(&names[1], comma + 1);
+    int exit_code = names[0].failed || names[1].failed
+                        ? YK_EXIT_WRONG
+                        : yk_map_regions(session, yk_text_get(&names[0]), yk_text_get(&names[1]));
+    if (names[0].failed || names[1].failed) yk_session_run_out(session);
+    yk_text_free(&names[0]);
+    yk_text_free(&names[1]);
+    return exit_code;
+}
+
 int yk_run_map(YkSession *session)
 {
     const YkRequest *request = session->request;
     const char *over = request->over ? request->over : request->reach.count > 0 ? request->reach.items[0].name : NULL;
     size_t coordinate;
-    if (!is_asked_well(session) || !yk_session_load(session, over)) return YK_EXIT_WRONG;
+    if (!is_asked_well(session)) return YK_EXIT_WRONG;
+    if (over && strchr(over, ',')) return run_over_two(session, over);
+    if (!yk_session_load(session, over)) return YK_EXIT_WRONG;
     if (over && !yk_session_coordinate(session, over, &coordinate)) return YK_EXIT_WRONG;
     if (!yk_session_inputs(session)) return YK_EXIT_WRONG;
+    if (!over && free_inputs(session) == 2) return yk_map_regions(session, NULL, NULL);
+    if (request->tolerance) {
+        yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--tol %s is for a map over two coordinates",
+                          request->tolerance);
+        return YK_EXIT_WRONG;
+    }
     if (!over) coordinate = yk_input_count(session->mech) > 0 ? yk_input_coordinate(session->mech, 0) : 0;
     for (size_t k = 0; !over && k < yk_input_count(session->mech); k++) { // the first that nothing holds
         bool is_held = false;

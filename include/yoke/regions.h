@@ -1,0 +1,84 @@
+// The map of a machine over two freedoms: regions of the plane of two inputs in which it has equally many
+// configurations, bounded by curves on which configurations meet.
+//
+// The plane is divided into squares, and these again, until it is proved that a square has the same number of
+// configurations everywhere, or until it is as small as the tolerance asks. What remains lies along the curves, which
+// are then located between the centres of squares. docs/configurations.md has the mathematics.
+#ifndef YOKE_REGIONS_H
+#define YOKE_REGIONS_H
+
+#include <yoke/state.h>
+#include <yoke/sweep.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct YkRegions YkRegions;
+
+typedef struct YkRegionsOptions {
+    // How wide a square may stay unproved, over the larger extent of the map: from 1e-4 to 0.1. A region, or a part of
+    // one, that is narrower may be missing. Default 1e-3.
+    double tolerance;
+} YkRegionsOptions;
+YK_API YkRegionsOptions yk_default_regions_options(void);
+
+// Maps two coordinates that are inputs of the state's mechanism; other inputs keep the state's values. `start` is
+// assembled. An angle is mapped over the whole turns after which everything repeats, a distance over all values for
+// which the machine can close, as long as its loops limit them. Progress of the state watches it. options may be NULL.
+// Returns NULL with a problem if the machine has a part that cannot be mapped (the message names it), for two equal
+// coordinates or one that is no input, or when out of memory or stopped.
+// Cost: some 20 squares for each tolerance's length of the curves, each a proof for every configuration.
+YK_API YkRegions *yk_regions_new(YkState *start, size_t first, size_t second, const YkRegionsOptions *options,
+                                 YkProblems *problems);
+YK_API void yk_regions_free(YkRegions *regions);
+
+// Returns whether all that is not proved lies along the curves that were found.
+YK_API bool yk_regions_are_complete(const YkRegions *regions);
+YK_API const char *yk_regions_message(const YkRegions *regions); // what is proved, or what is not, in one sentence
+YK_API size_t yk_regions_coordinate(const YkRegions *regions, int axis); // 0 or 1
+YK_API YkRange yk_regions_domain(const YkRegions *regions, int axis);    // rad or m
+YK_API double yk_regions_tolerance(const YkRegions *regions, int axis);  // how wide squares may stay unproved, rad or m
+// Returns which part of the domain's area is proved, from 0 to 1.
+YK_API double yk_regions_proved(const YkRegions *regions);
+// Returns the number of configurations at a pose within the domain, which is read from the map; *proved (may be NULL)
+// tells whether it is proved there. -1 outside of the domain.
+YK_API int yk_regions_at(const YkRegions *regions, double first, double second, bool *proved);
+
+// The regions in which the machine closes, the one that contains the start first, then the largest first. Regions that
+// touch along the edge of the domain of an angle are two.
+YK_API size_t yk_regions_count(const YkRegions *regions);
+typedef struct YkRegion {
+    int configurations;
+    bool contains_start;
+    double area; // in rad^2, rad m or m^2
+    YkRange range[2];
+    size_t outlines; // the first is around it, the others around its holes
+    size_t bounds;
+} YkRegion;
+YK_API YkRegion yk_regions_region(const YkRegions *regions, size_t region); // all 0 beyond the last
+// Returns an outline as a closed polygon, [count][2], counter-clockwise around the region and clockwise around holes.
+// Its corners lie on the curves to about 1e-5 of the tolerance, except where curves meet: there, to the tolerance.
+// Neighbours share their corners. NULL for a wrong index.
+YK_API const double *yk_regions_outline(const YkRegions *regions, size_t region, size_t outline, size_t *count);
+// What bounds a region: a block, whose configurations meet there, or the domain's edge; and over which part of the
+// region's outlines, the largest first.
+typedef struct YkRegionBound {
+    int block; // -1: the domain's edge
+    double part;
+} YkRegionBound;
+YK_API YkRegionBound yk_regions_bound(const YkRegions *regions, size_t region, size_t bound);
+
+// A drawing: the regions in colours, darker where there are more configurations, and the curves.
+typedef struct YkRegionsPicture {
+    const char *names[2], *units[2]; // for the axes; a name may be NULL: the coordinate's own
+    double scale[2];                 // what 1 rad or 1 m is in the unit
+} YkRegionsPicture;
+// Returns the drawing as SVG, valid until the next call; NULL when out of memory.
+YK_API const char *yk_regions_picture(YkRegions *regions, const YkRegionsPicture *options);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,157 @@
+// Counts the configurations over boxes of two inputs, block by block.
+#include "map/box.h"
+#include <stdlib.h>
+#include <string.h>
+#include "map/dyad.h"
+
+typedef struct Visit {
+    YkTracer *tracer;
+    int *counts;
+    bool is_within_hull; // a dyad below is taken in pieces
+} Visit;
+
+static int count_from(Visit *v, size_t level);
+
+// Counts on top of one solution of block `level`, which is no farther from x than `within`.
+static int count_above(Visit *v, size_t level, const YkVec *x, double within)
+{
+    YkDual known[YK_PIECE_UNKNOWNS];
+    const YkPiece *piece = &v->tracer->pieces[level];
+    for (size_t k = 0; k < piece->shape.unknowns; k++) {
+        known[k].at = yk_ball(x[k], YK_BALL_OUT(within * yk_piece_size(piece, x, k)));
+        known[k].rate = yk_ball(yk_vec(0, 0), 0);
+    }
+    yk_discs_place(&v->tracer->discs, piece, known);
+    return count_from(v, level + 1);
+}
+
+static void note(Visit *v, size_t level, int count)
+{
+    if (v->counts && count > 0) v->counts[level + 1] += count;
+}
+
+static void place(Visit *v, size_t level, const YkBall x[2])
+{
+    YkDual known[2];
+    for (int k = 0; k < 2; k++) known[k] = (YkDual){x[k], yk_ball(yk_vec(0, 0), 0)};
+    yk_discs_place(&v->tracer->discs, &v->tracer->pieces[level], known);
+}
+
+// Returns whether no solution of a dyad that may be there lets the blocks above it close.
+static bool is_empty_above(Visit *v, size_t level, const YkDiscCoefficients *c)
+{
+    enum { PARTS = 32 };
+    YkTracer *t = v->tracer;
+    YkBall x[2];
+    for (size_t part = 0; part < PARTS; part++) {
+        if (!yk_dyad_hull(&t->pieces[level].shape, c, part, PARTS, x)) return false;
+        place(v, level, x);
+        if (count_from(v, level + 1) != 0) return false;
+    }
+    return true;
+}
+
+// Where solutions meet, it may still be that none lets the blocks above close.
+static int unless_empty_above(Visit *v, size_t level, const YkDiscCoefficients *c)
+{
+    bool can_be = level + 1 < v->tracer->piece_count && !v->is_within_hull;
+    v->is_within_hull = true;
+    int *counts = v->counts;
+    v->counts = NULL;
+    bool is_empty = can_be && is_empty_above(v, level, c);
+    if (can_be) v->is_within_hull = false;
+    v->counts = counts;
+    return is_empty ? 0 : YK_BOX_UNCLEAR;
+}
+
+static int count_dyad(Visit *v, size_t level, const YkDiscCoefficients *c)
+{
+    YkTracer *t = v->tracer;
+    const YkShape *shape = &t->pieces[level].shape;
+    YkBall x[2];
+    int total = 0, count = yk_dyad_count(shape, c);
+    note(v, level, count);
+    if (count < 0) return unless_empty_above(v, level, c);
+    if (count == 0 || level + 1 == t->piece_count) return count;
+    for (int k = 0; k < count; k++) {
+        if (!yk_dyad_branch(shape, c, k == 0 ? 1 : -1, x)) return YK_BOX_UNCLEAR;
+        place(v, level, x);
+        int above = count_from(v, level + 1);
+        if (above < 0) return above;
+        total += above;
+    }
+    return total;
+}
+
+// Finds all solutions at the middle of the box, from those of the last box if that is enough.
+static bool enumerate(YkTracer *t, size_t level, const YkVec *middle)
+{
+    YkGroupSolutions *all = &t->solutions[level];
+    YkGroupStatus status = yk_group_solve_near(&t->kept[level], middle, t->mech->size, t->pace, all);
+    t->out_of_memory |= status == YK_GROUP_NO_MEMORY;
+    if (t->out_of_memory || yk_pace_is_stopped(t->pace) || !all->is_complete) return false;
+    if (all->expected < t->expected[level]) return false; // some have gone to infinity just here
+    // More than anywhere before: what was counted there was not all.
+    if (t->expected[level] > 0 && all->expected > t->expected[level]) yk_note_unproved(t, 0, level);
+    t->expected[level] = all->expected;
+    return true;
+}
+
+// Every complex solution continues over the whole box as a smooth function of both inputs.
+static int count_group(Visit *v, size_t level, const YkDiscCoefficients *c)
+{
+    YkTracer *t = v->tracer;
+    const YkPiece *piece = &t->pieces[level];
+    if (!enumerate(t, level, c->at)) return YK_BOX_UNCLEAR;
+    const YkGroupSolutions *all = &t->solutions[level];
+    size_t n = piece->shape.unknowns, real = 0;
+    YkVec *x = malloc((all->proved_count * n + 1) * sizeof *x); // what lies above may solve this block again
+    double *within = malloc((all->proved_count + 1) * sizeof *within);
+    bool good = x && within;
+    int total = 0;
+    t->out_of_memory |= !good;
+    for (size_t k = 0; k < all->proved_count && good; k++) {
+        YkCertificate own;
+        YkVec *at = x + real * n;
+        memcpy(at, all->proved[k].x, n * sizeof *at);
+        good = yk_pace_spend(t->pace, 12 * n * n * (n + 10)) && yk_enclose(&piece->shape, c->at, c->radius, at, &own);
+        if (!good || all->proved[k].certificate.reality != YK_REAL) continue;
+        within[real++] = own.within;
+    }
+    if (good) note(v, level, (int)real);
+    if (level + 1 == t->piece_count) total = (int)real;
+    for (size_t k = 0; k < real && good && level + 1 < t->piece_count; k++) {
+        int above = count_above(v, level, x + k * n, within[k]);
+        good = above >= 0;
+        total += good ? above : 0;
+    }
+    free(x);
+    free(within);
+    return good ? total : YK_BOX_UNCLEAR;
+}
+
+static int count_from(Visit *v, size_t level)
+{
+    YkTracer *t = v->tracer;
+    yk_trace_steps(t, &t->discs, level);
+    if (level == t->piece_count) return 1;
+    YkDiscCoefficients c;
+    yk_piece_coefficients(&t->pieces[level], &t->discs, &c);
+    return t->pieces[level].shape.loops == 1 ? count_dyad(v, level, &c) : count_group(v, level, &c);
+}
+
+int yk_box_count(YkTracer *t, const double low[2], const double high[2], int *counts)
+{
+    YkBall input[2];
+    Visit v = {t, counts, false};
+    if (counts) memset(counts, 0, (t->piece_count + 1) * sizeof *counts);
+    if (!yk_pace_spend(t->pace, 1000 * (t->piece_count + 1))) return YK_BOX_UNCLEAR;
+    for (int k = 0; k < 2; k++) {
+        double middle = low[k] + 0.5 * (high[k] - low[k]);
+        input[k] =
+            yk_ball(yk_vec(middle, 0), high[k] > low[k] ? YK_BALL_OUT(fmax(high[k] - middle, middle - low[k])) : 0);
+    }
+    t->discs.input = input[0];
+    t->discs.second_input = input[1];
+    return count_from(&v, 0);
+}

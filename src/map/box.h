@@ -1,0 +1,14 @@
+// Counts the configurations over boxes of two inputs.
+#ifndef MAP_BOX_H
+#define MAP_BOX_H
+#include "map/strand.h"
+
+enum { YK_BOX_UNCLEAR = -1, YK_BOX_LEVELS = 64 };
+
+// Returns how many real configurations the machine has at each pose of a box of the mapped inputs, the same number at
+// all of them; YK_BOX_UNCLEAR if that is not proved, which it is not where two of them meet, or when out of memory or
+// stopped. low = high: at one pose. counts: [piece_count + 1], or NULL: how many the blocks up to each have together.
+// Source of the proof: docs/configurations.md, "Two freedoms".
+int yk_box_count(YkTracer *tracer, const double low[2], const double high[2], int *counts);
+
+#endif

@@ -1,0 +1,40 @@
+// The inside of YkRegions: a field, the regions of its cells, and their outlines.
+#ifndef MAP_REGIONS_H
+#define MAP_REGIONS_H
+#include <yoke/regions.h>
+#include "base/text.h"
+#include "map/field.h"
+
+typedef struct YkOutline {
+    double *points; // [count][2]
+    size_t count, capacity;
+} YkOutline;
+
+typedef struct YkTract { // a region
+    YkRegion region;
+    size_t cell; // one of its cells
+    YkOutline *outlines;
+    size_t outline_count, outline_capacity;
+    YkRegionBound *bounds;
+    size_t bound_capacity;
+} YkTract;
+
+struct YkRegions {
+    const YkMechanism *mech;
+    YkField field;
+    size_t coordinate[2];
+    double *inputs;
+    double start[2];     // within the domain
+    uint32_t *part_of;   // [n][n]: 1 + the region of a cell; 0: none
+    unsigned char *seen; // [n][n]: sides that are on an outline
+    YkTract *parts;
+    size_t count, capacity;
+    bool is_complete;
+    char message[320];
+    YkText picture;
+};
+
+// Finds the regions of cells with equal counts, and their outlines (outlines.c). Returns false when out of memory.
+bool yk_regions_trace(YkRegions *regions);
+
+#endif
