@@ -65,7 +65,7 @@ yoke_shrink(panels)
 
 # What a page needs to draw and to move: flat functions and no imports. Memory has an end, so that running out is told.
 set(core ${door} web/core/small/still.c)
-list(FILTER core EXCLUDE REGEX "/(curves|simulate)[.]c$")
+list(FILTER core EXCLUDE REGEX "/(curves|forces|simulate)[.]c$")
 add_executable(core ${core})
 target_include_directories(core PRIVATE web/core)
 target_link_libraries(core PRIVATE yoke_core)

@@ -94,6 +94,18 @@ const tests = {
     assert.equal(rates.points.length, 4 * told.bodies.flatMap(({ points }) => points).length);
     core.close();
   },
+  async "forces in joints are those of the command, and a machine without masses says why it has none"() {
+    const core = start(), text = machine("watt-with-masses"), { machine: told } = await core.open(text, "m.yaml");
+    const { out } = await core.run(["solve", "m.yaml", "--format", "json"], { "m.yaml": text });
+    const { reactions } = JSON.parse(out).configurations[0], { joints, message } = await core.forces();
+    assert.equal(message, "");
+    told.joints.forEach(({ name }, j) => assert.deepEqual([...joints.slice(5 * j + 2, 5 * j + 5)], [...reactions[name].force, 1], name));
+    await core.open(machine("four-bar"), "m.yaml");
+    const none = await core.forces();
+    assert.match(none.message, /neither masses nor loads/);
+    assert.ok(none.joints.every((value, k) => k % 5 !== 2 || value === 0));
+    core.close();
+  },
   async "an even turn is told, an uneven one is not, not even if it begins without acceleration"() {
     const core = start(), text = machine("four-bar"), turn = async (drive) => {
       const { machine: told } = await core.open(text.replace(/^drives:.*$/m, `drives: {theta2: ${drive}}`), "m.yaml");

@@ -166,6 +166,7 @@ export function startCore(options: CoreOptions): Core & { close(): void } {
     step: (seconds, pull) => client.ask("step", seconds, pull),
     hold: () => client.ask("hold"),
     rates: () => client.ask("rates"),
+    forces: () => client.ask("forces"),
     turn: (coordinate) => client.ask("turn", coordinate),
     run: (words, files) => client.ask("run", words, files),
     close: () => client.close(),

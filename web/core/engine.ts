@@ -1,5 +1,5 @@
 // Calls the flat functions of core.wasm: writes what goes in, reads what comes out. One machine in each engine.
-import type { Opened, Pose, Rates } from "./door";
+import type { Forces, Opened, Pose, Rates } from "./door";
 import { instanceOf } from "./wasi";
 
 interface Exports {
@@ -33,6 +33,7 @@ interface Exports {
   ys_step(seconds: number): number;
   ys_hold(): number;
   ys_rates(): number;
+  ys_forces(): number;
   ys_turn(coordinate: number): number;
   ys_save(): number;
   ys_restore(length: number): number;
@@ -201,6 +202,11 @@ export class Engine {
 
   hold(): Pose {
     return this.pose(this.call.ys_hold());
+  }
+
+  forces(): Forces {
+    const told = this.told(this.call.ys_forces());
+    return { ...told, joints: this.numbers() };
   }
 
   turn(coordinate: number): { from: number; rate: number } | null {

@@ -35,6 +35,7 @@ int ys_pull(size_t body, double x, double y, double to_x, double to_y, double st
 int ys_step(double seconds);
 int ys_hold(void);
 int ys_rates(void);
+int ys_forces(void);
 int ys_turn(size_t coordinate);
 int ys_save(void);
 int ys_restore(size_t length);

@@ -59,7 +59,7 @@ YK_DOOR(ys_turn) int ys_turn(size_t coordinate)
     yk_text_clear(&yk_core.message);
     if (!yk_core.state || coordinate >= yk_coordinate_count(yk_core.mech)) return YK_BAD_ARGUMENT;
     YkCoordinateInfo info = yk_coordinate_info(yk_core.mech, coordinate);
-    YkMotion first;
+    YkMotion first = {0};
     if (info.input < 0 || !info.has_drive) return YK_OK;
     YkState *state = yk_state_new(yk_core.mech);
     double *numbers = state && is_even(state, (size_t)info.input, &first) ? yk_core_room(2) : NULL;

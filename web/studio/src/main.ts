@@ -132,6 +132,7 @@ function listen(): void {
     else if (key === "+" || key === "=") zoom(1.2);
     else if (key === "-") zoom(1 / 1.2);
     else if (key === "t") void motion.trace();
+    else if (key === "a") canvas.arrows.turn();
     else if (key === "o") void motion.toggleGhosts();
     else if (key === "delete" || key === "backspace") void parts.remove();
     else return;

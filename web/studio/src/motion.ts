@@ -33,7 +33,7 @@ export class Motion {
     const button = (name: string, word: string, action: () => void, key = "") => el("button", { title: word + key, "aria-label": word, onclick: action }, icon(name));
     fill(byId("motion"), button("start", words.motion.start, () => void this.restart(), " (Home)"), button("back", words.motion.back, () => this.step(-1), " ([)"), this.play,
       button("on", words.motion.on, () => this.step(1), " (])"), this.slider, this.now, this.speed, this.free, this.ghosts,
-      button("trace", words.motion.trace, () => void this.trace(), " (T)"));
+      button("trace", words.motion.trace, () => void this.trace(), " (T)"), canvas.arrows.control);
     this.slider.addEventListener("input", () => { this.stop(); void this.to((Number(this.slider.value) / STEPS) * this.period); });
     session.on("opened", (opened) => { if (opened.machine) void this.measure(); });
     session.on("pose", () => this.tell());
