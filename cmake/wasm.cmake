@@ -1,5 +1,5 @@
-# The core for browsers (preset `wasm`, cmake/wasi.toolchain.cmake): core.wasm for the page's drawing and moving, without imports, and
-# yoke.wasm, the whole command. See web/core/README.md.
+# The core for browsers (preset `wasm`, cmake/wasi.toolchain.cmake): core.wasm for the page's drawing and moving, without imports;
+# panels.wasm for its panels; and yoke.wasm, the whole command. See web/core/README.md.
 set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
 set(YOKE_WASI ${CMAKE_SOURCE_DIR}/web/core/wasi)
 set(YOKE_LIBYAML ${CMAKE_BINARY_DIR}/third-party CACHE PATH "Folder with libyaml's sources, or where tools/get-libyaml shall put them")
@@ -31,8 +31,15 @@ include(cmake/web.cmake)
 file(GLOB with_posix src/write/*.c src/doc/file.c apps/cli/stop.c apps/cli/verbs/simulate/verb.c)
 set_property(SOURCE ${with_posix} APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
 
-# Binaryen takes some more bytes off, where it is installed. It changes no arithmetic.
+# Binaryen takes some more bytes off, where it is installed. It changes no arithmetic. Memory begins with zeros, and C has
+# no addresses below 1024: no module is given a memory, and the stack's end lies there.
 find_program(YOKE_WASM_OPT wasm-opt)
+function(yoke_shrink target)
+  if(YOKE_WASM_OPT)
+    add_custom_command(TARGET ${target} POST_BUILD COMMAND ${YOKE_WASM_OPT} -Oz --zero-filled-memory --low-memory-unused $<TARGET_FILE:${target}>
+      -o $<TARGET_FILE:${target}> VERBATIM)
+  endif()
+endfunction()
 
 # The whole command.
 add_subdirectory(apps/cli)
@@ -40,18 +47,32 @@ set_property(SOURCE ${with_posix} DIRECTORY apps/cli APPEND PROPERTY COMPILE_OPT
 target_link_libraries(yoke PRIVATE wasi-emulated-getpid wasi-emulated-signal)
 set_target_properties(yoke PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
+# What the page's panels need: the same flat functions as core.wasm, those of curves and simulations, and the verbs by which
+# panels are filled. The verbs that take their time or write files are in yoke.wasm alone.
+file(GLOB door CONFIGURE_DEPENDS web/core/*.c)
+set(left "/(new|study|report|code|studio|synthesize|map|cognates|balance)/verb[.]c|/gallery[.]c")
+target_sources(yoke PRIVATE ${door} ${YOKE_WASI}/start.c) # a page in one file has no panels.wasm
+target_include_directories(yoke PRIVATE web/core)
+target_link_options(yoke PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
+add_executable(panels ${door} ${YOKE_WASI}/start.c apps/cli/main.c apps/cli/watch.c web/core/small/verbs.c $<FILTER:$<TARGET_OBJECTS:yoke_command>,EXCLUDE,${left}>)
+target_include_directories(panels PRIVATE web/core apps/cli)
+target_link_libraries(panels PRIVATE yoke_core wasi-emulated-getpid wasi-emulated-signal)
+target_compile_definitions(panels PRIVATE $<TARGET_PROPERTY:yoke,COMPILE_DEFINITIONS>)
+target_link_options(panels PRIVATE $<TARGET_PROPERTY:yoke,LINK_OPTIONS>)
+set_target_properties(panels PROPERTIES SUFFIX .wasm)
+yoke_warnings(panels)
+yoke_shrink(panels)
+
 # What a page needs to draw and to move: flat functions and no imports. Memory has an end, so that running out is told.
-file(GLOB core CONFIGURE_DEPENDS web/core/*.c)
+set(core ${door} web/core/small/still.c)
+list(FILTER core EXCLUDE REGEX "/(curves|forces|simulate)[.]c$")
 add_executable(core ${core})
 target_include_directories(core PRIVATE web/core)
 target_link_libraries(core PRIVATE yoke_core)
 target_link_options(core PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
 set_target_properties(core PROPERTIES SUFFIX .wasm)
 yoke_warnings(core)
-
-if(YOKE_WASM_OPT)
-  add_custom_command(TARGET core POST_BUILD COMMAND ${YOKE_WASM_OPT} -Oz $<TARGET_FILE:core> -o $<TARGET_FILE:core> VERBATIM)
-endif()
+yoke_shrink(core)
 
 # What tests in Node use of the page's side, bundled by the esbuild that bundled the report's script.
 if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM)

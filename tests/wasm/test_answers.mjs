@@ -1,5 +1,5 @@
 // The page's numbers are the command's: every example opened, swept over time and over its first input, against the JSON that the
-// command prints for the same. node test_answers.mjs NODE.mjs CORE.wasm YOKE.wasm EXAMPLES
+// command prints for the same. node test_answers.mjs NODE.mjs PANELS.wasm YOKE.wasm EXAMPLES
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";

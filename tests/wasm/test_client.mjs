@@ -1,12 +1,12 @@
 // The page's side: requests overtake each other, a core that dies or runs out of memory is started anew with the last text.
-// node test_client.mjs NODE.mjs WORKER.js CORE.wasm YOKE.wasm EXAMPLES
+// node test_client.mjs NODE.mjs WORKER.js CORE.wasm PANELS.wasm YOKE.wasm EXAMPLES
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Worker } from "node:worker_threads";
 
-const [, , library, script, small, whole, examples] = process.argv;
+const [, , library, script, small, panels, whole, examples] = process.argv;
 const { startCore, Overtaken, CoreLost } = await import(pathToFileURL(resolve(library)).href);
 if (!startCore) {
   console.log("skipped: npm could not get esbuild");
@@ -32,7 +32,7 @@ function worker() {
   workers.push(outer);
   return outer;
 }
-const start = (more = {}) => startCore({ worker, small: bytes(small), whole: bytes(whole), ...more });
+const start = (more = {}) => startCore({ worker, small: bytes(small), panels: bytes(panels), whole: bytes(whole), ...more });
 const outcome = (promise) => promise.then((value) => value, (problem) => problem.name);
 
 // Returns the module with a smaller limit on its memory, in pages of 64 KiB.
@@ -65,6 +65,66 @@ const tests = {
     assert.deepEqual([reply.exit, reply.out, Object.keys(reply.files)], [0, "", ["out.txt"]]);
     assert.match(new TextDecoder().decode(reply.files["out.txt"]), /^Four-bar linkage/);
     core.close();
+  },
+  async "the module behind takes the machine over as it stands: slider, view, inputs, assembly"() {
+    const core = start(), alone = start({ small: bytes(panels) }), text = machine("four-bar"), name = "four-bar.yaml";
+    const told = [];
+    for (const one of [core, alone]) {
+      await one.open(text, name);
+      await one.parameter("b", 0.115);
+      await one.look(900);
+      const away = await one.at({ theta4: 1.9 }), ghosts = await one.ghosts();
+      const curves = one === alone ? null : await one.curves("theta4", 1.9, 2, 3, ["theta2", "theta2.rate"]);
+      const after = await one.choose(0), dragged = await one.drag("coupler", [0.05, 0], [0.1, 0.1]), { scene } = await one.look(900);
+      told.push([away, ghosts, after, dragged, scene]);
+      if (curves) assert.equal(curves.status, "ok");
+      one.close();
+    }
+    assert.deepEqual(told[0], told[1]);
+    assert.ok(told[0][1].length > 0);
+  },
+  async "rates are those of the command"() {
+    const core = start(), text = machine("four-bar"), { machine: told } = await core.open(text, "m.yaml");
+    const { out } = await core.run(["solve", "m.yaml", "--format", "json"], { "m.yaml": text });
+    const answer = JSON.parse(out).configurations[0], rates = await core.rates();
+    told.coordinates.forEach(({ name }, k) => assert.deepEqual([...rates.coordinates.slice(2 * k, 2 * k + 2)], [answer.coordinates[name].velocity, answer.coordinates[name].acceleration]));
+    told.bodies.flatMap((body) => body.points.map((point) => `${body.name}.${point.name}`)).forEach((name, p) => {
+      if (answer.points[name]) assert.deepEqual([...rates.points.slice(4 * p, 4 * p + 4)], [...answer.points[name].velocity, ...answer.points[name].acceleration], name);
+    });
+    assert.equal(rates.points.length, 4 * told.bodies.flatMap(({ points }) => points).length);
+    core.close();
+  },
+  async "forces in joints are those of the command, and a machine without masses says why it has none"() {
+    const core = start(), text = machine("watt-with-masses"), { machine: told } = await core.open(text, "m.yaml");
+    const { out } = await core.run(["solve", "m.yaml", "--format", "json"], { "m.yaml": text });
+    const { reactions } = JSON.parse(out).configurations[0], { joints, message } = await core.forces();
+    assert.equal(message, "");
+    told.joints.forEach(({ name }, j) => assert.deepEqual([...joints.slice(5 * j + 2, 5 * j + 5)], [...reactions[name].force, 1], name));
+    await core.open(machine("four-bar"), "m.yaml");
+    const none = await core.forces();
+    assert.match(none.message, /neither masses nor loads/);
+    assert.ok(none.joints.every((value, k) => k % 5 !== 2 || value === 0));
+    core.close();
+  },
+  async "an even turn is told, an uneven one is not, not even if it begins without acceleration"() {
+    const core = start(), text = machine("four-bar"), turn = async (drive) => {
+      const { machine: told } = await core.open(text.replace(/^drives:.*$/m, `drives: {theta2: ${drive}}`), "m.yaml");
+      return core.turn(told.coordinates.findIndex(({ name }) => name === "theta2"));
+    };
+    const even = await turn("40 + 60 rpm * t");
+    assert.ok(Math.abs(even.from - (40 * Math.PI) / 180) < 1e-15 && Math.abs(even.rate - 2 * Math.PI) < 1e-14);
+    assert.equal(await turn("40 + 10 * sin(60 rpm * t)"), null);
+    assert.equal((await turn("40")).rate, 0);
+    core.close();
+  },
+  async "panels.wasm answers its verbs as yoke.wasm does, and leaves it the others"() {
+    const core = start(), alone = start({ panels: bytes(whole) }), files = { "m.yaml": machine("four-bar") };
+    for (const words of [["check", "m.yaml"], ["solve", "m.yaml"], ["derive", "m.yaml"], ["sweep", "m.yaml", "--over", "t=0:1s"], ["draw", "m.yaml"], ["cam", "m.yaml"], ["gears", "m.yaml"],
+      ["rest", "m.yaml"], ["simulate", "m.yaml", "--to", "0.1s"], ["explain", "E0401"]])
+      assert.deepEqual(await core.run(words, files), await alone.run(words, files), words[0]);
+    for (const words of [["new"], ["study", "m.yaml", "--vary", "b=110mm:130mm:3"], ["code", "m.yaml"], ["report", "m.yaml"], ["map", "m.yaml", "--over", "theta4"], ["cognates", "m.yaml"], ["balance", "m.yaml"], ["--version"]])
+      assert.ok(!(await core.run(words, files)).err.includes("this module"), words[0]);
+    for (const one of [core, alone]) one.close();
   },
   async "a newer request overtakes one that waits, never one that works"() {
     const core = start();

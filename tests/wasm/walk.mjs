@@ -1,9 +1,9 @@
 // Goes through a machine by all calls of the page's door, as door.c does, and hashes every number, status and picture.
-// Returns eight hexadecimal digits.
+// Returns eight hexadecimal digits. `grow` gives the engine that goes on where core.wasm has no more calls.
 const encoder = new TextEncoder();
 
-export function walk(engine, text) {
-  const call = engine.call;
+export function walk(engine, text, grow) {
+  let call = engine.call;
   let hash = 2166136261;
   const memory = (at, size) => new Uint8Array(call.memory.buffer, at, size);
   const add = (bytes) => { for (const byte of bytes) hash = Math.imul(hash ^ byte, 16777619); };
@@ -38,6 +38,7 @@ export function walk(engine, text) {
     addAll(call.ys_move_time(0.3));
     const x = numbers()[3 * last], y = numbers()[3 * last + 1];
     addAll(call.ys_drag(last, 0, 0, x + 0.01, y - 0.01));
+    call = grow(engine).call;
     put("t\0" + coordinates.map(({ name }) => name + "\0").join(""));
     addAll(call.ys_curves(0, 1, 12));
     put("t\0");

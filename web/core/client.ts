@@ -15,7 +15,8 @@ export interface WorkerLike {
 export interface CoreOptions {
   worker: () => WorkerLike; // a new worker that runs worker.ts
   small: Source; // core.wasm
-  whole: Source; // yoke.wasm, loaded when `run` is first used
+  panels: Source; // panels.wasm, loaded behind core.wasm, or when curves, simulations or the verbs in it are first asked for
+  whole: Source; // yoke.wasm, loaded when `run` first has a verb that panels.wasm has not
   patience?: number; // ms that a newer request of its kind, or an opening, waits for one that takes long; default 3000
   onRestart?: (opened: Opened | null) => void; // the core was started anew, with the last text
 }
@@ -49,7 +50,7 @@ class Client {
     this.port = this.options.worker();
     this.port.onmessage = ({ data }) => this.take(data);
     this.port.onerror = () => this.lose("the core died");
-    this.send({ request: this.make("start", [this.options.small, this.options.whole]), key: "start", resolve: () => this.started(),
+    this.send({ request: this.make("start", [this.options.small, this.options.panels, this.options.whole]), key: "start", resolve: () => this.started(),
       reject: (problem) => this.queue.splice(0).forEach((waiting) => waiting.reject(problem)) });
   }
 
@@ -164,6 +165,9 @@ export function startCore(options: CoreOptions): Core & { close(): void } {
     release: () => client.ask("release"),
     step: (seconds, pull) => client.ask("step", seconds, pull),
     hold: () => client.ask("hold"),
+    rates: () => client.ask("rates"),
+    forces: () => client.ask("forces"),
+    turn: (coordinate) => client.ask("turn", coordinate),
     run: (words, files) => client.ask("run", words, files),
     close: () => client.close(),
   };

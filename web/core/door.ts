@@ -12,6 +12,10 @@ export interface Opened { problems: Problem[]; lacks: Lack[]; machine: Machine |
 // scene: one SVG document by the core, with <g data-body="NAME"> in the body's own axes, so that a pose is one transform for each body;
 // joints, springs and what spans bodies are drawn by the core again for each pose in `parts` (SVG fragments), empty if nothing spans
 export interface Pose { status: string; message: string; time: number; bodies: Float64Array /* x, y, angle for each body */; coordinates: Float64Array; parts: string }
+// Velocities and accelerations: vx, vy, ax, ay of every point, body by body, in the ground's axes; the rate and the acceleration of every coordinate.
+export interface Rates { status: string; points: Float64Array; coordinates: Float64Array }
+// Of every joint: x, y, the force fx, fy of its first body on its second, N, and 1 where it is determinate. Empty where it cannot be computed; the message says why.
+export interface Forces { status: string; message: string; joints: Float64Array }
 export interface Reply { exit: number; out: string; err: string; files: Record<string, Uint8Array> }
 export interface Core {
   open(text: string, name: string): Promise<Opened>;                      // reads as a sketch; never rejects because of the text
@@ -27,6 +31,9 @@ export interface Core {
   release(): Promise<Pose>;                                               // simulation from here under loads and gravity
   step(seconds: number, pull?: { body: string; point: [number, number]; to: [number, number]; stiffness: number }): Promise<Pose>;
   hold(): Promise<Pose>;                                                  // ends the simulation
+  rates(): Promise<Rates | null>;                                         // of the pose shown; null where it has no velocities
+  forces(): Promise<Forces>;                                              // in the joints, with the inputs moving as they do in the pose
+  turn(coordinate: number): Promise<{ from: number; rate: number } | null>; // where its drive begins at t = 0, and the rate, if that does not change
   run(words: string[], files: Record<string, string>): Promise<Reply>;    // the command itself: run(["derive", "machine.yaml", "--format", "mathml"], {"machine.yaml": text})
 }
 

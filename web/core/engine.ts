@@ -1,5 +1,6 @@
 // Calls the flat functions of core.wasm: writes what goes in, reads what comes out. One machine in each engine.
-import type { Opened, Pose } from "./door";
+import type { Forces, Opened, Pose, Rates } from "./door";
+import { instanceOf } from "./wasi";
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -31,6 +32,11 @@ interface Exports {
   ys_pull(body: number, x: number, y: number, toX: number, toY: number, stiffness: number): number;
   ys_step(seconds: number): number;
   ys_hold(): number;
+  ys_rates(): number;
+  ys_forces(): number;
+  ys_turn(coordinate: number): number;
+  ys_save(): number;
+  ys_restore(length: number): number;
 }
 
 export interface Pull { body: string; point: [number, number]; to: [number, number]; stiffness: number }
@@ -44,10 +50,24 @@ const encoder = new TextEncoder(), decoder = new TextDecoder();
 export class Engine {
   private readonly call: Exports;
   private names: string[] = []; // of the bodies
+  private points = 0;
+  private ghostCount = 0; // other assemblies that the page was told of
 
+  // Of core.wasm, or of panels.wasm, which imports a system (wasi.ts) that these functions do not use.
   constructor(module: WebAssembly.Module) {
-    this.call = new WebAssembly.Instance(module, {}).exports as unknown as Exports;
+    this.call = instanceOf(module) as unknown as Exports;
     this.call._initialize();
+  }
+
+  // Takes over from another engine, which ends: the machine as it stands, and the ghosts that were shown.
+  adopt(from: Engine): void {
+    if (from.call.ys_save() < 0) throw new OutOfMemory("out of memory");
+    const bytes = new Uint8Array(from.call.memory.buffer, from.call.ys_text(), from.call.ys_text_length()), at = this.call.ys_input(bytes.length);
+    if (at === 0) throw new OutOfMemory("out of memory");
+    new Uint8Array(this.call.memory.buffer, at, bytes.length).set(bytes);
+    if (this.call.ys_restore(bytes.length) < 0) throw new OutOfMemory("the machine could not be handed over");
+    [this.names, this.points] = [from.names, from.points];
+    if (from.ghostCount > 0) this.ghosts();
   }
 
   // --- in and out; memory may grow in every call, so views are made anew
@@ -103,6 +123,8 @@ export class Engine {
     if (status < 0) throw new OutOfMemory("out of memory");
     const told = JSON.parse(this.text()) as Pick<Opened, "problems" | "lacks" | "machine">;
     this.names = told.machine ? told.machine.bodies.map((body) => body.name) : [];
+    this.points = told.machine ? told.machine.bodies.reduce((sum, body) => sum + body.points.length, 0) : 0;
+    this.ghostCount = 0;
     if (!told.machine) return { ...told, scene: null, pose: null };
     const drawn = this.call.ys_scene();
     if (drawn < 0) throw new OutOfMemory("out of memory");
@@ -144,7 +166,8 @@ export class Engine {
   }
 
   ghosts(): Pose[] {
-    return Array.from({ length: this.checked(this.call.ys_ghosts()) }, (_, k) => this.pose(this.call.ys_ghost(k)));
+    this.ghostCount = this.checked(this.call.ys_ghosts());
+    return Array.from({ length: this.ghostCount }, (_, k) => this.pose(this.call.ys_ghost(k)));
   }
 
   choose(index: number): Pose {
@@ -179,6 +202,22 @@ export class Engine {
 
   hold(): Pose {
     return this.pose(this.call.ys_hold());
+  }
+
+  forces(): Forces {
+    const told = this.told(this.call.ys_forces());
+    return { ...told, joints: this.numbers() };
+  }
+
+  turn(coordinate: number): { from: number; rate: number } | null {
+    this.checked(this.call.ys_turn(coordinate));
+    const [from, rate] = this.numbers();
+    return rate === undefined ? null : { from, rate };
+  }
+
+  rates(): Rates | null {
+    const { status } = this.told(this.call.ys_rates()), numbers = this.numbers();
+    return numbers.length > 0 ? { status, points: numbers.slice(0, 4 * this.points), coordinates: numbers.slice(4 * this.points) } : null;
   }
 
   version(): string {

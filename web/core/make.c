@@ -47,6 +47,15 @@ static void tour(YkDrawing *drawing, const YkState *state)
     yk_state_free(moving);
 }
 
+// Keeps the state at which the machine is drawn, so that another module can draw it alike.
+static bool keep_drawn(YkCore *made, YkArchive *drawn)
+{
+    if (drawn) yk_core_walk_state(drawn, made->state);
+    made->drawn = yk_state_new(made->mech);
+    if (!made->drawn || (drawn && drawn->failed)) return false;
+    return yk_state_copy(made->drawn, made->state) >= 0;
+}
+
 static bool make_drawing(YkCore *made)
 {
     YkDrawOptions options = yk_default_draw_options();
@@ -67,7 +76,7 @@ static bool make_drawing(YkCore *made)
     return true;
 }
 
-bool yk_core_make(YkCore *made, const YkCore *from, YkProblems *problems)
+bool yk_core_make(YkCore *made, const YkCore *from, YkArchive *drawn, YkProblems *problems)
 {
     YkOverride overrides[YK_OVERRIDES];
     YkLoadOptions options = yk_default_load_options();
@@ -80,7 +89,7 @@ bool yk_core_make(YkCore *made, const YkCore *from, YkProblems *problems)
     if (made->sketch) {
         made->model = yk_sketch_model(made->sketch);
         made->mech = yk_sketch_mechanism(made->sketch);
-        if (make_states(made, from, problems) && make_drawing(made)) return true;
+        if (make_states(made, from, problems) && keep_drawn(made, drawn) && make_drawing(made)) return true;
     }
     yk_core_release(made);
     return false;

@@ -7,7 +7,8 @@
 
 const YkState *yk_core_shown(void)
 {
-    return yk_core.simulation ? yk_simulation_state(yk_core.simulation) : yk_core.state;
+    const YkState *simulated = yk_core_simulated(NULL);
+    return simulated ? simulated : yk_core.state;
 }
 
 static void write_numbers(const YkState *state, double *numbers)
@@ -52,7 +53,8 @@ YK_DOOR(ys_pose) int ys_pose(void)
 
 YK_DOOR(ys_time) double ys_time(void)
 {
-    if (yk_core.simulation) return yk_simulation_time(yk_core.simulation);
+    double time;
+    if (yk_core_simulated(&time)) return time;
     return yk_core.state ? yk_state_time(yk_core.state) : 0;
 }
 

@@ -8,10 +8,9 @@ void yk_core_settle(void)
 {
     yk_drag_free(yk_core.drag);
     for (size_t k = 0; k < yk_core.ghost_count; k++) yk_state_free(yk_core.ghosts[k]);
-    yk_simulation_free(yk_core.simulation);
+    yk_core_stop();
     yk_core.drag = NULL;
     yk_core.ghost_count = 0;
-    yk_core.simulation = NULL;
 }
 
 void yk_core_release(YkCore *core)
@@ -19,10 +18,11 @@ void yk_core_release(YkCore *core)
     yk_drawing_free(core->drawing);
     yk_state_free(core->start);
     yk_state_free(core->state);
+    yk_state_free(core->drawn);
     yk_mechanism_free(core->other);
     yk_sketch_free(core->sketch);
     core->drawing = NULL;
-    core->start = core->state = NULL;
+    core->start = core->state = core->drawn = NULL;
     core->other = NULL;
     core->mech = NULL;
     core->model = NULL;
@@ -44,8 +44,7 @@ void yk_core_close(void)
     yk_core_release(&yk_core);
 }
 
-// Puts the machine `made` in the place of the present one.
-static void take(const YkCore *made)
+void yk_core_take(const YkCore *made)
 {
     yk_core_close();
     yk_core.sketch = made->sketch;
@@ -53,6 +52,7 @@ static void take(const YkCore *made)
     yk_core.mech = made->mech;
     yk_core.start = made->start;
     yk_core.state = made->state;
+    yk_core.drawn = made->drawn;
     yk_core.drawing = made->drawing;
     yk_core.is_scheduled = true;
 }
@@ -69,9 +69,9 @@ YK_DOOR(ys_open) int ys_open(size_t length)
     yk_text_clear(&yk_core.name);
     yk_text_add(&yk_core.source, yk_core.input.data, length);
     yk_text_puts(&yk_core.name, length + 1 < yk_core.input.length ? yk_core.input.data + length + 1 : "machine.yaml");
-    bool good = yk_core_make(&made, NULL, problems);
+    bool good = yk_core_make(&made, NULL, NULL, problems);
     if (good)
-        take(&made);
+        yk_core_take(&made);
     else
         yk_core_close();
     yk_core_write(&yk_core, problems);
@@ -105,10 +105,10 @@ YK_DOOR(ys_parameter) int ys_parameter(double value)
     char *before = slider->value;
     yk_text_format(&words, "%g", value / yk_model_parameter_unit(yk_core.model, slider->name));
     slider->value = words.failed ? NULL : words.data;
-    bool good = slider->value && yk_core_make(&made, &yk_core, problems);
+    bool good = slider->value && yk_core_make(&made, &yk_core, NULL, problems);
     if (good) {
         free(before);
-        take(&made);
+        yk_core_take(&made);
     } else {
         free(words.data);
         slider->value = before;

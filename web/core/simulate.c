@@ -7,6 +7,19 @@ enum { STEPS_AT_ONCE = 3000 }; // of the integrator, a call: then it tells how f
 
 static size_t steps_left;
 
+const YkState *yk_core_simulated(double *time)
+{
+    if (!yk_core.simulation) return NULL;
+    if (time) *time = yk_simulation_time(yk_core.simulation);
+    return yk_simulation_state(yk_core.simulation);
+}
+
+void yk_core_stop(void)
+{
+    yk_simulation_free(yk_core.simulation);
+    yk_core.simulation = NULL;
+}
+
 static bool goes_on(void *context, double time)
 {
     (void)context, (void)time;

@@ -287,14 +287,25 @@ export function runCommand(module: WebAssembly.Module, system: System): { exit: 
   const wasi = new Wasi(system);
   const known = wasi.imports();
   const instance = new WebAssembly.Instance(module, { wasi_snapshot_preview1: known as WebAssembly.ModuleImports });
-  const program = instance.exports as unknown as { memory: WebAssembly.Memory; _start(): void };
+  const program = instance.exports as unknown as { memory: WebAssembly.Memory; _initialize(): void; _start(): void };
   wasi.start(program.memory);
   let exit = 0;
   try {
+    program._initialize();
     program._start();
   } catch (problem) {
     if (!(problem instanceof Exit)) throw problem;
     exit = problem.code;
   }
   return { exit, out: join(wasi.output[0]), err: join(wasi.output[1]) };
+}
+
+// Makes an instance whose functions are called one by one: of core.wasm, which imports nothing, or of panels.wasm, whose
+// system then has no files.
+export function instanceOf(module: WebAssembly.Module): WebAssembly.Exports {
+  if (WebAssembly.Module.imports(module).length === 0) return new WebAssembly.Instance(module, {}).exports;
+  const wasi = new Wasi({ words: [], files: new Map() });
+  const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: wasi.imports() as WebAssembly.ModuleImports });
+  wasi.start(exports.memory as WebAssembly.Memory);
+  return exports;
 }

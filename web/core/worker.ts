@@ -12,21 +12,40 @@ async function compile(source: Source): Promise<WebAssembly.Module> {
   return WebAssembly.compile(await answer.arrayBuffer());
 }
 
-export function serve(port: Port): void {
-  let engine: Engine | null = null, command: Promise<WebAssembly.Module> | null = null, whole: Source = "";
+// The verbs of panels.wasm, and the calls that core.wasm does not have.
+const PANELS = new Set(["check", "solve", "sweep", "simulate", "rest", "draw", "cam", "explain", "derive", "gears"]);
+const BEHIND = new Set(["curves", "forces", "trace", "release", "step", "hold"]);
+const PAUSE = 400; // ms after the first machine, before the module behind is fetched
 
-  async function start(small: Source, later: Source): Promise<string> {
-    whole = later;
+export function serve(port: Port): void {
+  let engine: Engine | null = null, isWhole = false; // the engine is of panels.wasm
+  const sources: Record<string, Source> = {}, modules: Record<string, Promise<WebAssembly.Module>> = {};
+
+  // Compiles a module once; where that fails, it is tried again when it is asked for again.
+  function module(name: "panels" | "whole"): Promise<WebAssembly.Module> {
+    modules[name] ??= compile(sources[name]);
+    modules[name].catch(() => delete modules[name]);
+    return modules[name];
+  }
+
+  async function start(small: Source, panels: Source, whole: Source): Promise<string> {
+    [sources.panels, sources.whole] = [panels, whole];
     engine = new Engine(await compile(small));
     return engine.version();
   }
 
+  // Lets the engine of panels.wasm take over the machine as it stands.
+  async function grow(): Promise<void> {
+    const larger = new Engine(await module("panels"));
+    larger.adopt(engine!);
+    engine = larger;
+    isWhole = true;
+  }
+
   async function run(words: string[], texts: Record<string, string>): Promise<unknown> {
-    command ??= compile(whole);
-    command.catch(() => (command = null)); // asked again, it is fetched again
-    const encode = new TextEncoder(), decode = new TextDecoder();
+    const encode = new TextEncoder(), decode = new TextDecoder(), command = await module(PANELS.has(words[0]) ? "panels" : "whole");
     const files = new Map(Object.entries(texts).map(([name, text]) => [name, encode.encode(text) as Uint8Array]));
-    const given = new Map(files), reply = runCommand(await command, { words, files });
+    const given = new Map(files), reply = runCommand(command, { words, files });
     const written = [...files].filter(([name, bytes]) => given.get(name) !== bytes);
     return {
       exit: reply.exit, out: decode.decode(reply.out), err: decode.decode(reply.err),
@@ -35,9 +54,11 @@ export function serve(port: Port): void {
   }
 
   async function answer({ kind, words }: Request): Promise<unknown> {
-    if (kind === "start") return start(words[0] as Source, words[1] as Source);
+    if (kind === "start") return start(words[0] as Source, words[1] as Source, words[2] as Source);
     if (kind === "run") return run(words[0] as string[], words[1] as Record<string, string>);
     if (!engine) throw new Error("the core has not started");
+    if (BEHIND.has(kind) && !isWhole) await grow();
+    if (kind === "open" && !modules.panels) setTimeout(() => void module("panels").catch(() => undefined), PAUSE);
     const ask = engine[kind as keyof Engine] as (...words: unknown[]) => unknown;
     return ask.apply(engine, words);
   }

@@ -1,5 +1,6 @@
 // Studio in a real browser: draws, moves, mends, shares. node test_page.mjs BUNDLED PAGE
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { bodies, close, joints, moves, open, runTests, start, text, turn, until, write } from "./browser.mjs";
 
 const world = await start(process.argv[2], process.argv[3]);
@@ -130,6 +131,45 @@ const tests = {
     await page.reload();
     await bodies(page, 2);
     assert.match(await text(page), /rock/i);
+    await close(page);
+  },
+  async "arrows: velocities at right angles to a crank, then accelerations, then forces with a legend; longer by hand"() {
+    const page = await open(world);
+    await chooseExample(page, "watt-with-masses");
+    await page.keyboard.press("Escape");
+    const arrows = () => page.evaluate(() => Array.from(document.querySelectorAll(".arrows line"), (line) => ["x1", "y1", "x2", "y2"].map((name) => Number(line.getAttribute(name)))));
+    await page.click("#arrows-turn");
+    await until(page, () => document.querySelectorAll(".arrows line").length > 2);
+    const [first] = await arrows(), [ax, ay] = await page.evaluate(([x, y]) => { // the crank's pin on the ground: the circle of AB farthest from the arrow
+      const { left, top } = document.querySelector("#canvas").getBoundingClientRect();
+      const places = Array.from(document.querySelectorAll('#scene [data-body="AB"] circle'), (one) => one.getBoundingClientRect()).map((box) => [box.x + box.width / 2 - left, box.y + box.height / 2 - top]);
+      return places.sort((p, q) => Math.hypot(q[0] - x, q[1] - y) - Math.hypot(p[0] - x, p[1] - y))[0];
+    }, first), crank = [first[0] - ax, first[1] - ay];
+    const [dx, dy] = [first[2] - first[0], first[3] - first[1]], cosine = (dx * crank[0] + dy * crank[1]) / Math.hypot(dx, dy) / Math.hypot(...crank);
+    assert.ok(Math.abs(cosine) < 0.02, `${cosine}`);
+    assert.match(await page.textContent("#arrows"), /Velocities[\d.]+ m\/s$/);
+    await page.click("#arrows button >> nth=1");
+    await until(page, (long) => { const line = document.querySelector(".arrows line"); return Math.abs(line.getAttribute("x2") - line.getAttribute("x1")) > long; }, 1.4 * Math.abs(dx));
+    for (const unit of ["m/s²", "N"]) {
+      await page.click("#arrows-turn");
+      await until(page, (one) => document.querySelector("#arrows output").textContent.endsWith(" " + one), unit);
+    }
+    await until(page, () => document.querySelectorAll(".arrows line").length > 4);
+    await page.click("#arrows-turn");
+    await until(page, () => document.querySelectorAll(".arrows line").length === 0 && document.querySelector("#arrows").hidden);
+    await close(page);
+  },
+  async "exports a PNG"() {
+    const page = await open(world);
+    await chooseExample(page, "four-bar");
+    await page.click("#export");
+    const take = async (id) => {
+      const [file] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), page.click(`[data-export="${id}"]`)]);
+      return readFileSync(await file.path());
+    };
+    const png = await take("png");
+    assert.equal(png.subarray(1, 4).toString(), "PNG");
+    assert.ok(png.length > 5000, `${png.length} bytes`);
     await close(page);
   },
   async "a link carries the machine to another profile, letter by letter"() {

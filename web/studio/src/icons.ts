@@ -23,8 +23,9 @@ const PATHS: Record<string, string> = {
   delete: "M4 6h12M8 6V3.5h4V6M5.5 6l.8 11h7.4l.8-11M8.5 9v5M11.5 9v5",
   play: "M6 3.5l11 6.5-11 6.5z", pause: "M6 4v12M14 4v12", start: "M5 4v12M16 4.5L8 10l8 5.5z", back: "M14 4.5L6 10l8 5.5z", on: "M6 4.5l8 5.5-8 5.5z",
   ghosts: "M3.5 15L8 5l8.5 3M3.5 15l6.5 1.5L16.5 8", trace: "M3 14c1-9 6-11 8-7s-2 8-4 6 4-9 10-4",
+  arrows: "M3 17L9 8M6 8.5h3.2v3.2M9.5 16.5L17 5M13.5 5H17v3.7",
   undo: "M7 4L3.5 7.5 7 11M4 7.5h7.5a4.5 4.5 0 0 1 0 9H8", redo: "M13 4l3.5 3.5L13 11M16 7.5H8.5a4.5 4.5 0 0 0 0 9H12",
-  fit: "M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4", in: "M10 4v12M4 10h12", out: "M4 10h12",
+  fit: "M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4", less: "M4 10h12", in: "M10 4v12M4 10h12", out: "M4 10h12",
   theme: "M10 3.5a6.5 6.5 0 1 0 0 13zM10 3.5a6.5 6.5 0 0 1 0 13", help: "M7.5 7.5a2.5 2.5 0 1 1 3.6 2.3c-.8.4-1.1.9-1.1 1.9M10 14.7v.1", close: "M5 5l10 10M15 5L5 15",
   more: "M4.5 10h.1M10 10h.1M15.5 10h.1", file: "M5 2.5h6.5L15.5 7v10.5H5zM11.5 2.5V7h4",
 };

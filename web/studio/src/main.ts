@@ -30,7 +30,7 @@ import { words } from "./words";
 const FEATURED = ["four-bar", "quick-return", "jansen", "gas-engine", "double-pendulum", "epicyclic"];
 
 const session: Session = new Session(startCore({
-  worker: () => new Worker(inline?.worker ?? "worker.js") as unknown as WorkerLike, small: inline?.small ?? "core.wasm", whole: inline?.whole ?? "yoke.wasm",
+  worker: () => new Worker(inline?.worker ?? "worker.js") as unknown as WorkerLike, small: inline?.small ?? "core.wasm", panels: inline?.whole ?? "panels.wasm", whole: inline?.whole ?? "yoke.wasm",
   onRestart: () => session.emit("lost", words.coreLost),
 }));
 const editor = new Editor(byId("panel-text"), session);
@@ -132,6 +132,7 @@ function listen(): void {
     else if (key === "+" || key === "=") zoom(1.2);
     else if (key === "-") zoom(1 / 1.2);
     else if (key === "t") void motion.trace();
+    else if (key === "a") canvas.arrows.turn();
     else if (key === "o") void motion.toggleGhosts();
     else if (key === "delete" || key === "backspace") void parts.remove();
     else return;

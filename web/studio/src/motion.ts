@@ -33,7 +33,7 @@ export class Motion {
     const button = (name: string, word: string, action: () => void, key = "") => el("button", { title: word + key, "aria-label": word, onclick: action }, icon(name));
     fill(byId("motion"), button("start", words.motion.start, () => void this.restart(), " (Home)"), button("back", words.motion.back, () => this.step(-1), " ([)"), this.play,
       button("on", words.motion.on, () => this.step(1), " (])"), this.slider, this.now, this.speed, this.free, this.ghosts,
-      button("trace", words.motion.trace, () => void this.trace(), " (T)"));
+      button("trace", words.motion.trace, () => void this.trace(), " (T)"), canvas.arrows.control);
     this.slider.addEventListener("input", () => { this.stop(); void this.to((Number(this.slider.value) / STEPS) * this.period); });
     session.on("opened", (opened) => { if (opened.machine) void this.measure(); });
     session.on("pose", () => this.tell());
@@ -59,12 +59,8 @@ export class Motion {
     const { session } = this, machine = session.machine!, index = machine.coordinates.findIndex((one) => one.driven && one.kind === "angle");
     this.turn = null;
     if (index >= 0) {
-      const name = machine.coordinates[index].name, of = [name];
-      const curve = await session.ask(() => session.core.curves("t", 0, 0.02, 2, of)), values = curve?.of[0];
-      if (values && values.length === 3 && session.machine === machine) {
-        const rate = (values[2] - values[0]) / 0.02, isEven = Math.abs(values[2] - 2 * values[1] + values[0]) < 1e-9 * (1 + Math.abs(values[2]));
-        if (Math.abs(rate) > 1e-6 && isEven) this.turn = { index, from: values[0], rate };
-      }
+      const turn = await session.ask(() => session.core.turn(index));
+      if (turn && Math.abs(turn.rate) > 1e-6 && session.machine === machine) this.turn = { index, ...turn };
     }
     this.period = this.turn ? (2 * Math.PI) / Math.abs(this.turn.rate) : 5;
     if (this.isNew) this.speed.value = SPEEDS.find(([value]) => this.period / Number(value) >= SHORTEST)?.[0] ?? "0.01";

@@ -76,6 +76,11 @@ export const words = {
     speed: "Speed", release: "Let go", hold: "Hold", ghosts: "Other assemblies", trace: "Trace the selected point", seconds: (t: string) => `${t} s`,
     releaseHow: "Let go: the machine moves by its loads and gravity; pull it with the pointer",
   },
+  arrows: {
+    label: "Arrows", turn: "Arrows: velocities, accelerations, joint forces, none", longer: "Longer arrows", shorter: "Shorter arrows", scale: (value: string, unit: string) => `${value} ${unit}`,
+    velocity: ["Velocities", "m/s"], acceleration: ["Accelerations", "m/s²"], force: ["Joint forces", "N"], none: "There are no velocities at this pose: it is a dead point.",
+    many: "Dashed: other values are possible too; this is the smallest.",
+  },
   menu: {
     examples: "Examples", new: "New", open: "Open", save: "Save", share: "Share", export: "Export", undo: "Undo", redo: "Redo", help: "Help", name: "Name of the machine",
     theme: "Light or dark", more: "More", close: "Close",
@@ -116,6 +121,8 @@ export const words = {
   gallery: { title: "Examples", search: "Search the examples", none: "No example of this name." },
   exports: {
     title: "Export", yaml: ["Machine file", "YAML, as it stands"], report: ["Report", "one page: findings, motion, diagrams, equations"], svg: ["Drawing", "SVG"], dxf: ["Drawing", "DXF"], movie: ["Moving drawing", "SVG that moves by itself"],
+    png: ["Drawing", "PNG"],
+    others: "GIF, MP4, WebM and PDF need programs that a page cannot start: yoke draw FILE --animate machine.gif",
     csv: ["Table", "CSV over one period"], c: ["Controller", "C11, tests itself"], latex: ["Equations", "LaTeX"], page: ["MathML", "equations as a page"],
   } as Record<string, string | string[]>,
   keep: {
@@ -124,7 +131,7 @@ export const words = {
   help: {
     title: "Keys",
     keys: [["V B Y P J G S L M E H U C K D F W R X", "tools"], ["Space", "play, pause"], ["[ and ]", "a step back, a step on"], ["Home", "back to the start"], ["Arrows, Enter", "crosshair on the drawing, click"],
-      ["N, Shift+N", "next, last point"], ["Esc", "ends a gesture"], ["Delete", "removes what is selected"], ["0", "shows all"], ["+ and -", "zoom"], ["T", "traces the selected point"], ["O", "other assemblies"],
+      ["N, Shift+N", "next, last point"], ["Esc", "ends a gesture"], ["Delete", "removes what is selected"], ["0", "shows all"], ["+ and -", "zoom"], ["T", "traces the selected point"], ["O", "other assemblies"], ["A", "arrows: velocities, accelerations, joint forces"],
       ["Ctrl+Z, Ctrl+Y", "undo, redo"], ["Ctrl+S, Ctrl+O", "save, open"], ["Alt while drawing", "no snapping"]] as [string, string][],
   },
 };

@@ -4,6 +4,7 @@ import { unitsOf } from "../document/numbers";
 import type { Units } from "../document/numbers";
 import { Source } from "../document/source";
 import type { Session } from "../session";
+import { Arrows } from "./arrows";
 import { Grid } from "./grid";
 import { Overlay } from "./overlay";
 import type { Shown } from "./overlay";
@@ -17,6 +18,7 @@ export class Canvas {
   readonly grid = new Grid();
   readonly scene: Scene;
   readonly overlay: Overlay;
+  readonly arrows: Arrows;
   readonly shown: Shown = { hover: null, crosshair: null, sketching: null, pull: null, tool: "select" };
   units: Units = { length: "mm", metre: 1e-3, angle: "deg" };
   insets: Insets = { left: 40, top: 60, right: 40, bottom: 90 };
@@ -28,7 +30,8 @@ export class Canvas {
   constructor(readonly root: SVGSVGElement, private session: Session) {
     this.scene = new Scene(session);
     this.overlay = new Overlay(session, this.view);
-    root.append(svg("g", {}, this.grid.group, this.scene.group, this.overlay.group));
+    this.arrows = new Arrows(session, this.view, () => this.redraw());
+    root.append(svg("g", {}, this.grid.group, this.scene.group, this.arrows.group, this.overlay.group));
     new ResizeObserver(() => {
       const box = root.getBoundingClientRect(), isFirst = this.view.width <= 1;
       this.view.resize(box.width, box.height);
@@ -98,6 +101,7 @@ export class Canvas {
   private draw(): void {
     this.grid.draw(this.view, this.units.metre);
     this.scene.draw(this.view);
+    this.arrows.draw();
     this.overlay.draw(this.shown);
   }
 }

@@ -12,7 +12,7 @@ interface Picker {
 const TYPES = [{ description: "Yoke machine", accept: { "text/yaml": [".yaml", ".yml"] } }];
 
 export function download(name: string, content: string | Uint8Array): void {
-  const type = name.endsWith(".svg") ? "image/svg+xml" : name.endsWith(".html") ? "text/html" : "text/plain";
+  const type = name.endsWith(".svg") ? "image/svg+xml" : name.endsWith(".html") ? "text/html" : name.endsWith(".png") ? "image/png" : "text/plain";
   const address = URL.createObjectURL(new Blob([content as BlobPart], { type })), link = document.createElement("a");
   link.href = address;
   link.download = name;

@@ -3,6 +3,7 @@ import { el, fill } from "../dom";
 import { inline } from "../inline";
 import { picture } from "../markup";
 import { download } from "../keep/files";
+import { pngOf } from "../keep/png";
 import { isTooLong, pack } from "../keep/address";
 import type { Session } from "../session";
 import { words } from "../words";
@@ -73,16 +74,30 @@ export function showExports(session: Session, period: number): void {
     const [name, about] = words.exports[id] as string[];
     return el("button", { class: "part", "data-export": id, onclick: action }, el("b", {}, name), el("span", {}, about));
   };
-  const run = async (list: string[], file: string) => {
+  const ask = async (list: string[], file: string): Promise<Uint8Array | string | null> => {
     note.textContent = words.command.wait;
     const reply = await session.ask(() => session.core.run(list.map((word) => word.replace("PERIOD", String(period))), { [FILE]: session.text }));
-    if (!reply) return;
-    const made = reply.files[file], text = made ?? reply.out;
+    if (!reply) return null;
     note.textContent = reply.err.trim();
-    if (made || (reply.out && reply.exit === 0)) download(`${session.name}-${file}`, text);
-    else if (!note.textContent) note.textContent = words.say.noAnswer;
+    const made = reply.files[file] ?? (reply.exit === 0 && reply.out ? reply.out : null);
+    if (made === null && !note.textContent) note.textContent = words.say.noAnswer;
+    return made;
   };
-  open(words.exports.title as string, el("div", { class: "exports" }, line("yaml", () => download(`${session.name}.yaml`, session.text)), ...EXPORTS.map(([id, list, file]) => line(id, () => void run(list, file)))), note);
+  const run = async (list: string[], file: string) => {
+    const made = await ask(list, file);
+    if (made !== null) download(`${session.name}-${file}`, made);
+  };
+  // A picture of points is the browser's work; where it fails, its own words say why.
+  const png = async () => {
+    try {
+      const drawn = await ask(["draw", FILE, "-o", "drawing.svg"], "drawing.svg");
+      if (drawn instanceof Uint8Array) download(`${session.name}-drawing.png`, await pngOf(new TextDecoder().decode(drawn)));
+    } catch (error) {
+      note.textContent = String((error as Error).message ?? error);
+    }
+  };
+  open(words.exports.title as string, el("div", { class: "exports" }, line("yaml", () => download(`${session.name}.yaml`, session.text)), ...EXPORTS.map(([id, list, file]) => line(id, () => void run(list, file))),
+    line("png", () => void png())), el("p", { class: "hint" }, words.exports.others as string), note);
 }
 
 export function showHelp(): void {
