@@ -20,6 +20,11 @@ add_custom_command(OUTPUT ${YOKE_STUDIO}/index.html
   DEPENDS ${YOKE_STUDIO_WORK}/dist/studio.js core panels yoke ${YOKE_STUDIO_EXAMPLES} ${CMAKE_SOURCE_DIR}/tools/assemble-studio
   COMMENT "Putting Studio together" VERBATIM)
 add_custom_target(studio ALL DEPENDS ${YOKE_STUDIO}/index.html)
+# The page as one file for a release: unpacked, it is a static site for any host.
+set(archive yoke-studio-${PROJECT_VERSION})
+add_custom_target(studio_archive COMMAND ${CMAKE_COMMAND} -E rm -rf ${archive} COMMAND ${CMAKE_COMMAND} -E copy_directory ${YOKE_STUDIO} ${archive}
+  COMMAND ${CMAKE_COMMAND} -E tar czf ${archive}.tar.gz ${archive} COMMAND ${CMAKE_COMMAND} -E rm -rf ${archive}
+  DEPENDS ${YOKE_STUDIO}/index.html WORKING_DIRECTORY ${CMAKE_BINARY_DIR} COMMENT "Packing Studio into ${archive}.tar.gz" VERBATIM)
 
 if(BUILD_TESTING)
   set(page_tests ${CMAKE_SOURCE_DIR}/tests/web/studio)

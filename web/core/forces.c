@@ -17,7 +17,7 @@ static int tell(const YkProblems *problems, const YkDynamics *dynamics, YkStatus
 {
     if (problems && yk_problems_count(problems) > 0)
         yk_text_puts(&yk_core.message, yk_problems_get(problems, 0)->message);
-    else if (dynamics && status < 0)
+    else if (dynamics && (status < 0 || status == YK_SINGULAR))
         yk_text_puts(&yk_core.message, yk_dynamics_report(dynamics)->message);
     else if (dynamics && !yk_dynamics_has_loads(dynamics))
         yk_text_puts(&yk_core.message, "the machine has neither masses nor loads: all forces are 0");

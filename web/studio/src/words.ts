@@ -79,6 +79,7 @@ export const words = {
   arrows: {
     label: "Arrows", turn: "Arrows: velocities, accelerations, joint forces, none", longer: "Longer arrows", shorter: "Shorter arrows", scale: (value: string, unit: string) => `${value} ${unit}`,
     velocity: ["Velocities", "m/s"], acceleration: ["Accelerations", "m/s²"], force: ["Joint forces", "N"], none: "There are no velocities at this pose: it is a dead point.",
+    tooMany: (most: string) => `The machine has more than ${most} points: arrows of points are switched off.`,
     many: "Dashed: other values are possible too; this is the smallest.",
   },
   menu: {

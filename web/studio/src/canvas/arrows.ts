@@ -82,6 +82,7 @@ export class Arrows {
   private async rates(kind: "velocity" | "acceleration"): Promise<Arrow[]> {
     const { session } = this, { machine, pose } = session, rates = await session.core.rates(), first = kind === "velocity" ? 0 : 2;
     if (!rates) session.emit("said", words.arrows.none);
+    else if (rates.points.length > 4 * MOST) session.emit("said", words.arrows.tooMany(String(MOST)));
     if (!rates || !machine || !pose || rates.points.length > 4 * MOST) return [];
     const arrows: Arrow[] = [];
     let at = 0;
