@@ -68,7 +68,8 @@ double yk_trace_follow(YkTracer *t, YkStrand *below, double from, double to, YkV
         double end = yk_strand_cell_end(below, now.at, direction), target = now.at + direction * h;
         if (direction > 0 ? target > end : target < end) target = end;
         if (direction > 0 ? target > to : target < to) target = to;
-        if (target == now.at) break;
+        if (target == now.at || t->steps_left == 0) break;
+        t->steps_left--;
         if (!try_step(t, below, &now, target, &next)) {
             h = 0.5 * fmin(h, fabs(target - now.at));
             if (h < YK_TRACE_SHORTEST * t->scale) break;

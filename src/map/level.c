@@ -32,6 +32,7 @@ static bool go_over(YkTracer *t, YkStrand *strand, double to, YkVec *x)
 {
     double within, from = yk_strand_to(strand);
     size_t before = strand->count;
+    t->steps_left = YK_TRACE_STEPS;
     if (yk_trace_read(t, strand, from, x, &within) && yk_trace_follow(t, strand->below, from, to, x, strand) == to)
         return true;
     yk_strand_shorten(strand, before);

@@ -70,6 +70,7 @@ typedef struct YkTracer {
     YkTies *ties;      // [piece_count + 1]
     size_t event_count;
     bool out_of_memory;
+    size_t steps_left; // of those that following may still take on this strand
     // What could not be proved: the first of them.
     bool is_unproved;
     double unproved_at;
@@ -83,7 +84,9 @@ typedef struct YkTracer {
 // there, to within the second: at change points, to the square root of rounding. What lies nearer together is one event.
 #define YK_TRACE_ZONE 1e-10
 #define YK_TRACE_BLUR 1e-5
-#define YK_TRACE_POLE 1e-3 // where they go to infinity
+// How many steps each solution may take over a strand, on average: some 130 for a whole turn, and up to a few thousand
+// about each event. Where a machine is so nearly special that it takes more, the map is not complete.
+#define YK_TRACE_STEPS 30000
 
 // --- what is followed (tracer.c)
 
@@ -145,7 +148,7 @@ bool yk_trace_is_inside(const YkPiece *piece, const YkVec *x, double radius, con
 
 // Follows a solution x of block `level` on top of `below` from `from` towards `to`. Adds cells to `strand` unless it is
 // NULL; those of a way down are added in descending order. Returns where it ends: at `to`, or where steps became too
-// short. x is the solution there.
+// short or too many. x is the solution there.
 double yk_trace_follow(YkTracer *tracer, YkStrand *below, double from, double to, YkVec *x, YkStrand *strand);
 
 // --- levels (level.c)
