@@ -29,8 +29,8 @@ static YkRefVec unit_accel(YkProgram *p, int32_t slot, const YkRates *r, const Y
     YkGraph *g = &p->graph;
     YkRefVec e = p->unit[slot];
     YkRef a = s->turn[slot], square = yk_graph_multiply(g, r->turn[slot], r->turn[slot]);
-    YkRef toward = yk_graph_dot(g, (YkRefVec){square, a}, e),
-          across = yk_graph_cross(g, (YkRefVec){e.x, e.y}, (YkRefVec){square, a});
+    YkRefVec rates = {square, a};
+    YkRef toward = yk_graph_dot(g, rates, e), across = yk_graph_cross(g, e, rates);
     return (YkRefVec){yk_graph_minus(g, toward), across};
 }
 
@@ -41,8 +41,9 @@ static YkRefVec sliding_accel(YkProgram *p, const YkTerm *term, YkRefVec line, c
     YkRefVec u = yk_graph_vec_multiply(g, p->unit[term->slot], line);
     YkRef speed = yk_graph_multiply(g, r->slide[term->distance], r->turn[term->slot]);
     YkRef twice = yk_graph_multiply(g, yk_graph_number(g, 2), speed);
-    return yk_graph_vec_add(g, yk_graph_vec_scale(g, s->slide[term->distance], u),
-                            yk_graph_vec_scale(g, twice, yk_graph_vec_quarter(g, u)));
+    YkRefVec across = yk_graph_vec_scale(g, twice, yk_graph_vec_quarter(g, u));
+    YkRefVec along = yk_graph_vec_scale(g, s->slide[term->distance], u);
+    return yk_graph_vec_add(g, along, across);
 }
 
 YkRefVec yk_program_body_accel(YkProgram *p, int32_t body, YkRefVec at, const YkRates *r, const YkRates *s)
