@@ -17,7 +17,7 @@ typedef struct Walk {
     YkRegions *regions;
     YkTract *part;
     uint32_t id;
-    YkOutline *outline;
+    YkBorder *outline;
     double last[2], bound_length; // the last corner
     int last_block;
     bool has_memory;
@@ -96,7 +96,7 @@ static bool meet(YkRegions *r, long x, long y, double *at)
 
 static void add_corner(Walk *w, const double *at)
 {
-    YkOutline *o = w->outline;
+    YkBorder *o = w->outline;
     if (o->count > 0) w->bound_length += yk_hypot(at[0] - w->last[0], at[1] - w->last[1]);
     if (o->count + 1 > o->capacity) {
         size_t capacity = 2 * o->capacity + 64;
@@ -160,7 +160,7 @@ static void walk(Walk *w, Place from)
     }
 }
 
-static double area_of(const YkOutline *o)
+static double area_of(const YkBorder *o)
 {
     double area = 0;
     for (size_t k = 0; k < o->count; k++) {
@@ -180,7 +180,7 @@ static bool walk_from(YkRegions *r, uint32_t id, long x, long y)
         if (!is_outer || (r->seen[index_of(r, x, y)] & (1 << side))) continue;
         if (!YK_ROOM(part->outlines, part->outline_count, part->outline_capacity)) return false;
         w.outline = &part->outlines[part->outline_count++];
-        *w.outline = (YkOutline){0};
+        *w.outline = (YkBorder){0};
         w.bound_length = 0;
         walk(&w, (Place){x, y, side});
         if (!w.has_memory) return false;

@@ -226,7 +226,7 @@ const double *yk_regions_outline(const YkRegions *r, size_t region, size_t outli
 {
     if (count) *count = 0;
     if (!r || region >= r->count || outline >= r->parts[region].outline_count) return NULL;
-    const YkOutline *o = &r->parts[region].outlines[outline];
+    const YkBorder *o = &r->parts[region].outlines[outline];
     if (count) *count = o->count;
     return o->points;
 }

@@ -5,15 +5,15 @@
 #include "base/text.h"
 #include "map/field.h"
 
-typedef struct YkOutline {
+typedef struct YkBorder {
     double *points; // [count][2]
     size_t count, capacity;
-} YkOutline;
+} YkBorder;
 
 typedef struct YkTract { // a region
     YkRegion region;
     size_t cell; // one of its cells
-    YkOutline *outlines;
+    YkBorder *outlines;
     size_t outline_count, outline_capacity;
     YkRegionBound *bounds;
     size_t bound_capacity;

@@ -11,7 +11,7 @@ static const char *const tones[TONES] = {"#dbe9f6", "#bad6eb", "#89bedc", "#539e
                                          "#2b7bba", "#0b559f", "#08306b", "#041a3d"};
 
 // Adds an outline to a path, in pixels.
-static void add_outline(YkText *svg, const YkPanel *p, const YkOutline *o, const double *scale)
+static void add_outline(YkText *svg, const YkPanel *p, const YkBorder *o, const double *scale)
 {
     for (size_t k = 0; k < o->count; k++) {
         YkVec at = yk_panel_pixel(p, yk_vec(o->points[2 * k] * scale[0], o->points[2 * k + 1] * scale[1]));
