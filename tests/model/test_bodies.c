@@ -115,6 +115,17 @@ static void an_inertia_of_the_wrong_unit_is_doubted(void **state)
     }
 }
 
+// A mistaken unit of a point is told once: its value is not taken for a length against which the inertia would look odd.
+static void an_error_is_not_followed_by_a_doubt(void **state)
+{
+    (void)state;
+    YkProblems *problems =
+        fixture_refuse("bodies: {b: {points: {P: [260 kg, 0]}, mass: 1 kg, inertia: 0.1 kg*m^2}}\n" PINNED);
+    assert_int_equal(yk_problems_count(problems), 1);
+    assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_WRONG_DIMENSION);
+    yk_problems_free(problems);
+}
+
 static void mass_alone_is_a_point_mass_and_inertia_alone_a_flywheel(void **state)
 {
     (void)state;
@@ -220,6 +231,7 @@ int main(void)
         cmocka_unit_test(a_plain_number_equals_the_same_number_as_an_expression),
         cmocka_unit_test(a_rod_has_its_centre_and_inertia_at_any_place_and_direction),
         cmocka_unit_test(an_inertia_of_the_wrong_unit_is_doubted),
+        cmocka_unit_test(an_error_is_not_followed_by_a_doubt),
         cmocka_unit_test(mass_alone_is_a_point_mass_and_inertia_alone_a_flywheel),
         cmocka_unit_test(mistakes_in_points_are_refused_where_they_stand),
         cmocka_unit_test(mistakes_in_masses_are_refused_where_they_stand),

@@ -104,9 +104,10 @@ static double extent_of(const YkModel *model, const YkBody *body)
 }
 
 // Warns of a doubtful inertia: mistaken units change it by a factor of 1e6 (kg m^2 for kg mm^2), which shows in the
-// radius of gyration.
+// radius of gyration. Says nothing in a file with errors: a point may stand where one of them put it.
 static void doubt_inertia(YkLoader *loader, const YkBody *body)
 {
+    if (yk_problems_error_count(loader->problems) > 0) return;
     static const double LEAST = 1e-2, MOST = 1e2;
     double gyration = sqrt(body->inertia / body->mass), extent = extent_of(loader->model, body);
     if (extent == 0 || (gyration >= LEAST * extent && gyration <= MOST * extent)) return;
