@@ -5,7 +5,7 @@ import math
 import os
 import unittest
 
-from harness import Case, FEW, ROOT, Run
+from harness import Case, FEW, ROOT, Run, some
 
 TASKS = sorted(glob.glob(os.path.join(ROOT, "examples", "tasks", "*.yaml")))
 FIVE = os.path.join(ROOT, "examples", "tasks", "five-positions.yaml")
@@ -16,7 +16,7 @@ DIMENSIONS = {"transmission", "size", "circuits", "pivots", "lengths", "point"}
 class Synthesis(Case):
     def test_every_example_has_machines_that_other_verbs_take(self):
         self.assertGreater(len(TASKS), 6)
-        for path in TASKS:
+        for path in some(TASKS):
             answer = self.good("synthesize", path, "--format", "json").json()
             self.assertEqual(answer["status"], "ok", path)
             self.assertGreater(len(answer["candidates"]), 0)
