@@ -186,7 +186,8 @@ class Map(Guarded):
         if count == lib.YK_NOT_FOUND:
             raise MemoryError("out of memory")
         places = ffi.new("YkMapPlace[]", count + 1)
-        lib.yk_map_find(self._c, values, places, count)
+        if lib.yk_map_find(self._c, values, places, count) != count:
+            raise MemoryError("out of memory")
         closed = count or lib.yk_map_places(self._c, values[self._plan.coordinates[self.coordinate].number], ffi.NULL, 0)
         reason = "" if count else (f"no configuration has the values of `{name}`" if closed else
                                    f"no configuration closes at the {self.coordinate} of `{name}`")

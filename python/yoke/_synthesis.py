@@ -152,9 +152,10 @@ def _run(task: CData, seed: int, best: int) -> CData:
     made = lib.yk_synthesis_run(task, options, problems.c)
     if made == ffi.NULL:
         raise problems.fail(TaskError)
+    made = ffi.gc(made, lib.yk_synthesis_free)
     check()
     problems.warn(4)
-    return ffi.gc(made, lib.yk_synthesis_free)
+    return made
 
 
 def _load(task: Union[str, "os.PathLike[str]"]) -> CData:
@@ -166,8 +167,9 @@ def _load(task: Union[str, "os.PathLike[str]"]) -> CData:
         made = lib.yk_task_load(encoded(os.fspath(task)), problems.c)
     if made == ffi.NULL:
         raise problems.fail(TaskError)
+    made = ffi.gc(made, lib.yk_task_free)
     problems.warn(4)
-    return ffi.gc(made, lib.yk_task_free)
+    return made
 
 
 def synthesize(task: Union[str, "os.PathLike[str]"], *, seed: int = 1, best: int = 0,
@@ -193,5 +195,8 @@ def synthesize(task: Union[str, "os.PathLike[str]"], *, seed: int = 1, best: int
         result.left_out = {name: count for name, count in counts.items() if count}
         result.defects = tuple(_candidate(run, k, lib.yk_synthesis_defect(run, k), False)
                                for k in range(lib.yk_synthesis_defect_count(run)))
-        result.picture = Svg(text_of(lib.yk_synthesis_picture(run)))
+        drawn = lib.yk_synthesis_picture(run)
+        if drawn == ffi.NULL:
+            raise MemoryError("out of memory")
+        result.picture = Svg(text_of(drawn))
         return result

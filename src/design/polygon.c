@@ -134,9 +134,9 @@ static void slide(Walk *w, size_t joint, size_t from, size_t to)
     size_t carrier = (size_t)j->body[0];
     YkVec at = joint_at(w, j), start = image_of(w, from, at), whole = yk_sub(image_of(w, to, at), start);
     YkVec line = yk_mul(w->motion[carrier].e, j->along);
-    YkPolygonVector v = {YK_POLYGON_CORIOLIS,      carrier, joint, 0, {0}, {0}, joint_image(w, joint, from),
-                         joint_image(w, joint, to)};
     if (!slides(w, joint)) return;
+    YkPolygonVector v = {YK_POLYGON_CORIOLIS, carrier, joint, 0, {0}, {0}, joint_image(w, joint, from), NULL};
+    v.to = joint_image(w, joint, to);
     if (w->p->kind == YK_POLYGON_ACCELERATION && carrier != 0) {
         YkVec across = yk_scale(yk_dot(whole, yk_quarter(line)), yk_quarter(line));
         add_vector(w, v, start, across);

@@ -3,6 +3,7 @@
 #include <yoke/move.h>
 #include "base/problems.h"
 #include "map/map.h"
+#include "solve/state.h"
 
 // Makes the mechanism with another input in place of the mapped one, at the same pose, and adds the limits of its map.
 static YkStatus add_drive(YkMap *map, const YkState *start, size_t drive, YkProblems *problems)
@@ -20,8 +21,11 @@ static YkStatus add_drive(YkMap *map, const YkState *start, size_t drive, YkProb
     YkMechanism *other = names ? yk_mechanism_compile(mech->model, &options, problems) : NULL;
     YkState *state = other ? yk_state_new(other) : NULL;
     YkMap *own = NULL;
-    YkStatus status = state ? yk_state_adopt(state, start) : YK_NO_MEMORY;
+    YkStatus status = state             ? yk_state_adopt(state, start)
+                      : names && !other ? YK_BAD_ARGUMENT // a problem of its own
+                                        : YK_NO_MEMORY;
     size_t coordinate = other ? yk_coordinate_find(other, yk_coordinate_info(mech, drive).name) : 0;
+    if (status >= 0) status = yk_state_set_progress(state, start->progress);
     if (status >= 0) own = yk_map_new(state, coordinate, problems);
     if (status >= 0) status = own ? yk_map_add_dead_points(map, own) : YK_BAD_ARGUMENT;
     yk_map_free(own);

@@ -109,7 +109,7 @@ static void tell(YkRegions *r)
         yk_text_format(&text, "the complex solutions of the group of joint `%s` were not all known from the start",
                        r->mech->blocks[f->tracer.pieces[f->tracer.unproved_block].block].label);
     else if (f->lost > 0)
-        yk_text_format(&text, "at %z places no number of configurations could be found", f->lost);
+        yk_text_format(&text, "the number of configurations could not be found in %z squares", f->lost);
     else if (stray < f->n * f->n)
         yk_text_format(
             &text,

@@ -72,12 +72,14 @@ size_t yk_map_find(YkMap *map, const double *coordinates, YkMapPlace *places, si
     YkMapPlace *found = calloc(all + 1, sizeof *found);
     double *row = calloc(map->mech->coordinate_count + 1, sizeof *row);
     if (found && row) yk_map_places(map, at, found, all);
-    for (size_t k = 0; found && row && k < all; k++) {
-        if (!yk_map_coordinates_at(map, found[k], row) || !(off_from(map, coordinates, row) < near)) continue;
+    bool ok = found && row;
+    for (size_t k = 0; ok && k < all; k++) {
+        ok = yk_map_coordinates_at(map, found[k], row);
+        if (!ok || !(off_from(map, coordinates, row) < near)) continue;
         if (places && count < capacity) places[count] = found[k];
         count++;
     }
-    if (!found || !row) count = YK_NOT_FOUND;
+    if (!ok) count = YK_NOT_FOUND;
     free(found);
     free(row);
     return count;

@@ -105,7 +105,7 @@ static void write_text(const Reach *r)
     if (r->way_count == 2)
         yk_text_puts(out, "without passing a limit or a change point\n\n");
     else
-        yk_text_format(out, "over %z limit%s or change point%s\n\n", r->way_count - 2, r->way_count == 3 ? "" : "s",
+        yk_text_format(out, "past %z limit%s or change point%s\n\n", r->way_count - 2, r->way_count == 3 ? "" : "s",
                        r->way_count == 3 ? "" : "s");
     YkTable *table = yk_table_new(1 + yk_coordinate_count(mech));
     yk_table_head(table, "", NULL);

@@ -4,6 +4,7 @@
 #include "picture/convert.h"
 #include "reach.h"
 #include "session.h"
+#include "stop.h"
 #include "verbs/map/map.h"
 
 // --- over a point's x and y
@@ -33,7 +34,10 @@ static YkMechanism *compile_carried(const YkRegionsAnswer *answer)
     const YkSession *session = answer->session;
     const char **names = calloc(2 + session->hold_count, sizeof *names);
     size_t count = 2;
-    if (!names) return NULL;
+    if (!names) {
+        yk_session_run_out(answer->session);
+        return NULL;
+    }
     names[0] = YK_MAP_CARRIAGE "x";
     names[1] = YK_MAP_CARRIAGE "y";
     for (size_t h = 0; h < session->hold_count; h++) {
@@ -54,7 +58,10 @@ static bool stand(YkRegionsAnswer *answer, const double *at)
 {
     YkSession *session = answer->session;
     YkState *state = answer->own_state = yk_state_new(answer->own_mech);
-    if (!state || yk_state_set_time(state, 0, session->problems) < 0) return false;
+    if (!state) yk_session_run_out(session);
+    if (!state || yk_state_set_progress(state, yk_stop_progress(session)) < 0 ||
+        yk_state_set_time(state, 0, session->problems) < 0)
+        return false;
     for (int k = 0; k < 2; k++) {
         answer->coordinate[k] =
             yk_coordinate_find(answer->own_mech, k == 0 ? YK_MAP_CARRIAGE "x" : YK_MAP_CARRIAGE "y");
@@ -197,7 +204,8 @@ static int answer_regions(YkRegionsAnswer *answer, size_t point)
     answer->quantity[0] = point == YK_NOT_FOUND ? answer->quantity[0] : YK_QUANTITY_LENGTH;
     answer->quantity[1] = point == YK_NOT_FOUND ? answer->quantity[1] : YK_QUANTITY_LENGTH;
     answer->state = session->state;
-    if (point != YK_NOT_FOUND && !carry(answer, point)) return YK_EXIT_NO_ANSWER;
+    if (point != YK_NOT_FOUND && !carry(answer, point))
+        return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
     return write_answer(answer);
 }
 
