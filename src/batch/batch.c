@@ -129,7 +129,7 @@ static YkStatus run_one(YkBatch *b, const double *const *inputs, double *const *
         b->state->input[i] = inputs[i] ? inputs[i][pose] : b->constant[i * b->lanes];
     YkStatus status = yk_state_solve(b->state);
     if (status == YK_REDUNDANT) status = YK_OK;
-    if (status < 0) status = YK_LIMIT;
+    if (status < 0 && status != YK_NO_MEMORY) status = YK_LIMIT;
     for (size_t k = 0; k < b->channel_count; k++)
         outputs[k][pose] =
             status < 0 || yk_channel_needs_forces(b->channels[k]) ? 0 : yk_state_channel(b->state, b->channels[k]);

@@ -20,7 +20,10 @@ static YkStatus judge_by_state(YkBatch *b, size_t k, bool closes)
 {
     double *margin = &b->now->margin[k];
     YkStatus status = yk_batch_solve_lane(b, k);
-    if (status == YK_NO_MEMORY) return status;
+    if (status == YK_NO_MEMORY) {
+        *margin = -1;
+        return status;
+    }
     if (status == YK_SINGULAR || (status >= 0 && b->state->is_regular)) {
         bool is_settled = b->state->is_kept || b->state->is_regular;
         *margin = is_settled ? SETTLED_MARGIN : fmin(*margin, YK_SINGULAR_MARGIN);

@@ -18,7 +18,7 @@ typedef struct Equations {
 
 static size_t gear_count(const YkMechanism *mech)
 {
-    return mech->relation_count - mech->derived_count;
+    return mech->relation_count; // sums of several stand behind them
 }
 
 // Only where equations repeat each other, all blocks are dyads, and gears are linear: a law's argument counts turns.
@@ -94,11 +94,19 @@ static void solve(Equations *e)
     for (size_t c = mech->orientation_count - 1; c < e->columns; c++) e->step[c] *= mech->size;
 }
 
+static bool closes(const Equations *e)
+{
+    double miss = 0;
+    for (size_t row = 0; row < 2 * e->s->mech->loop_count; row++) miss = fmax(miss, fabs(e->b[row]));
+    return miss <= e->s->mech->size * YK_CLOSING_TOLERANCE;
+}
+
 // Moves the pose to where all loops close best: a singular block knows its angles to half the digits. Returns whether
-// they close.
+// the way is short and they close.
 static bool polish(Equations *e)
 {
     enum { STEPS_MAX = 4 };
+    const double way_most = 1e-4; // of a step, rad or sizes: a pose farther away may be another one
     const YkMechanism *mech = e->s->mech;
     double miss = INFINITY;
     for (int k = 0; k < STEPS_MAX; k++) {
@@ -109,7 +117,11 @@ static bool polish(Equations *e)
         miss = now;
         for (size_t row = 0; row < e->rows; row++) e->b[row] = -e->b[row];
         solve(e);
-        for (size_t c = 0; c < e->columns; c++) e->x[c] += e->step[c];
+        for (size_t c = 0; c < e->columns; c++) {
+            double unit = c < mech->orientation_count - 1 ? 1 : mech->size;
+            if (!(fabs(e->step[c]) < way_most * unit)) return false;
+            e->x[c] += e->step[c];
+        }
     }
     return miss <= mech->size * YK_CLOSING_TOLERANCE;
 }
@@ -164,12 +176,13 @@ YkStatus yk_state_by_all_loops(YkState *s, YkSpace *space, YkStatus status)
     if (e.rows < e.columns) return status;
     if (!make_room(&e)) return YK_NO_MEMORY;
     read_pose(&e);
-    if (polish(&e) && factor(&e)) {
+    if (polish(&e) && factor(&e) && closes(&e)) {
         solve_rates(&e, 1);
         solve_rates(&e, 2);
         for (size_t k = 0; k < mech->step_count; k++)
             if (mech->steps[k].kind != YK_STEP_BLOCK) yk_run_steps(&e.run, k, k + 1);
         s->is_regular = true;
+        s->is_kept = false;
     }
     free(e.x);
     return s->is_regular ? YK_REDUNDANT : status;

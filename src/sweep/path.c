@@ -145,7 +145,7 @@ static YkStatus solve_beside(YkPath *path, double at, double off, bool along)
     status = yk_path_set(path, at, along); // stands for this place: the inputs are those requested, to the last bit
     if (status < 0) return status;
     memcpy(s->valid_input, s->input, 3 * s->mech->input_count * sizeof *s->input);
-    s->has_rates = false;
+    s->has_rates = s->is_regular = false;
     yk_state_tell(s, &s->space, YK_SINGULAR);
     return YK_SINGULAR;
 }
