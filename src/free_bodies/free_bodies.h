@@ -18,7 +18,7 @@ void yk_free_bodies_free(YkFreeBodies *bodies);
 // Solves inverse dynamics: all accelerations are those of the space's pose (lane 0). loads[body]: everything applied
 // besides the efforts sought (including gravity; efforts along coordinates as moments and forces on both bodies). Finds
 // all reactions and the effort of every input. Returns YK_OK, YK_REDUNDANT (least norm, moments divided by the
-// machine's size), YK_SINGULAR (dead point). is_regular: a pose whose blocks are singular, but not all loops together.
+// machine's size), YK_SINGULAR (dead point). is_regular: blocks are singular, although all loops together are not.
 YkStatus yk_free_bodies_inverse(YkFreeBodies *bodies, const YkSpace *space, const YkLoad *loads, bool is_regular);
 // Solves forward dynamics: the accelerations of the bodies are unknown as well, and the joints' constraints,
 // differentiated twice, are further equations. is_prescribed[input]: its acceleration is given (accelerations[input],
