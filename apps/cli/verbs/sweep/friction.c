@@ -3,6 +3,12 @@
 #include "verbs/sweep/sweep.h"
 #include "write/amount.h"
 
+double yk_sweep_place(const YkSweepAnswer *answer, const YkState *state)
+{
+    int swept = answer->over.coordinate;
+    return swept >= 0 ? yk_state_coordinate(state, (size_t)swept).position : yk_state_time(state);
+}
+
 void yk_sweep_look_at_friction(void *context, const YkState *state)
 {
     YkSweepAnswer *answer = context;
@@ -14,8 +20,7 @@ void yk_sweep_look_at_friction(void *context, const YkState *state)
         YkEffortRange range = yk_dynamics_effort_range(dynamics, (size_t)channel.index);
         if (range.is_single) continue;
         if (answer->held_rows++ > 0) return;
-        int swept = answer->over.coordinate;
-        answer->held_at = swept >= 0 ? yk_state_coordinate(state, (size_t)swept).position : yk_state_time(state);
+        answer->held_at = yk_sweep_place(answer, state);
         answer->held = range;
         answer->held_column = c;
         return;

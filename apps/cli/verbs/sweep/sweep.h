@@ -22,6 +22,7 @@ typedef struct YkSweepAnswer {
     const char *ranges_of; // the coordinate they are of, or NULL
     YkQuantity ranges_quantity;
     YkStroke *strokes; // of each column; ratio 0 if there is none
+    YkLawWatch *laws;  // that the rows have left
     size_t held_rows;  // in which dry friction leaves the effort of a column open
     double held_at;    // the first of them
     size_t held_column;
@@ -36,6 +37,8 @@ void yk_sweep_add_ranges(const YkSweepAnswer *answer, YkText *text);
 // For yk_sweep_options.visit, at every row's pose: looks for efforts among the columns that are not unique there.
 void yk_sweep_look_at_friction(void *answer, const YkState *state);
 void yk_sweep_warn_of_friction(const YkSweepAnswer *answer);
+// Returns what is swept at a state: the coordinate, or the time.
+double yk_sweep_place(const YkSweepAnswer *answer, const YkState *state);
 void yk_sweep_text(const YkSweepAnswer *answer);
 void yk_sweep_json(const YkSweepAnswer *answer);
 void yk_sweep_csv(const YkSweepAnswer *answer);

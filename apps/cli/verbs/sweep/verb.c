@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "laws_left.h"
 #include "reach.h"
 #include "stop.h"
 #include "verbs/sweep/sweep.h"
@@ -104,13 +105,22 @@ static void tell(YkSweepAnswer *answer)
     yk_text_free(&ranges);
 }
 
+// At the pose of every row.
+static void look(void *context, const YkState *state)
+{
+    YkSweepAnswer *answer = context;
+    yk_sweep_look_at_friction(answer, state);
+    yk_law_watch_look(answer->laws, state, answer->session->dynamics, yk_sweep_place(answer, state));
+}
+
 static bool run(YkSweepAnswer *answer, size_t steps)
 {
     YkSession *session = answer->session;
     YkState *start = yk_session_new_state(session, session->mech);
     YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
     answer->strokes = calloc(answer->column_count + 1, sizeof *answer->strokes);
-    if (start && channels && answer->strokes) {
+    answer->laws = yk_session_watch_laws(session);
+    if (start && channels && answer->strokes && answer->laws) {
         YkSweepOptions options = yk_default_sweep_options();
         options.coordinate = answer->over.coordinate;
         options.from = answer->over.from;
@@ -118,7 +128,7 @@ static bool run(YkSweepAnswer *answer, size_t steps)
         options.steps = steps;
         options.dynamics = session->dynamics;
         options.method = answer->method;
-        options.visit = yk_sweep_look_at_friction;
+        options.visit = look;
         options.context = answer;
         for (size_t i = 0; i < answer->column_count; i++) channels[i] = answer->columns[i].channel;
         yk_state_copy(start, session->state);
@@ -175,6 +185,7 @@ static int answer_sweep(YkSweepAnswer *answer, size_t steps)
     }
     tell(answer);
     yk_sweep_warn_of_friction(answer);
+    yk_warn_of_laws(answer->session, answer->laws, answer->over.name, answer->over.quantity);
     return write_answer(answer);
 }
 
@@ -219,6 +230,7 @@ int yk_run_sweep(YkSession *session)
            (!wants_forces(answer) || (yk_session_forces(session, true) && yk_session_has_forces(session)));
     if (good) exit_code = answer_sweep(answer, steps);
     yk_sweep_free(answer->sweep);
+    yk_law_watch_free(answer->laws);
     yk_text_free(&answer->message);
     yk_text_free(&answer->label);
     free(answer->columns);
