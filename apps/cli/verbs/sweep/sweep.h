@@ -22,9 +22,11 @@ typedef struct YkSweepAnswer {
     const char *ranges_of; // the coordinate they are of, or NULL
     YkQuantity ranges_quantity;
     YkStroke *strokes; // of each column; ratio 0 if there is none
-    YkLawWatch *laws;  // that the rows have left
-    size_t held_rows;  // in which dry friction leaves the effort of a column open
-    double held_at;    // the first of them
+    float *sines;      // per row, for text: the least sine of a transmission angle, which spoils digits; NULL: none
+    size_t row_capacity, visited; // of it
+    YkLawWatch *laws;             // that the rows have left
+    size_t held_rows;             // in which dry friction leaves the effort of a column open
+    double held_at;               // the first of them
     size_t held_column;
     YkEffortRange held;
 } YkSweepAnswer;

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "laws_left.h"
 #include "reach.h"
 #include "stop.h"
@@ -105,10 +106,21 @@ static void tell(YkSweepAnswer *answer)
     yk_text_free(&ranges);
 }
 
+// Returns the least sine of a transmission angle: near a change point or a dead point it is small.
+static double least_sine(const YkMechanism *mech, const YkState *state)
+{
+    double least = 1;
+    for (size_t k = 0; k < yk_block_count(mech); k++)
+        if (yk_block_info(mech, k).assur_class == 2) least = fmin(least, fabs(yk_sin(yk_state_transmission(state, k))));
+    return least;
+}
+
 // At the pose of every row.
 static void look(void *context, const YkState *state)
 {
     YkSweepAnswer *answer = context;
+    size_t row = answer->visited++;
+    if (row < answer->row_capacity) answer->sines[row] = (float)least_sine(answer->session->mech, state);
     yk_sweep_look_at_friction(answer, state);
     yk_law_watch_look(answer->laws, state, answer->session->dynamics, yk_sweep_place(answer, state));
 }
@@ -120,7 +132,9 @@ static bool run(YkSweepAnswer *answer, size_t steps)
     YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
     answer->strokes = calloc(answer->column_count + 1, sizeof *answer->strokes);
     answer->laws = yk_session_watch_laws(session);
-    if (start && channels && answer->strokes && answer->laws) {
+    answer->row_capacity = session->request->format == YK_FORMAT_TEXT ? steps + 1 : 0;
+    answer->sines = calloc(answer->row_capacity + 1, sizeof *answer->sines);
+    if (start && channels && answer->strokes && answer->sines && answer->laws) {
         YkSweepOptions options = yk_default_sweep_options();
         options.coordinate = answer->over.coordinate;
         options.from = answer->over.from;
@@ -235,6 +249,7 @@ int yk_run_sweep(YkSession *session)
     yk_text_free(&answer->label);
     free(answer->columns);
     free(answer->strokes);
+    free(answer->sines);
     free(answer);
     return exit_code;
 }
