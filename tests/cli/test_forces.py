@@ -205,6 +205,21 @@ start: {p: 0, q: 0}
         self.assertNotIn("[W0638]", moving.err)
         self.assertIsNotNone(moving.json()["rows"][0][1])
 
+    def test_a_sweep_tells_every_effort_that_is_a_range(self):
+        """A block on a block: 2 kg and 1 kg, 0.3 and 0.2. Each is held by the friction under it, and by what it pushes on."""
+        file = self.write("blocks.yaml", """\
+gravity: [0, -9.81]
+bodies: {low: {mass: 2 kg}, high: {mass: 1 kg}}
+joints:
+  L: {slide: [ground, low], along: x, distance: x, friction: {coulomb: 0.3}}
+  H: {slide: [low, high], along: x, distance: y, friction: {coulomb: 0.2}}
+drives: {x: 0 m, y: 0.1 m}
+""")
+        run = self.good("sweep", file, "--over", "x=0:1m", "--steps", "2", "--of", "x,y.effort,x.effort", "--format", "json")
+        for name, most in (("x", 0.3 * 3 * 9.81), ("y", 0.2 * 9.81)):
+            self.assertIn("`%s.effort` has no single value; first at x = 0 m (-%g to %g N)" % (name, most, most), run.err)
+        self.assertEqual(run.err.count("[W0638]"), 2)
+
     def test_a_report_tells_the_range(self):
         page = self.good("report", self.write("incline.yaml", INCLINE)).out
         self.assertIn("4.32302 to 14.854", page)

@@ -7,6 +7,12 @@
 
 enum { YK_RANGES_MAX = 32 };
 
+typedef struct YkHeldColumn { // an effort that dry friction leaves open in some rows
+    size_t rows;
+    double at;           // the first of them,
+    YkEffortRange range; // and there
+} YkHeldColumn;
+
 typedef struct YkSweepAnswer {
     YkSession *session;
     YkOver over;
@@ -25,10 +31,7 @@ typedef struct YkSweepAnswer {
     float *sines;      // per row, for text: the least sine of a transmission angle, which spoils digits; NULL: none
     size_t row_capacity, visited; // of it
     YkLawWatch *laws;             // that the rows have left
-    size_t held_rows;             // in which dry friction leaves the effort of a column open
-    double held_at;               // the first of them
-    size_t held_column;
-    YkEffortRange held;
+    YkHeldColumn *held;           // [column]
 } YkSweepAnswer;
 
 // Returns a value of the table; NaN if it is undefined (rates at a dead point).

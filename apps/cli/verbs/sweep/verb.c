@@ -131,10 +131,11 @@ static bool run(YkSweepAnswer *answer, size_t steps)
     YkState *start = yk_session_new_state(session, session->mech);
     YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
     answer->strokes = calloc(answer->column_count + 1, sizeof *answer->strokes);
+    answer->held = calloc(answer->column_count + 1, sizeof *answer->held);
     answer->laws = yk_session_watch_laws(session);
     answer->row_capacity = session->request->format == YK_FORMAT_TEXT ? steps + 1 : 0;
     answer->sines = calloc(answer->row_capacity + 1, sizeof *answer->sines);
-    if (start && channels && answer->strokes && answer->sines && answer->laws) {
+    if (start && channels && answer->strokes && answer->held && answer->sines && answer->laws) {
         YkSweepOptions options = yk_default_sweep_options();
         options.coordinate = answer->over.coordinate;
         options.from = answer->over.from;
@@ -250,6 +251,7 @@ int yk_run_sweep(YkSession *session)
     free(answer->columns);
     free(answer->strokes);
     free(answer->sines);
+    free(answer->held);
     free(answer);
     return exit_code;
 }
