@@ -100,6 +100,9 @@ void yk_scale_add_bodies(YkSession *session, const YkState *state)
 
 void yk_scale_add_pose(YkSession *session, const YkState *state)
 {
+    for (size_t i = 0; i < yk_input_count(session->mech); i++) // known at dead points too
+        add_motion(session, yk_state_input(state, i),
+                   yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, i)).is_distance);
     if (!yk_state_has_rates(state)) return;
     for (size_t i = 0; i < yk_coordinate_count(session->mech); i++)
         add_motion(session, yk_state_coordinate(state, i), yk_coordinate_info(session->mech, i).is_distance);
@@ -107,7 +110,7 @@ void yk_scale_add_pose(YkSession *session, const YkState *state)
     if (session->dynamics) add_forces(session);
 }
 
-double yk_scale_noise(const YkSession *session, YkQuantity quantity)
+static double usual_noise(const YkSession *session, YkQuantity quantity)
 {
     const YkScale *scale = &session->scale;
     double size = size_of(session), of_angles = scale->is_exact ? noise_of_sums : noise;
@@ -135,6 +138,13 @@ double yk_scale_noise(const YkSession *session, YkQuantity quantity)
     default:
         return 0;
     }
+}
+
+double yk_scale_noise(const YkSession *session, YkQuantity quantity)
+{
+    bool is_position = quantity == YK_QUANTITY_ANGLE || quantity == YK_QUANTITY_LENGTH;
+    double blur = session->scale.blur > 0 && !is_position ? session->scale.blur : 1;
+    return blur * usual_noise(session, quantity);
 }
 
 double yk_scale_kinetic_noise(const YkSession *session)

@@ -9,6 +9,7 @@ typedef struct YkSession YkSession;
 // kind counts as noise. Lengths are compared with the machine's size, angles with a radian.
 typedef struct YkScale {
     double rate, acceleration, force, energy;
+    double blur;   // how many times as large noise is in what is being written; 0: as large as usual
     double mass;   // of all bodies: forces from accelerations that are noise are noise
     bool is_exact; // no loops: angles and their rates are sums and products of the inputs', so small ones are real
 } YkScale;

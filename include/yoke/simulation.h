@@ -125,13 +125,15 @@ typedef enum YkHappeningKind {
     YK_HAPPENING_CHANGE_POINT, // of a block: two branches meet, and momentum carries through
     YK_HAPPENING_DEAD_POINT,   // of the coordinate that started the machine: it reverses while the others continue
     YK_HAPPENING_CROSSING,
-    YK_HAPPENING_LIFT_OFF // of a cam: from here on it would have to pull its follower, which leaves it instead
+    YK_HAPPENING_LIFT_OFF, // of a cam: from here on it would have to pull its follower, which leaves it instead
+    YK_HAPPENING_LAW_LEFT  // for the first time the argument of a law leaves its range (yoke/laws.h)
 } YkHappeningKind;
 typedef struct YkHappening {
     YkHappeningKind kind;
     double time;
-    const char *name; // of the coordinate, joint or watched expression
-    double value;     // STOP: rate before; CROSSING: the value watched; LIFT_OFF: angle of the cam's joint, rad
+    const char *name; // of the coordinate, joint, force, spring or watched expression
+    double value;     // STOP: rate before; CROSSING: the value watched; LIFT_OFF: angle of the cam's joint, rad;
+                      // LAW_LEFT: the argument, SI
 } YkHappening;
 YK_API size_t yk_simulation_happening_count(const YkSimulation *simulation);
 YK_API YkHappening yk_simulation_happening(const YkSimulation *simulation, size_t index);

@@ -34,6 +34,7 @@
 #include <yoke/regions.h>
 #include <yoke/batch.h>
 #include <yoke/dynamics.h>
+#include <yoke/laws.h>
 #include <yoke/simulation.h>
 #include <yoke/rest.h>
 #include <yoke/design.h>

@@ -23,7 +23,7 @@ _KINDS = {
     lib.YK_HAPPENING_STOP: "stop", lib.YK_HAPPENING_RELEASE: "release", lib.YK_HAPPENING_STICK: "stick",
     lib.YK_HAPPENING_SLIP: "slip", lib.YK_HAPPENING_CHANGE_POINT: "change-point",
     lib.YK_HAPPENING_DEAD_POINT: "dead-point", lib.YK_HAPPENING_CROSSING: "crossing",
-    lib.YK_HAPPENING_LIFT_OFF: "lift-off",
+    lib.YK_HAPPENING_LIFT_OFF: "lift-off", lib.YK_HAPPENING_LAW_LEFT: "law-left",
 }
 
 

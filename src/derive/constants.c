@@ -120,11 +120,22 @@ static const char *unit_of(const YkDerivation *d, const YkDeriveConstant *c)
     return kind == YK_RING_MASS ? " kg" : kind == YK_RING_INERTIA ? " kg*m^2" : "";
 }
 
+// Returns the double nearest to the exact value: products with units in floating point (90 * 1e-6) may be the one beside
+// it, which is a number of 17 digits that no check can read.
+static double shown(const YkDeriveConstant *c)
+{
+    const int64_t most = INT64_C(1) << 53;
+    int64_t over, under;
+    bool is_plain = c->exact && yk_ring_is_rational(c->exact, &over, &under);
+    if (!is_plain || over > most || over < -most || under > most) return c->value;
+    return (double)over / (double)under;
+}
+
 static void put_constant(YkDerivation *d, YkPage *page, const YkDeriveConstant *c)
 {
     YkText place = {0}, value = {0};
     yk_text_format(&place, "line %d, column %d", c->expr->place.line, c->expr->place.column);
-    yk_text_format(&value, "%g%s", c->value, unit_of(d, c));
+    yk_text_format(&value, "%g%s", shown(c), unit_of(d, c));
     YkLine *line = yk_page_formula(page, yk_text_get(&place));
     yk_line_element(page, line, yk_ring_of(d->ring, c->symbol), YK_RING_TEXTBOOK);
     yk_line_sign(page, line, "=");

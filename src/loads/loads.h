@@ -112,6 +112,8 @@ void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t 
 // Finds, for open trees whose only items are one effort for each coordinate, effort[input] at the state's inputs, and
 // their power.
 bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, double *power, size_t *culprit);
+// Returns the argument of the law that a number of an item follows (value[part]) at a pose; NaN if it follows none.
+double yk_loads_law_argument(YkLoads *loads, const YkState *state, const YkSpace *space, size_t item, size_t part);
 // Returns what `efforts:` gave along a tree coordinate when the items were last added.
 double yk_loads_effort(const YkLoads *loads, int32_t coordinate);
 // Returns the energy stored in the springs, J.

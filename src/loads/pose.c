@@ -106,13 +106,17 @@ static double push_force(const Pose *p, const YkLoadItem *item)
 // Of the machine's size: between ends that a joint holds together only rounding is left, which has no direction.
 static const double NO_LENGTH = 1e-14;
 
+static void set_own(YkLoads *loads, double length, double rate)
+{
+    if (loads->own[0]) loads->value[loads->own[0]] = length;
+    if (loads->own[1]) loads->value[loads->own[1]] = rate;
+}
+
 // Returns the pull that has no potential: of the damper, and by a law of the spring's own.
 static double pull_of(const Pose *p, const YkLoadItem *item, double length, double rate)
 {
-    YkLoads *loads = p->loads;
-    if (loads->own[0]) loads->value[loads->own[0]] = length;
-    if (loads->own[1]) loads->value[loads->own[1]] = rate;
-    return item->damping * rate + evaluate(loads, &item->value[0]);
+    set_own(p->loads, length, rate);
+    return item->damping * rate + evaluate(p->loads, &item->value[0]);
 }
 
 // Pulls the ends of a spring together by stiffness * (length - free length) + damping * d(length)/dt + its own law.
@@ -220,6 +224,35 @@ bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, doub
         return false;
     }
     return true;
+}
+
+// Finds what the law of a spring may depend on: its length or angle, and the rate of it.
+static void read_own(const Pose *p, const YkLoadItem *item)
+{
+    double length, rate = 0;
+    if (item->kind == YK_LOAD_SPRING) {
+        YkLoadPoint a = point_of(p, &item->end[0]), b = point_of(p, &item->end[1]);
+        YkVec line = yk_sub(b.at, a.at);
+        length = sqrt(yk_dot(line, line));
+        if (length > NO_LENGTH * p->mech->size) rate = yk_dot(yk_sub(b.velocity, a.velocity), line) / length;
+    } else {
+        YkMotion m = yk_loads_coordinate(p->state, p->space, item->coordinate);
+        length = m.position;
+        rate = m.velocity;
+    }
+    set_own(p->loads, length, rate);
+}
+
+double yk_loads_law_argument(YkLoads *loads, const YkState *state, const YkSpace *space, size_t item, size_t part)
+{
+    const YkLoadItem *load = &loads->items[item];
+    const YkLoadValue *value = &load->value[part];
+    Pose p = {.loads = loads, .mech = loads->mech, .state = state, .space = space};
+    if (!value->law) return (double)NAN;
+    if (!value->formula) return value->constant;
+    read_variables(loads, state, space);
+    if (load->kind == YK_LOAD_SPRING || load->kind == YK_LOAD_ALONG) read_own(&p, load);
+    return yk_formula_eval(value->formula, loads->value);
 }
 
 double yk_loads_effort(const YkLoads *loads, int32_t coordinate)

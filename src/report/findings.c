@@ -96,6 +96,7 @@ void yk_report_findings(YkReportPage *report)
     yk_findings_forces(report, &text);
     yk_findings_simulation(report, &text);
     yk_findings_parts(report, &text);
+    yk_findings_laws(report, &text);
     report->failed |= text.failed;
     yk_text_free(&text);
 }

@@ -40,6 +40,7 @@ static void solve_start(YkReportPage *report)
     if (!report->dynamics || report->status < 0) return;
     YkStatus status = yk_dynamics_solve(report->dynamics, report->start, YK_METHOD_REDUCED);
     yk_report_note(report, status);
+    yk_law_watch_look(report->laws, report->start, report->dynamics, yk_report_place(report, report->start));
     report->has_forces = status == YK_OK || status == YK_REDUNDANT;
     if (!report->has_forces) report->forces_message = yk_dynamics_report(report->dynamics)->message;
 }
@@ -124,7 +125,8 @@ YkReportPage *yk_report_new(YkState *state, const YkReportOptions *options, YkPr
         report->progress = state->progress;
         yk_pace_begin(&report->pace, report->progress);
         report->start = yk_report_new_state(report);
-        good = report->start && yk_state_copy(report->start, state) >= 0;
+        report->laws = yk_law_watch_new(report->model);
+        good = report->laws && report->start && yk_state_copy(report->start, state) >= 0;
     }
     bool is_movie = good && report->options.pose_rate > 0;
     if (good) (is_movie ? gather_movie : gather)(report, problems);
@@ -148,6 +150,7 @@ void yk_report_free(YkReportPage *report)
     yk_dynamics_free(report->dynamics);
     yk_dynamics_free(report->along);
     yk_state_free(report->start);
+    yk_law_watch_free(report->laws);
     free(report->columns);
     free(report->at);
     free(report->values);

@@ -5,6 +5,7 @@
 // nothing. Sections read what was gathered and compute nothing anew.
 #ifndef REPORT_REPORT_H
 #define REPORT_REPORT_H
+#include <yoke/laws.h>
 #include <yoke/report.h>
 #include <yoke/simulation.h>
 #include "base/memory.h"
@@ -83,6 +84,7 @@ struct YkReportPage {
     YkStatus motion_status; // how it ended
     const char *motion_message;
 
+    YkLawWatch *laws;                  // that the motion, or the pose at the start, leaves
     YkDrawing *drawing;                // poses: one for each row, then that of the start
     size_t *traced;                    // model points with a path
     size_t traced_count, traced_shown; // the first of them are shown when the page opens
@@ -116,6 +118,8 @@ void yk_report_choose_columns(YkReportPage *report);
 void yk_report_choose_traces(YkReportPage *report);
 // rows.c: runs the motion.
 void yk_report_run(YkReportPage *report, YkProblems *problems);
+// Returns what is swept at a state: the coordinate, or the time.
+double yk_report_place(const YkReportPage *report, const YkState *state);
 
 // The largest magnitude of a column over the rows, refined between them if possible. row_count must not be 0.
 typedef struct YkPeak {
@@ -135,6 +139,7 @@ void yk_findings_motion(YkReportPage *report, YkText *text);    // ranges, dead 
 void yk_findings_forces(YkReportPage *report, YkText *text);    // efforts, reactions, energy
 void yk_findings_simulation(YkReportPage *report, YkText *text);
 void yk_findings_parts(YkReportPage *report, YkText *text); // gears, cams
+void yk_findings_laws(YkReportPage *report, YkText *text);  // laws whose range is left
 // Returns the unit of a quantity on the page, its size in SI (may be NULL), and a value in it: the file's unit, but
 // degrees instead of radians.
 const char *yk_report_unit(const YkReportPage *report, YkQuantity quantity, double *size);

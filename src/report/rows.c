@@ -24,10 +24,17 @@ static bool make_room(YkReportPage *report)
     return report->at && report->values;
 }
 
-// Adds a pose of the drawing for the present row.
+double yk_report_place(const YkReportPage *report, const YkState *state)
+{
+    bool is_sweep = report->motion.kind == YK_REPORT_TURN || report->motion.kind == YK_REPORT_RANGE;
+    return is_sweep ? yk_state_coordinate(state, (size_t)report->motion.coordinate).position : yk_state_time(state);
+}
+
+// Adds a pose of the drawing for the present row. A simulation finds the laws that it leaves itself.
 static void pose(void *context, const YkState *state)
 {
     YkReportPage *report = context;
+    if (!report->simulation) yk_law_watch_look(report->laws, state, report->along, yk_report_place(report, state));
     if (!report->drawing || report->posed >= report->row_capacity) return;
     YkStatus status = yk_drawing_pose(report->drawing, state);
     if (status == YK_OK) status = yk_drawing_trace(report->drawing, state);

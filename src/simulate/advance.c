@@ -145,8 +145,8 @@ static bool has_contacts(const YkSimulation *sim)
 // Examines an accepted step for events. Rows within the step may still be requested.
 static void look_back(YkSimulation *sim)
 {
-    if (sim->is_lean && sim->watch_count == 0) return;
-    if (sim->watch_count == 0 && sim->model->cam_count == 0 && !has_contacts(sim)) return;
+    bool is_watched = sim->watch_count > 0 || sim->laws->count > 0;
+    if (!is_watched && (sim->is_lean || (sim->model->cam_count == 0 && !has_contacts(sim)))) return;
     yk_simulation_look(sim);
     sim->is_elsewhere = true;
 }

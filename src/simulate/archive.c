@@ -127,7 +127,7 @@ static void walk_happenings(YkSimulation *sim, YkArchive *a)
         YkHappening *h = &sim->happenings[k];
         if (a->is_reading) *h = (YkHappening){.name = ""};
         int64_t kind = h->kind;
-        yk_archive_choice(a, &kind, YK_HAPPENING_STOP, YK_HAPPENING_LIFT_OFF);
+        yk_archive_choice(a, &kind, YK_HAPPENING_STOP, YK_HAPPENING_LAW_LEFT);
         h->kind = (YkHappeningKind)kind;
         NUMBERS(a, &h->time, &h->value);
         h->name = walk_name(sim, a, h->name);

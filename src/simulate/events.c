@@ -21,8 +21,9 @@ typedef struct Event {
     YkSimulation *sim;
     const YkLoadItem *item; // STOP or COULOMB
     const YkEventWatch *watch;
-    double way; // watch: +1 rising, -1 falling
-    size_t cam; // if there is neither item nor watch: a contact that pushes, and then would have to pull
+    double way;          // watch: +1 rising, -1 falling
+    size_t cam;          // if there is neither item nor watch: a contact that pushes, and then would have to pull
+    const YkLawUse *use; // or, if given, a law whose range is left
 } Event;
 
 // Returns how strongly a cam would have to pull, above 0 if it would; 0 where forces are not known.
@@ -32,10 +33,23 @@ static double pull_here(YkSimulation *sim, size_t cam)
     return sim->forces_are_known ? yk_dynamics_contact_pull(dynamics, cam) : 0;
 }
 
+static double argument_here(YkSimulation *sim, const YkLawUse *use)
+{
+    return yk_law_use_argument(use, sim->state, sim->dynamics->loads);
+}
+
+// Returns by how much the argument of a law is outside its range; below 0 where the law is not in use.
+static double excess_here(YkSimulation *sim, const YkLawUse *use)
+{
+    double excess = yk_law_use_excess(use, argument_here(sim, use));
+    return isnan(excess) ? -1 : excess;
+}
+
 static double event_here(const Event *e)
 {
     YkSimulation *sim = e->sim;
     const YkLoadItem *item = e->item;
+    if (e->use) return excess_here(sim, e->use);
     if (!item && !e->watch) return pull_here(sim, e->cam);
     if (!item) return e->way * (yk_simulation_channel(sim, e->watch->channel) - e->watch->level);
     if (item->kind == YK_LOAD_COULOMB)
@@ -56,7 +70,7 @@ static bool visit(YkSimulation *sim, double t, bool with_accelerations)
 
 static double event_at(const Event *e, double t, bool *ok)
 {
-    *ok = *ok && visit(e->sim, t, !e->item);
+    *ok = *ok && visit(e->sim, t, !e->item && !e->use);
     return *ok ? event_here(e) : 0;
 }
 
@@ -185,7 +199,7 @@ static void look_at_items(YkSimulation *sim, bool *ok)
         YkLoadItem *item = &loads->items[k];
         bool is_stop = item->kind == YK_LOAD_STOP, slides = item->kind == YK_LOAD_COULOMB && item->direction != 0;
         if ((!is_stop && !slides) || is_in_contact(sim, item)) continue;
-        double t = first_time(&(Event){sim, item, NULL, 0, 0}, ok);
+        double t = first_time(&(Event){.sim = sim, .item = item}, ok);
         if (t == HUGE_VAL || (sim->pending != YK_PENDING_NONE && t >= sim->pending_time)) continue;
         sim->pending = is_stop ? YK_PENDING_STOP : YK_PENDING_STICK;
         sim->pending_item = k;
@@ -195,7 +209,7 @@ static void look_at_items(YkSimulation *sim, bool *ok)
 
 static void look_at_watch(YkSimulation *sim, YkEventWatch *watch, double end, bool *ok)
 {
-    Event e = {sim, NULL, watch, 1, 0};
+    Event e = {.sim = sim, .watch = watch, .way = 1};
     double now = event_at(&e, end, ok), last = watch->last;
     watch->last = now;
     if (!*ok || (last <= 0) == (now <= 0)) return;
@@ -208,10 +222,10 @@ static void look_at_watch(YkSimulation *sim, YkEventWatch *watch, double end, bo
 
 // --- cams that would have to pull
 
-static bool has_lifted(const YkSimulation *sim, const char *name)
+static bool has_happened(const YkSimulation *sim, YkHappeningKind kind, const char *name)
 {
     for (size_t k = 0; k < sim->happening_count; k++)
-        if (sim->happenings[k].kind == YK_HAPPENING_LIFT_OFF && strcmp(sim->happenings[k].name, name) == 0) return true;
+        if (sim->happenings[k].kind == kind && strcmp(sim->happenings[k].name, name) == 0) return true;
     return false;
 }
 
@@ -231,7 +245,7 @@ static void look_at_cam(YkSimulation *sim, size_t contact, double end, bool *ok)
     if (!cam) return;
     Event e = {.sim = sim, .cam = contact};
     double from = yk_ode_previous(sim->ode), a = from, fa = event_at(&e, from, ok);
-    if (*ok && fa > 0 && !has_lifted(sim, yk_dynamics_contact_name(sim->dynamics, contact)))
+    if (*ok && fa > 0 && !has_happened(sim, YK_HAPPENING_LIFT_OFF, yk_dynamics_contact_name(sim->dynamics, contact)))
         note_lift_off(&e, cam, from, ok);
     for (int k = 1; k <= PROBES && *ok; k++) {
         double t = k == PROBES ? end : from + (end - from) * k / PROBES, f = event_at(&e, t, ok);
@@ -245,6 +259,36 @@ static void look_at_cams(YkSimulation *sim, double end, bool *ok)
 {
     for (size_t k = 0; sim->model->cam_count > 0 && k < yk_dynamics_contact_count(sim->dynamics); k++)
         look_at_cam(sim, k, end, ok);
+}
+
+// --- laws whose range is left
+
+// Notes it with the argument at the pose that stands.
+static void note_law(YkSimulation *sim, const YkLawUse *use, double t)
+{
+    yk_simulation_note(sim, YK_HAPPENING_LAW_LEFT, t, use->told.name, argument_here(sim, use));
+}
+
+// Looks for the time in the last step, up to `end`, at which a law is left for the first time.
+static void look_at_law(YkSimulation *sim, const YkLawUse *use, double end, bool *ok)
+{
+    if (has_happened(sim, YK_HAPPENING_LAW_LEFT, use->told.name)) return;
+    Event e = {.sim = sim, .use = use};
+    double from = yk_ode_previous(sim->ode), a = from, fa = event_at(&e, from, ok), t = HUGE_VAL;
+    if (*ok && fa > 0) t = from;
+    for (int k = 1; k <= PROBES && *ok && t == HUGE_VAL; k++) {
+        double b = k == PROBES ? end : from + (end - from) * k / PROBES, fb = event_at(&e, b, ok);
+        if (*ok && fb > 0) t = locate(&e, a, fa, b, fb, ok);
+        a = b;
+        fa = fb;
+    }
+    *ok = *ok && (t == HUGE_VAL || visit(sim, t, false));
+    if (*ok && t < HUGE_VAL) note_law(sim, use, t);
+}
+
+static void look_at_laws(YkSimulation *sim, double end, bool *ok)
+{
+    for (size_t k = 0; k < sim->laws->count; k++) look_at_law(sim, &sim->laws->uses[k], end, ok);
 }
 
 // Returns whether drives move the machine now: it then has kinetic energy where its one free coordinate merely turns
@@ -261,7 +305,7 @@ static bool is_driven(const YkSimulation *sim)
 bool yk_simulation_look_dead(YkSimulation *sim)
 {
     YkEventWatch watch = {.channel = {.kind = YK_CHANNEL_COORDINATE, .index = sim->first, .order = 1}};
-    Event e = {sim, NULL, &watch, 1, 0};
+    Event e = {.sim = sim, .watch = &watch, .way = 1};
     if (sim->first == YK_NONE) return false;
     double last = sim->first_rate, now = event_here(&e);
     sim->first_rate = now;
@@ -279,7 +323,12 @@ bool yk_simulation_look_dead(YkSimulation *sim)
 void yk_simulation_watch_start(YkSimulation *sim)
 {
     for (size_t k = 0; k < sim->watch_count; k++)
-        sim->watches[k].last = event_here(&(Event){sim, NULL, &sim->watches[k], 1, 0});
+        sim->watches[k].last = event_here(&(Event){.sim = sim, .watch = &sim->watches[k], .way = 1});
+    for (size_t k = 0; k < sim->laws->count; k++) {
+        const YkLawUse *use = &sim->laws->uses[k];
+        if (excess_here(sim, use) > 0 && !has_happened(sim, YK_HAPPENING_LAW_LEFT, use->told.name))
+            note_law(sim, use, sim->time);
+    }
 }
 
 void yk_simulation_look(YkSimulation *sim)
@@ -289,4 +338,5 @@ void yk_simulation_look(YkSimulation *sim)
     double end = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);
     for (size_t k = 0; k < sim->watch_count; k++) look_at_watch(sim, &sim->watches[k], end, &ok);
     look_at_cams(sim, end, &ok);
+    look_at_laws(sim, end, &ok);
 }

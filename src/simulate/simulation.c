@@ -136,7 +136,8 @@ YkSimulation *yk_simulation_blank(const YkModel *model, const YkSimulationOption
     sim->sweeps_max = 5000;
     sim->options = *options;
     sim->arena = yk_arena_new();
-    if (sim->arena && (!like || take_over(sim, like))) return sim;
+    sim->laws = yk_law_watch_new(model);
+    if (sim->arena && sim->laws && (!like || take_over(sim, like))) return sim;
     yk_simulation_free(sim);
     return NULL;
 }
@@ -165,6 +166,7 @@ static void end(YkSimulation *sim)
 {
     yk_simulation_unbuild(sim);
     yk_arena_free(sim->arena);
+    yk_law_watch_free(sim->laws);
     free(sim->watches);
     free(sim->happenings);
     free(sim->effort);

@@ -4,6 +4,7 @@
 #include <yoke/move.h>
 #include <yoke/simulation.h>
 #include "dynamics/dynamics.h"
+#include "dynamics/law_uses.h"
 #include "num/bounded.h"
 #include "num/ode.h"
 
@@ -98,6 +99,7 @@ struct YkSimulation {
     // Findings:
     YkEventWatch *watches;
     size_t watch_count, watch_capacity;
+    YkLawWatch *laws; // the uses of laws that can be left; nothing is noted in it
     YkHappening *happenings;
     size_t happening_count, happening_capacity;
     YkSimulationSummary summary;

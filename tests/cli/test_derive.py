@@ -22,6 +22,22 @@ def formulas(answer):
 
 
 class Derive(Case):
+    def test_a_constant_is_printed_as_its_check_reads_it(self):
+        """90 * 1e-6 in floating point is 0.00008999999999999999: not the file's number, and too long to be exact."""
+        for given, printed in (("90 kg*mm^2", "0.00009"), ("1234567 kg*mm^2", "1.234567"), ("0.054981 kg*m^2", "0.054981"),
+                               ("70.07 g*cm^2", "7.007e-6"), ("3.3 lb*in^2", None)):
+            path = self.write("arm.yaml", """\
+bodies:
+  ground: {points: {O: [0, 0]}}
+  arm: {points: {O: [0, 0], A: [1, 0]}, mass: 2 kg, center: [0.5, 0], inertia: %s}
+joints: {O: {pin: [ground, arm], angle: theta}}
+""" % given)
+            (line,) = re.findall(r"I_arm = \S+ kg\*m\^2", self.good("derive", path).out)
+            if printed:
+                self.assertEqual(line, "I_arm = %s kg*m^2" % printed)
+            if printed or len(line.split()[2]) < 18:
+                self.assertIn("true for all dimensions", self.good("derive", path, "--check", line).out)
+
     def test_all_that_there_is_comes_by_default(self):
         run = self.good("derive", QUICK)
         for title in ("Loop equations", "Jacobian", "Velocities", "Accelerations"):

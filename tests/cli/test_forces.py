@@ -36,6 +36,27 @@ JAMMING = FOUR_BAR.replace("a: 40", "a: 90").replace("B: [120, 0]", "B: [60, 0]"
     "theta1: 60 + 90 deg/s * t", "theta1: 20 + 90 deg/s * t").replace("theta2: -20", "theta2: -60")
 
 # A block on a rough incline, held by a drive.
+PRESS = """\
+# a slider-crank whose ram works against a table that ends too early
+parameters: {r: 50 mm, l: 180 mm}
+bodies:
+  ground: {points: {O: [0, 0]}}
+  crank:  {points: {O: [0, 0], A: [r, 0]}}
+  rod:    {points: {A: [0, 0], B: [l, 0]}}
+  ram:    {points: {B: [0, 0]}, mass: 2 kg}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  A: {pin: [crank, rod], angle: phi}
+  B: {pin: [rod, ram]}
+  S: {slide: [ground, ram], along: x, distance: s}
+drives: {theta: 60 deg + 300 rpm * t}
+laws:
+  cutting: {table: [[150 mm, -100 N], [180 mm, -300 N], [200 mm, -500 N]]}
+efforts: {s: {law: cutting, of: s}}
+start: {phi: -75 deg, s: 200 mm}
+units: {length: mm, angle: deg}
+"""
+
 INCLINE = """\
 gravity: [0, -10]
 bodies:
@@ -121,6 +142,38 @@ start: {p: 0, q: 0}
             self.assertEqual(run.code, 1)
             self.assertIn("no inertia resists `q`: give mass or inertia to body `bare`", run.err)
 
+    def test_a_law_whose_range_is_left_is_told(self):
+        file = self.write("press.yaml", PRESS)
+        stroke = lambda angle: 50 * math.cos(angle) + math.sqrt(180 ** 2 - (50 * math.sin(angle)) ** 2)
+        outside = [k for k in range(13) if not 150 <= stroke(math.radians(30 * k)) <= 200]
+        sweep = self.good("sweep", file, "--over", "theta=0:360deg", "--steps", "12", "--of", "theta.effort", "--format", "json")
+        left = sweep.json()["laws_left"]
+        self.assertEqual([(left[0][key]) for key in ("law", "user", "of", "poses", "at")], ["cutting", "effort", "s", len(outside), 0])
+        self.assertAlmostEqual(left[0]["argument"], 0.23, places=12)
+        self.assertIn("press.yaml:16:11: warning: the effort of `s` leaves the range of law `cutting`, 150 mm to 200 mm: at 230 mm "
+                      "it keeps its end value, -500 N; first at theta = 0 deg, in %d poses [W0860]" % len(outside), sweep.err)
+        positions = self.good("sweep", file, "--over", "theta=0:360deg", "--of", "s", "--format", "json")  # needs no law
+        self.assertNotIn("laws_left", positions.json())
+        self.assertNotIn("W0860", positions.err)
+        inside = self.good("solve", file, "--format", "json")
+        self.assertNotIn("laws_left", inside.json())
+        self.assertNotIn("W0860", inside.err)
+        pose = self.good("solve", file, "--at", "theta=180deg", "--format", "json")
+        self.assertAlmostEqual(pose.json()["laws_left"][0]["argument"], 0.13, places=12)
+        self.assertIn("at 130 mm it keeps its end value, -100 N [W0860]", pose.err)
+        self.assertNotIn("W0860", self.good("solve", file, "--at", "theta=180deg", "--quiet").err)
+
+    def test_a_motion_and_a_report_tell_a_law_once(self):
+        file = self.write("press.yaml", PRESS)
+        run = self.good("simulate", file, "--to", "0.4s", "--steps", "4", "--format", "json")  # two turns
+        angle = math.radians(60) + 10 * math.pi * run.json()["events"][0]["time"]
+        self.assertEqual([(event["kind"], event["of"]) for event in run.json()["events"]], [("law-left", "s")])
+        self.assertAlmostEqual(0.05 * math.cos(angle) + math.sqrt(0.18 ** 2 - (0.05 * math.sin(angle)) ** 2), 0.15, places=8)
+        self.assertEqual(run.err.count("W0860"), 1)
+        self.assertIn("law-left of s at t = 0.0330888", run.err)
+        page = self.good("report", file).out
+        self.assertEqual(page.count("leaves the range of law cutting, 150 mm to 200 mm"), 1)
+
     def test_an_effort_that_friction_holds_is_a_range(self):
         incline = self.write("incline.yaml", INCLINE)
         low, high = (20 * (math.sin(0.5) + side * 0.3 * math.cos(0.5)) for side in (-1, 1))
@@ -151,6 +204,21 @@ start: {p: 0, q: 0}
         moving = self.good("sweep", incline, "--over", "d=0:1", "--steps", "2", "--of", "d.effort", "--rate", "d=1", "--format", "json")
         self.assertNotIn("[W0638]", moving.err)
         self.assertIsNotNone(moving.json()["rows"][0][1])
+
+    def test_a_sweep_tells_every_effort_that_is_a_range(self):
+        """A block on a block: 2 kg and 1 kg, 0.3 and 0.2. Each is held by the friction under it, and by what it pushes on."""
+        file = self.write("blocks.yaml", """\
+gravity: [0, -9.81]
+bodies: {low: {mass: 2 kg}, high: {mass: 1 kg}}
+joints:
+  L: {slide: [ground, low], along: x, distance: x, friction: {coulomb: 0.3}}
+  H: {slide: [low, high], along: x, distance: y, friction: {coulomb: 0.2}}
+drives: {x: 0 m, y: 0.1 m}
+""")
+        run = self.good("sweep", file, "--over", "x=0:1m", "--steps", "2", "--of", "x,y.effort,x.effort", "--format", "json")
+        for name, most in (("x", 0.3 * 3 * 9.81), ("y", 0.2 * 9.81)):
+            self.assertIn("`%s.effort` has no single value; first at x = 0 m (-%g to %g N)" % (name, most, most), run.err)
+        self.assertEqual(run.err.count("[W0638]"), 2)
 
     def test_a_report_tells_the_range(self):
         page = self.good("report", self.write("incline.yaml", INCLINE)).out

@@ -1,4 +1,5 @@
 """Rounding noise is 0 in the tables for people and exact in JSON; what is small and true is told."""
+import math
 import re
 import unittest
 
@@ -35,6 +36,23 @@ joints:
   B: {pin: [rod, piston]}
 drives: {theta: 1 + 2e-7 rad/s * t}
 start: {phi: -1.2, s: 0.2 um}
+"""
+
+# Its two cranks are always parallel: 90 deg/s.
+PARALLELOGRAM = """\
+units: {length: mm, angle: deg}
+bodies:
+  ground:  {points: {O: [0, 0], C: [100, 0]}}
+  crank:   {points: {O: [0, 0], A: [40, 0]}}
+  coupler: {points: {A: [0, 0], B: [100, 0], P: [50, 30]}}
+  rocker:  {points: {C: [0, 0], B: [40, 0]}}
+joints:
+  O: {pin: [ground, crank], angle: theta1}
+  A: {pin: [crank, coupler], angle: theta2}
+  C: {pin: [ground, rocker], angle: theta3}
+  B: {pin: [coupler, rocker]}
+drives: {theta1: 60 + 90 deg/s * t}
+start: {theta2: -60, theta3: 60}
 """
 
 # Eight stages of 1 : 50, each shaft pinned to the ground.
@@ -116,6 +134,31 @@ class Noise(Case):
                 self.assertAlmostEqual(float(told[column]), true[column], delta=1e-5 * abs(true[column]))
         self.assertGreater(hidden, 0)
         self.assertEqual(rows[6][0], "0")
+
+
+class ChangePoints(Case):
+    def test_zeros_at_and_beside_a_change_point_are_0(self):
+        """A parallelogram moves alike at every pose: accelerations of its cranks are 0, and so is the coupler's rate."""
+        path = self.write("parallelogram.yaml", PARALLELOGRAM)
+        zeros = "theta2.accel,theta3.accel,coupler.rate,coupler.accel"
+        for over, steps in (("0:360deg", 8), ("175:185deg", 10), ("179:180deg", 4)):
+            words = ("--over", "theta1=" + over, "--steps", str(steps), "--of", zeros + ",theta3.rate,coupler.P.x.accel")
+            rows = [line.split() for line in self.good("sweep", path, *words).out.split("\n\n")[1].splitlines()[1:]]
+            exact = self.good("sweep", path, *words, "--format", "json").json()["rows"]
+            self.assertEqual(len(rows), steps + 1)
+            self.assertTrue(any(value != 0 for row in exact for value in row[1:5]))
+            for told, true in zip(rows, exact):
+                self.assertEqual(told[1:5], ["0"] * 4)
+                self.assertEqual(told[5], "90")
+                accel = -40 * (math.pi / 2) ** 2 * math.cos(true[0])
+                self.assertAlmostEqual(float(told[6]), accel, delta=1e-4)
+
+    def test_what_is_small_and_true_beside_a_change_point_is_told(self):
+        """Almost a parallelogram: its cranks differ by a millionth, and the rate of its coupler is 1e-7 of theirs."""
+        path = self.write("almost.yaml", PARALLELOGRAM.replace("B: [40, 0]", "B: [40.00004, 0]"))
+        rows = [line.split() for line in self.good("sweep", path, "--over", "theta1=5:80deg", "--steps", "15", "--of",
+                                                   "coupler.rate").out.split("\n\n")[1].splitlines()[1:]]
+        self.assertTrue(all(float(row[1]) != 0 for row in rows))
 
 
 class Turns(Case):

@@ -33,6 +33,9 @@ static void write_shaking(YkSession *session, const YkBalancing *b)
     yk_text_puts(&session->out, "\n");
     yk_table_write(table, 2, &session->out);
     yk_table_free(table);
+    yk_text_puts(&session->out,
+                 "\nShaking forces and moments are those of inertia alone. The effort is what the input needs "
+                 "under everything\nin the file: weight, loads and friction as well.\n");
 }
 
 static void write_weights(YkSession *session, const YkBalancing *b)

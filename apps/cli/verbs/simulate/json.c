@@ -1,4 +1,5 @@
 // `yoke simulate --format json`.
+#include "laws_left.h"
 #include "verbs/simulate/simulate.h"
 
 static void add_rows(const YkSimulationAnswer *answer, YkJson *json)
@@ -79,6 +80,7 @@ void yk_simulate_json(const YkSimulationAnswer *answer, const char *message, con
     if (code) yk_json_string(&json, "code", code);
     add_rows(answer, &json);
     add_events(answer->simulation, &json);
+    yk_add_laws_json(&json, answer->laws, true);
     add_works(answer->simulation, &json);
     if (answer->simulation) add_summary(answer->simulation, &json);
     yk_json_end(&json);

@@ -119,14 +119,16 @@ static bool keep_row(YkSimulationAnswer *answer)
     return true;
 }
 
-// Warns of each cam once, with the time at which it would first have to pull its follower.
-static void warn_of_lift_off(YkSimulationAnswer *answer)
+// Warns of each cam once, with the time at which it would first have to pull its follower; collects the laws that are
+// left.
+static void look_at_events(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
     size_t count = yk_simulation_happening_count(answer->simulation);
     for (; answer->told_count < count; answer->told_count++) {
         YkHappening h = yk_simulation_happening(answer->simulation, answer->told_count);
         bool is_known = h.kind != YK_HAPPENING_LIFT_OFF;
+        if (h.kind == YK_HAPPENING_LAW_LEFT) yk_law_watch_note(answer->laws, h.name, h.value, h.time);
         for (size_t k = 0; k < answer->told_count && !is_known; k++) {
             YkHappening before = yk_simulation_happening(answer->simulation, k);
             is_known = before.kind == YK_HAPPENING_LIFT_OFF && strcmp(before.name, h.name) == 0;
@@ -142,7 +144,7 @@ bool yk_simulate_row(YkSimulationAnswer *answer)
     for (size_t c = 0; c < answer->column_count; c++)
         answer->row[c + 1] = yk_simulation_channel(answer->simulation, answer->columns[c].channel);
     if (yk_simulate_keeps_rows(answer) && !keep_row(answer)) return false;
-    warn_of_lift_off(answer);
+    look_at_events(answer);
     answer->row_count++;
     if (answer->session->request->format == YK_FORMAT_TEXT) add_text_row(answer, &head);
     if (answer->session->request->format == YK_FORMAT_CSV) add_csv_row(answer);

@@ -23,7 +23,8 @@ typedef struct YkSimulationAnswer {
     double *rows;    // all of them, if JSON or a plot needs them
     size_t row_count, row_capacity;
     YkStatus status;
-    size_t told_count;           // events that were looked at for cams that lose their followers
+    size_t told_count;           // events that were looked at for cams that lose their followers, and laws
+    YkLawWatch *laws;            // that the motion has left
     bool is_interrupted, is_cut; // by a signal; by an output that accepts no more
 } YkSimulationAnswer;
 

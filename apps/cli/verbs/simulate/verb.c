@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "base/number.h"
 #include "base/problems.h"
+#include "laws_left.h"
 #include "reach.h"
 #include "stop.h"
 #include "verbs/simulate/simulate.h"
@@ -153,6 +154,7 @@ static int finish(YkSimulationAnswer *answer, bool good)
         exit_code = yk_session_finish(session, exit_code);
     }
     if (plot && good && !yk_simulate_plot(answer, plot)) exit_code = YK_EXIT_WRONG;
+    yk_warn_of_laws(session, answer->laws, "t", YK_QUANTITY_TIME);
     yk_tell_problems(session, session->problems);
     session->is_told = true; // the summary is the last line
     if (!session->ran_out) fputs(yk_text_get(&summary), stderr);
@@ -217,7 +219,8 @@ static int simulate(YkSimulationAnswer *answer)
     if (session->file_problems) yk_tell_problems(session, session->file_problems);
     if (!good) return YK_EXIT_WRONG;
     if (!answer->simulation) return refuse(answer);
-    if (!yk_simulate_prepare(answer)) return YK_EXIT_WRONG;
+    answer->laws = yk_session_watch_laws(session);
+    if (!answer->laws || !yk_simulate_prepare(answer)) return YK_EXIT_WRONG;
     return finish(answer, run(answer, &watch));
 }
 
@@ -226,6 +229,7 @@ int yk_run_simulate(YkSession *session)
     YkSimulationAnswer answer = {.session = session};
     int exit_code = simulate(&answer);
     yk_simulation_free(answer.simulation);
+    yk_law_watch_free(answer.laws);
     free(answer.columns);
     free(answer.values);
     free((void *)answer.inputs);

@@ -1,6 +1,7 @@
 // yoke solve: one pose, or every one that the inputs allow.
 #include <math.h>
 #include "columns.h"
+#include "laws_left.h"
 #include "reach.h"
 #include "roll.h"
 #include "stop.h"
@@ -14,7 +15,8 @@ typedef struct Writer {
     YkDynamics *dynamics;
     YkMethod method;
     YkState *scratch;
-    YkState *own; // --all: the machine's own pose; NULL if it does not get there
+    YkLawWatch *laws; // that a configuration has left
+    YkState *own;     // --all: the machine's own pose; NULL if it does not get there
 } Writer;
 
 // Returns whether the machine has inputs whose accelerations are sought.
@@ -47,6 +49,7 @@ static YkStatus find_forces(Writer *writer, YkState *state)
 
 static void write_one(Writer *writer, const YkState *state)
 {
+    yk_law_watch_look(writer->laws, state, writer->dynamics, yk_state_time(state));
     switch (writer->session->request->format) {
     case YK_FORMAT_TEXT:
         yk_solve_text(writer->session, state, writer->count);
@@ -136,6 +139,7 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
     if (session->request->format == YK_FORMAT_JSON) {
         yk_json_end(&writer->json);
         if (all) write_report(writer, report);
+        yk_add_laws_json(&writer->json, writer->laws, false);
         yk_json_end(&writer->json);
     } else if (session->request->format == YK_FORMAT_TEXT && all) {
         bool is_told = report->reason != YK_COMPLETE_BY_CLOSED_FORM;
@@ -173,6 +177,7 @@ static int solve(Writer *writer)
     yk_solve_of_warn(session);
     YkStatus written = write_all(writer, pose, &all);
     end(writer, &all);
+    yk_warn_of_laws(session, writer->laws, NULL, YK_QUANTITY_TIME);
     int exit_code = yk_status_exit(status < 0 ? status : written);
     if (exit_code == YK_EXIT_DONE && yk_lacks_construction(session)) exit_code = YK_EXIT_NO_ANSWER;
     return yk_session_finish(session, exit_code);
@@ -204,13 +209,15 @@ int yk_run_solve(YkSession *session)
         good = yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is written as text or json, not %q", "csv");
     writer.dynamics = session->dynamics;
     writer.scratch = yk_session_new_state(session, session->mech);
+    writer.laws = yk_session_watch_laws(session);
     int exit_code = YK_EXIT_WRONG;
-    if (good && writer.scratch) {
+    if (good && writer.scratch && writer.laws) {
         exit_code = solve(&writer);
     } else if (good) {
         yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     }
     yk_state_free(writer.scratch);
+    yk_law_watch_free(writer.laws);
     session->columns = NULL;
     yk_columns_free(&columns);
     session->dynamics = writer.dynamics; // the session frees it

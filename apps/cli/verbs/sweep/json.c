@@ -1,5 +1,6 @@
 // `yoke sweep --format json`.
 #include <string.h>
+#include "laws_left.h"
 #include "verbs/sweep/sweep.h"
 
 static bool is_repeated(const YkSweepAnswer *answer, size_t column)
@@ -97,6 +98,7 @@ void yk_sweep_json(const YkSweepAnswer *answer)
     yk_json_string(&json, "over", answer->over.name);
     add_rows(answer, &json);
     add_events(answer, &json);
+    yk_add_laws_json(&json, answer->laws, true);
     add_ranges(answer, &json);
     add_strokes(answer, &json);
     if (answer->sweep) yk_json_number(&json, "worst_residual", yk_sweep_worst_residual(answer->sweep));

@@ -7,6 +7,12 @@
 
 enum { YK_RANGES_MAX = 32 };
 
+typedef struct YkHeldColumn { // an effort that dry friction leaves open in some rows
+    size_t rows;
+    double at;           // the first of them,
+    YkEffortRange range; // and there
+} YkHeldColumn;
+
 typedef struct YkSweepAnswer {
     YkSession *session;
     YkOver over;
@@ -22,10 +28,10 @@ typedef struct YkSweepAnswer {
     const char *ranges_of; // the coordinate they are of, or NULL
     YkQuantity ranges_quantity;
     YkStroke *strokes; // of each column; ratio 0 if there is none
-    size_t held_rows;  // in which dry friction leaves the effort of a column open
-    double held_at;    // the first of them
-    size_t held_column;
-    YkEffortRange held;
+    float *sines;      // per row, for text: the least sine of a transmission angle, which spoils digits; NULL: none
+    size_t row_capacity, visited; // of it
+    YkLawWatch *laws;             // that the rows have left
+    YkHeldColumn *held;           // [column]
 } YkSweepAnswer;
 
 // Returns a value of the table; NaN if it is undefined (rates at a dead point).
@@ -36,6 +42,8 @@ void yk_sweep_add_ranges(const YkSweepAnswer *answer, YkText *text);
 // For yk_sweep_options.visit, at every row's pose: looks for efforts among the columns that are not unique there.
 void yk_sweep_look_at_friction(void *answer, const YkState *state);
 void yk_sweep_warn_of_friction(const YkSweepAnswer *answer);
+// Returns what is swept at a state: the coordinate, or the time.
+double yk_sweep_place(const YkSweepAnswer *answer, const YkState *state);
 void yk_sweep_text(const YkSweepAnswer *answer);
 void yk_sweep_json(const YkSweepAnswer *answer);
 void yk_sweep_csv(const YkSweepAnswer *answer);

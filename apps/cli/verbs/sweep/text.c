@@ -34,20 +34,32 @@ static double shown_at(const YkSweepAnswer *answer, double at)
     return fabs(at) <= 1e-15 * largest ? 0 : yk_amount_of(answer->session->model, at, answer->over.quantity);
 }
 
+// Beside a change point rates and accelerations lose digits, with the sine of the transmission angle to the third power;
+// at one they are limits made of poses beside it. So there is more noise there, which is at most taken for 1e-8.
+static double blur_of(const YkSweepAnswer *answer, size_t row)
+{
+    const double at_it = 1e4, most = 1e5;
+    double sine = row < answer->row_capacity ? answer->sines[row] : 1;
+    if (yk_sweep_row_status(answer->sweep, row) == YK_CHANGE_POINT) return at_it;
+    return fmin(most, fmax(1, 1e-2 / (sine * sine * sine)));
+}
+
 static void add_rows(const YkSweepAnswer *answer)
 {
-    const YkSession *session = answer->session;
+    YkSession *session = answer->session;
     size_t rows = answer->sweep ? yk_sweep_row_count(answer->sweep) : 0;
     YkTable *table = yk_table_new(answer->column_count + 1);
     yk_table_head(table, answer->over.name, yk_unit_of(session, answer->over.quantity));
     for (size_t c = 0; c < answer->column_count; c++)
         yk_table_head(table, answer->columns[c].name, yk_unit_of(session, answer->columns[c].channel.quantity));
     for (size_t row = 0; row < rows; row++) {
+        session->scale.blur = blur_of(answer, row);
         yk_table_number(table, shown_at(answer, yk_sweep_at(answer->sweep, row)), YK_DIGITS);
         for (size_t c = 0; c < answer->column_count; c++)
             yk_table_number(table, yk_column_shown(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel),
                             YK_DIGITS);
     }
+    session->scale.blur = 0;
     write_table(&answer->session->out, table, rows > 0);
 }
 

@@ -2,6 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "elementary/elementary.h"
+#include "laws_left.h"
 #include "reach.h"
 #include "stop.h"
 #include "verbs/sweep/sweep.h"
@@ -104,13 +106,36 @@ static void tell(YkSweepAnswer *answer)
     yk_text_free(&ranges);
 }
 
+// Returns the least sine of a transmission angle: near a change point or a dead point it is small.
+static double least_sine(const YkMechanism *mech, const YkState *state)
+{
+    double least = 1;
+    for (size_t k = 0; k < yk_block_count(mech); k++)
+        if (yk_block_info(mech, k).assur_class == 2) least = fmin(least, fabs(yk_sin(yk_state_transmission(state, k))));
+    return least;
+}
+
+// At the pose of every row.
+static void look(void *context, const YkState *state)
+{
+    YkSweepAnswer *answer = context;
+    size_t row = answer->visited++;
+    if (row < answer->row_capacity) answer->sines[row] = (float)least_sine(answer->session->mech, state);
+    yk_sweep_look_at_friction(answer, state);
+    yk_law_watch_look(answer->laws, state, answer->session->dynamics, yk_sweep_place(answer, state));
+}
+
 static bool run(YkSweepAnswer *answer, size_t steps)
 {
     YkSession *session = answer->session;
     YkState *start = yk_session_new_state(session, session->mech);
     YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
     answer->strokes = calloc(answer->column_count + 1, sizeof *answer->strokes);
-    if (start && channels && answer->strokes) {
+    answer->held = calloc(answer->column_count + 1, sizeof *answer->held);
+    answer->laws = yk_session_watch_laws(session);
+    answer->row_capacity = session->request->format == YK_FORMAT_TEXT ? steps + 1 : 0;
+    answer->sines = calloc(answer->row_capacity + 1, sizeof *answer->sines);
+    if (start && channels && answer->strokes && answer->held && answer->sines && answer->laws) {
         YkSweepOptions options = yk_default_sweep_options();
         options.coordinate = answer->over.coordinate;
         options.from = answer->over.from;
@@ -118,7 +143,7 @@ static bool run(YkSweepAnswer *answer, size_t steps)
         options.steps = steps;
         options.dynamics = session->dynamics;
         options.method = answer->method;
-        options.visit = yk_sweep_look_at_friction;
+        options.visit = look;
         options.context = answer;
         for (size_t i = 0; i < answer->column_count; i++) channels[i] = answer->columns[i].channel;
         yk_state_copy(start, session->state);
@@ -175,6 +200,7 @@ static int answer_sweep(YkSweepAnswer *answer, size_t steps)
     }
     tell(answer);
     yk_sweep_warn_of_friction(answer);
+    yk_warn_of_laws(answer->session, answer->laws, answer->over.name, answer->over.quantity);
     return write_answer(answer);
 }
 
@@ -219,10 +245,13 @@ int yk_run_sweep(YkSession *session)
            (!wants_forces(answer) || (yk_session_forces(session, true) && yk_session_has_forces(session)));
     if (good) exit_code = answer_sweep(answer, steps);
     yk_sweep_free(answer->sweep);
+    yk_law_watch_free(answer->laws);
     yk_text_free(&answer->message);
     yk_text_free(&answer->label);
     free(answer->columns);
     free(answer->strokes);
+    free(answer->sines);
+    free(answer->held);
     free(answer);
     return exit_code;
 }
