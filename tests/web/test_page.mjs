@@ -30,6 +30,7 @@ async function open(name, options = {}) {
   const file = join(work, name + ".html");
   run("report", machine(name), "-o", file);
   const page = await browser.newPage({ viewport: { width: 1000, height: 800 }, ...options });
+  page.setDefaultTimeout(150_000); // no clock, but the end of a wait on a machine that is very busy
   page.faults = [];
   page.on("pageerror", (error) => page.faults.push(error.message));
   page.on("console", (line) => line.type() === "error" && page.faults.push(line.text()));

@@ -7,6 +7,9 @@ import { extname, join, resolve } from "node:path";
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".json": "application/json" };
 
+// How long anything may take, in ms: no clock, but the end of a wait on a machine that is very busy.
+const PATIENCE = 150_000;
+
 export async function start(bundled, page) {
   if (!existsSync(join(bundled, "node_modules", "playwright-core")) || !existsSync(join(page, "index.html"))) {
     console.log("skipped: npm could not get its packages");
@@ -31,6 +34,7 @@ export async function start(bundled, page) {
 export async function open({ browser, address }, options = {}, hash = "") {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
   const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
   page.faults = [];
   page.on("pageerror", (error) => page.faults.push(error.message));
   page.on("console", (line) => line.type() === "error" && page.faults.push(line.text()));
@@ -57,7 +61,7 @@ export const turn = (page, body) => page.evaluate((name) => {
   const found = document.querySelector(`#scene [data-body="${name}"]`)?.getAttribute("transform").match(/rotate\(([^)]+)\)/);
   return found ? Number(found[1]) : null;
 }, body);
-export const until = async (page, what, ...values) => page.waitForFunction(what, values.length > 1 ? values : values[0], { timeout: 30_000 });
+export const until = async (page, what, ...values) => page.waitForFunction(what, values.length > 1 ? values : values[0], { timeout: PATIENCE });
 export const bodies = (page, count) => until(page, (n) => new Set(Array.from(document.querySelectorAll("#scene [data-body]"), (one) => one.dataset.body)).size >= n, count);
 export const joints = (page, name) => until(page, (one) => document.querySelector(".cm-content").textContent.includes(`${one}: {pin`), name);
 export const moves = async (page, body, from) => until(page, ([name, before]) => {

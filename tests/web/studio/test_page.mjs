@@ -164,7 +164,7 @@ const tests = {
     await chooseExample(page, "four-bar");
     await page.click("#export");
     const take = async (id) => {
-      const [file] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), page.click(`[data-export="${id}"]`)]);
+      const [file] = await Promise.all([page.waitForEvent("download"), page.click(`[data-export="${id}"]`)]);
       return readFileSync(await file.path());
     };
     const png = await take("png");
@@ -211,11 +211,11 @@ const tests = {
     const page = await open(world);
     await chooseExample(page, "four-bar");
     await page.click("#tab-equations");
-    await page.locator(".formulas math").first().waitFor({ timeout: 60_000 });
+    await page.locator(".formulas math").first().waitFor();
     const check = async (equation, kind) => {
       await page.fill("#panel-equations input", equation);
       await page.keyboard.press("Enter");
-      await page.locator(`.verdict.${kind}`).waitFor({ timeout: 60_000 });
+      await page.locator(`.verdict.${kind}`).waitFor();
     };
     await check("a*cos(theta2) + b*cos(theta2 + gamma) - c*cos(theta4) - d = 0", "true");
     await check("a*cos(theta2) + b*cos(theta2 + gamma) + c*cos(theta4) - d = 0", "false");

@@ -76,14 +76,19 @@ export class Motion {
   toggle(): void {
     if (this.state === "free") void this.letGo();
     else if (this.state === "playing") this.stop();
-    else if (!this.isDriven) this.session.emit("said", words.say.steady);
-    else {
-      this.state = "playing";
-      this.last = 0;
-      this.canvas.scene.ghosts([]);
-      this.tell();
-      requestAnimationFrame((now) => void this.frame(now));
-    }
+    else void this.start();
+  }
+
+  // Plays. The text is read first: who has just driven the machine and presses Space at once means this machine.
+  private async start(): Promise<void> {
+    await this.session.settled;
+    if (this.state !== "still") return;
+    if (!this.isDriven) return this.session.emit("said", words.say.steady);
+    this.state = "playing";
+    this.last = 0;
+    this.canvas.scene.ghosts([]);
+    this.tell();
+    requestAnimationFrame((now) => void this.frame(now));
   }
 
   stop(): void {
