@@ -293,8 +293,11 @@ def main():
     yoke, names = sys.argv[1], sys.argv[2:]
     tally = Tally()
     folder = os.path.join(EXAMPLES, "expected")
-    for name in sorted(os.listdir(folder)):
-        if not name.endswith(".json") or (names and name[:-5] not in names):
+    known = sorted(name for name in os.listdir(folder) if name.endswith(".json"))
+    if "YOKE_FEW" in os.environ and "YOKE_EVERY" not in os.environ:
+        known = known[::3]  # under the sanitizers
+    for name in known:
+        if names and name[:-5] not in names:
             continue
         with open(os.path.join(folder, name)) as file:
             document = json.load(file)

@@ -496,7 +496,7 @@ class Interruptions(Machine):
     def interrupted(self, process, number):
         time.sleep(0.4)
         process.send_signal(number)
-        out, err = process.communicate(timeout=20)
+        out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 1, err)
         self.assertRegex(err.splitlines()[-1], r"^simulate: interrupted at t = \S+ s; \d+ steps, .* worst residual")
         self.assertIn("[W0821]", err)
@@ -547,7 +547,7 @@ class Interruptions(Machine):
         else:
             with open(path, "w", encoding="utf-8") as file:
                 process = self.start(*words, stdout=file, preexec=limit)
-        _, err = process.communicate(timeout=20)
+        _, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 2, err)
         self.assertIn("[E0704]", err)
         return self.read("full.csv").decode()
@@ -565,7 +565,7 @@ class Interruptions(Machine):
         process.stdout.close()
         err = process.stderr.read()
         process.stderr.close()
-        self.assertEqual(process.wait(timeout=20), 2)
+        self.assertEqual(process.wait(timeout=120), 2)
         self.assertIn("[E0705]", err)
 
 
