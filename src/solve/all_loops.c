@@ -30,17 +30,28 @@ static bool applies(const YkMechanism *mech)
     return true;
 }
 
-static bool make_room(Equations *e)
+static size_t row_count(const YkMechanism *mech)
+{
+    return 2 * mech->loop_count + gear_count(mech) + mech->input_count;
+}
+
+bool yk_all_loops_start(YkState *s)
+{
+    size_t m = row_count(s->mech), n = yk_variable_count(s->mech);
+    if (!applies(s->mech) || m < n) return true;
+    s->all_loops = malloc((m * n + 2 * m + 4 * n + 1) * sizeof(double) + (n + 1) * sizeof(size_t));
+    return s->all_loops != NULL;
+}
+
+static void share_room(Equations *e)
 {
     size_t m = e->rows, n = e->columns;
-    e->x = malloc((m * n + 2 * m + 4 * n + 1) * sizeof(double) + (n + 1) * sizeof(size_t));
-    if (!e->x) return false;
+    e->x = e->s->all_loops;
     e->step = e->x + n;
     e->tau = e->step + n;
     e->b = e->tau + 2 * n;
     e->A = e->b + m;
     e->order = (size_t *)(void *)(e->A + m * n);
-    return true;
 }
 
 static void read_pose(Equations *e)
@@ -168,13 +179,9 @@ YkStatus yk_state_by_all_loops(YkState *s, YkSpace *space, YkStatus status)
 {
     const YkMechanism *mech = s->mech;
     s->is_regular = false;
-    if (status != YK_SINGULAR || !applies(mech)) return status;
-    Equations e = {.s = s,
-                   .run = yk_state_run(s, space),
-                   .rows = 2 * mech->loop_count + gear_count(mech) + mech->input_count,
-                   .columns = yk_variable_count(mech)};
-    if (e.rows < e.columns) return status;
-    if (!make_room(&e)) return YK_NO_MEMORY;
+    if (status != YK_SINGULAR || !s->all_loops) return status;
+    Equations e = {.s = s, .run = yk_state_run(s, space), .rows = row_count(mech), .columns = yk_variable_count(mech)};
+    share_room(&e);
     read_pose(&e);
     if (polish(&e) && factor(&e) && closes(&e)) {
         solve_rates(&e, 1);
@@ -184,6 +191,5 @@ YkStatus yk_state_by_all_loops(YkState *s, YkSpace *space, YkStatus status)
         s->is_regular = true;
         s->is_kept = false;
     }
-    free(e.x);
     return s->is_regular ? YK_REDUNDANT : status;
 }

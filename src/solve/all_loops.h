@@ -3,9 +3,11 @@
 #define SOLVE_ALL_LOOPS_H
 #include "solve/state.h"
 
+// Makes the room for them; none is needed where no machine's equations repeat each other. Returns false if memory ran out.
+bool yk_all_loops_start(YkState *state);
 // Settles a pose of `space` that is singular by its blocks, where all loops together determine it: closes them by least squares, and
-// takes velocities and accelerations from all of them. Then `is_regular` is set and the status is REDUNDANT; otherwise it stays, or is
-// NO_MEMORY. Cost O(n^3) of all orientations and distances, at such a pose alone.
+// takes velocities and accelerations from all of them. Then `is_regular` is set and the status is REDUNDANT; otherwise it stays.
+// Cost O(n^3) of all orientations and distances, at such a pose alone.
 YkStatus yk_state_by_all_loops(YkState *state, YkSpace *space, YkStatus status);
 
 #endif

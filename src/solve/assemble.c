@@ -412,7 +412,7 @@ static bool show(void *context, YkState *s, double cost)
 {
     Each *each = context;
     YkSpace pose = s->space;
-    bool has_pose = s->has_pose, has_rates = s->has_rates;
+    bool has_pose = s->has_pose, has_rates = s->has_rates, is_regular = s->is_regular, is_kept = s->is_kept;
     if (!yk_state_spend(s, s->mech->block_count / 8)) return false;
     YkReport report = s->report;
     (void)cost;
@@ -426,6 +426,7 @@ static bool show(void *context, YkState *s, double cost)
     size_t bytes = s->mech->column_count * sizeof(double);
     if (bytes > 0) memcpy(s->search->kept_x, s->valid_x, bytes);
     if (bytes > 0) memcpy(s->valid_x, s->groups.x, bytes); // a copy of the state continues from this configuration
+    bool is_polished = s->is_regular;
     each->stopped = !each->visit(each->context, s);
     if (bytes > 0) memcpy(s->valid_x, s->search->kept_x, bytes);
     s->spare = s->space;
@@ -433,6 +434,9 @@ static bool show(void *context, YkState *s, double cost)
     s->has_pose = has_pose;
     s->has_rates = has_rates;
     s->report = report;
+    s->is_regular = is_regular;
+    s->is_kept = is_kept;
+    if (is_polished && !each->stopped) run_whole(s); // the search goes on from the branches' own pose
     return !each->stopped;
 }
 

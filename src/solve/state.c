@@ -32,7 +32,7 @@ static bool allocate(YkState *s)
     return s->input && s->valid_input && s->held && s->is_held && s->input_lanes && s->phases && s->reference &&
            s->guess && s->slot_reference && s->is_guessed && s->branch && s->valid_x && s->arrival && s->heading &&
            s->search && yk_space_start(&s->space, mech, 1, true) && yk_space_start(&s->spare, mech, 1, true) &&
-           yk_group_start(&s->groups, mech);
+           yk_group_start(&s->groups, mech) && yk_all_loops_start(s);
 }
 
 static void mark_guesses(YkState *s)
@@ -85,6 +85,7 @@ void yk_state_free(YkState *s)
     free(s->valid_x);
     free(s->arrival);
     free(s->heading);
+    free(s->all_loops);
     free(s);
 }
 
@@ -111,6 +112,8 @@ void yk_state_take(YkState *to, const YkState *from)
     to->time = from->time;
     to->has_pose = same && from->has_pose;
     to->has_rates = same && from->has_rates;
+    to->is_regular = same && from->is_regular;
+    to->is_kept = same && from->is_kept;
     to->report = from->report;
 }
 

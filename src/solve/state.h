@@ -31,8 +31,9 @@ struct YkState {
     double *arrival, *heading; // [input]: the inputs there, and the direction in which they moved; 0: unknown
     double time;
     bool has_pose, has_rates;
-    bool is_regular; // only the kept equations are singular: the pose and its rates come from all loops (all_loops.c)
-    bool is_kept;    // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it
+    bool is_regular;   // only the kept equations are singular: the pose and its rates come from all loops (all_loops.c)
+    double *all_loops; // room for that; NULL where it cannot be
+    bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it
     YkReport report;
     // assembling: see assemble.c
     struct YkSearch *search;

@@ -159,20 +159,27 @@ static void forces_are_determined(void **unused)
     assert_non_null(d);
     static const double beside[] = {0, 0.1};
     double effort[2][2];
+    YkState *copy = yk_state_new(m.mech);
+    assert_non_null(copy);
     for (size_t k = 0; k < 2; k++) {
         YkMotion goal = {beside[k], 3, -2};
         yk_dynamics_prescribe(d, 0, true);
         assert_true(yk_state_move_to(m.state, &goal, NULL, NULL) >= 0);
+        assert_int_equal(yk_state_copy(copy, m.state), YK_OK);
         for (int way = 0; way < 2; way++) {
             YkStatus status = yk_dynamics_solve(d, m.state, way ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED);
             assert_int_equal(status, YK_REDUNDANT);
             effort[k][way] = yk_dynamics_effort(d, yk_coordinate_find(m.mech, "theta"));
+            assert_int_equal(yk_dynamics_solve(d, copy, way ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED),
+                             YK_REDUNDANT);
+            assert_true(yk_dynamics_effort(d, yk_coordinate_find(m.mech, "theta")) == effort[k][way]);
         }
         // The crank about A: J = 0.05 + 2 (0.2)^2; the plate as a point mass on it.
         double inertia = 0.05 + 2 * 0.04 + 3 * 0.16, weight = 10 * (2 * 0.2 + 3 * 0.4) * cos(beside[k]);
         CHECK_NEAR(effort[k][0], inertia * -2 + weight, 1e-9);
         CHECK_NEAR(effort[k][1], inertia * -2 + weight, 1e-9);
     }
+    yk_state_free(copy);
     yk_dynamics_free(d);
     machine_free(&m);
 }
