@@ -2,8 +2,9 @@
 #include "plugin.h"
 #include <stddef.h>
 
-const YkPlugin *yk_plugin_open(const char *name, const char *entry)
+const YkPlugin *yk_plugin_open(const char *name, const char *entry, const char **why)
 {
     (void)name, (void)entry;
+    *why = NULL;
     return NULL;
 }

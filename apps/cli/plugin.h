@@ -9,7 +9,8 @@ typedef struct YkPlugin {
 } YkPlugin;
 
 // Loads the plugin NAME.so from beside the command, where it is built, or from lib/yoke, where it is installed, and calls its function
-// ENTRY. Returns the table, which stays until the process ends, or NULL if there is none.
-const YkPlugin *yk_plugin_open(const char *name, const char *entry);
+// ENTRY. Returns the table, which stays until the process ends. NULL: there is none, or it cannot be loaded, and `why` then points at
+// the reason, until the next call; otherwise at NULL.
+const YkPlugin *yk_plugin_open(const char *name, const char *entry, const char **why);
 
 #endif

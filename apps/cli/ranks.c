@@ -44,25 +44,28 @@ bool yk_ranks_is_first_here(void)
 
 // --- the plugin
 
-static const YkRanks *find_plugin(void)
+static const YkRanks *find_plugin(const char **why)
 {
     static const YkRanks *found;
-    if (!found) found = (const YkRanks *)(const void *)yk_plugin_open("yoke-mpi", YK_RANKS_ENTRY);
+    *why = NULL;
+    if (!found) found = (const YkRanks *)(const void *)yk_plugin_open("yoke-mpi", YK_RANKS_ENTRY, why);
     return found;
 }
 
 const char *yk_ranks_plugin(void)
 {
     static char text[256];
-    const YkRanks *found = find_plugin();
+    const char *why;
+    const YkRanks *found = find_plugin(&why);
     if (!found || found->interface != YK_RANKS_INTERFACE) return NULL;
     snprintf(text, sizeof text, "%s, %s", found->yoke, found->made());
     return text;
 }
 
-static bool refuse(YkSession *session, const char *why)
+static bool refuse(YkSession *session, const char *what, const char *why)
 {
-    yk_session_refuse(session, YK_CODE_RANKS_PLUGIN, "mpirun started several ranks, and %s", why);
+    yk_problem(session->problems, YK_CODE_RANKS_PLUGIN, (YkPlace){0}, "mpirun started several ranks, and %s%s", what,
+               why);
     yk_problem_hint(session->problems, "install the package yoke-mpi of version %s, or start yoke without mpirun",
                     yk_version());
     return false;
@@ -70,11 +73,13 @@ static bool refuse(YkSession *session, const char *why)
 
 bool yk_ranks_begin(YkSession *session)
 {
-    const YkRanks *found = find_plugin();
-    if (!found) return refuse(session, "the plugin yoke-mpi is missing");
+    const char *why;
+    const YkRanks *found = find_plugin(&why);
+    if (!found && why) return refuse(session, "the plugin yoke-mpi cannot be loaded: ", why);
+    if (!found) return refuse(session, "the plugin yoke-mpi is missing", "");
     if (found->interface != YK_RANKS_INTERFACE || strcmp(found->yoke, yk_version()) != 0)
-        return refuse(session, "the plugin yoke-mpi is of another version");
-    if (!found->begin()) return refuse(session, "Open MPI could not begin");
+        return refuse(session, "the plugin yoke-mpi is of another version", "");
+    if (!found->begin()) return refuse(session, "Open MPI could not begin", "");
     table = found;
     return true;
 }

@@ -54,6 +54,7 @@ static void give(YkRequestIn *request, unsigned status, const char *type, const 
 static bool keep(Incoming *incoming, const char *data, size_t size)
 {
     YkRequestIn *request = &incoming->request;
+    if (!request->keeps_body) return true;
     request->is_too_large |= size > incoming->handler->body_max - request->length;
     if (request->is_too_large) return true;
     if (request->length + size > incoming->capacity) {

@@ -277,6 +277,29 @@ class Server(Folder):
         self.assertEqual(none.code, 2)
         self.assertIn("E0720", none.err)
 
+    def test_a_plugin_that_cannot_be_loaded_is_not_called_missing(self):
+        """A copy of the command, alone in a folder, and beside a file that is no library."""
+        alone = shutil.copy(YOKE, os.path.join(self.folder, "alone"))
+        said = []
+        for content in (None, "no library"):
+            if content:
+                with open(os.path.join(self.folder, "yoke-http.so"), "w", encoding="utf-8") as file:
+                    file.write(content)
+            run = subprocess.run([alone, "studio", self.file, "--no-browser"], capture_output=True, encoding="utf-8", check=False,
+                                 timeout=120, env={**os.environ, "YOKE_STUDIO": os.path.join(self.folder, "page")})
+            self.assertEqual((run.returncode, run.stdout), (2, ""), run.stderr)
+            said.append(run.stderr)
+        self.assertIn("is missing", said[0])
+        self.assertIn("cannot be loaded: ", said[1])
+        self.assertIn("yoke-http.so", said[1])
+
+    def test_a_long_body_without_the_token_is_dropped(self):
+        with self.serve() as server:
+            for token, status in (("0", 403), (None, 413)):
+                reply = server.machine("PUT", token=token, body="x" * 9_000_000, If_Match="none")
+                self.assertEqual(reply.status, status)
+            self.assertEqual(self.read(), FOUR_BAR)
+
 
 class OnePage(Folder):
     """yoke studio FILE -o page.html."""

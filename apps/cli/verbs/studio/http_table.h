@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { YK_HTTP_INTERFACE = 1 };
+enum { YK_HTTP_INTERFACE = 2 };
 #define YK_HTTP_ENTRY "yk_http_open"
 
 // A request, whole; before it is accepted it has no body yet.
@@ -12,6 +12,7 @@ typedef struct YkRequestIn {
     const char *method, *path; // the path without its arguments
     const char *body;
     size_t length;     // of the body, in bytes
+    bool keeps_body;   // set by `accept`: otherwise the body is read and dropped
     bool is_too_large; // the body was longer than the limit, and was not kept
     void *own;         // the plugin's
 } YkRequestIn;

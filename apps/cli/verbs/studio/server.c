@@ -122,10 +122,15 @@ static void save_machine(const Server *server, YkRequestIn *request, YkProblems 
         write_machine(server, request, problems);
 }
 
+static bool has_token(const Server *server, const YkRequestIn *request)
+{
+    return yk_guard_token(server->http->argument(request, "token"), server->token);
+}
+
 static void answer_machine(const Server *server, YkRequestIn *request)
 {
     bool reads = strcmp(request->method, "GET") == 0, saves = strcmp(request->method, "PUT") == 0;
-    if (!yk_guard_token(server->http->argument(request, "token"), server->token)) {
+    if (!has_token(server, request)) {
         refuse(server, request, FORBIDDEN, "wrong token\n");
     } else if (!reads && !saves) {
         refuse(server, request, NOT_ALLOWED, "GET or PUT\n");
@@ -145,12 +150,17 @@ static void answer_machine(const Server *server, YkRequestIn *request)
 
 // --- requests
 
+static bool is_machine(const YkRequestIn *request)
+{
+    return strcmp(request->path, "/machine") == 0;
+}
+
 static void answer(void *context, YkRequestIn *request)
 {
     const Server *server = context;
     bool reads = strcmp(request->method, "GET") == 0 || strcmp(request->method, "HEAD") == 0;
     const char *path = strcmp(request->path, "/") == 0 ? "index.html" : request->path + (*request->path == '/');
-    if (strcmp(request->path, "/machine") == 0) {
+    if (is_machine(request)) {
         answer_machine(server, request);
         return;
     }
@@ -168,6 +178,7 @@ static bool accept(void *context, YkRequestIn *request)
                       yk_guard_origin(server->http->header(request, "Origin"), server->port) &&
                       yk_guard_site(server->http->header(request, "Sec-Fetch-Site"));
     if (!is_guarded) refuse(server, request, FORBIDDEN, "not from here\n");
+    request->keeps_body = is_guarded && is_machine(request) && has_token(server, request);
     return is_guarded;
 }
 
@@ -196,11 +207,16 @@ static void wait_for_stop(void)
 
 static const YkHttp *find_server(YkSession *session)
 {
-    const YkPlugin *found = yk_plugin_open("yoke-http", YK_HTTP_ENTRY);
+    const char *why;
+    const YkPlugin *found = yk_plugin_open("yoke-http", YK_HTTP_ENTRY, &why);
     bool fits = found && found->interface == YK_HTTP_INTERFACE && strcmp(found->yoke, yk_version()) == 0;
     if (fits) return (const YkHttp *)(const void *)found;
     yk_problem(session->problems, YK_CODE_STUDIO_NO_SERVER, (YkPlace){0},
-               "the plugin yoke-http, which serves Studio, is %s", found ? "of another version" : "missing");
+               "the plugin yoke-http, which serves Studio, %s%s",
+               found ? "is of another version"
+               : why ? "cannot be loaded: "
+                     : "is missing",
+               why ? why : "");
     yk_problem_hint(session->problems,
                     "`yoke studio FILE -o page.html` writes the page with the machine in it as one file");
     return NULL;
@@ -213,11 +229,11 @@ int yk_studio_serve(YkSession *session, const YkAssets *assets, YkServed *served
     size_t port = 0;
     if (!server.http || !yk_session_count(session, "--port", session->request->port, 65535, 0, &port))
         return YK_EXIT_WRONG;
-    bool has_token = yk_make_token(server.token);
-    void *started = has_token ? server.http->start(&handler, (unsigned)port, &server.port) : NULL;
+    bool is_made = yk_make_token(server.token);
+    void *started = is_made ? server.http->start(&handler, (unsigned)port, &server.port) : NULL;
     if (!started) {
         yk_problem(session->problems, YK_CODE_STUDIO_NO_PORT, (YkPlace){0}, "Studio cannot be served here: %s",
-                   has_token ? strerror(errno) : "the system gives no random numbers");
+                   is_made ? strerror(errno) : "the system gives no random numbers");
         if (port > 0) yk_problem_hint(session->problems, "without --port a free one is taken");
         return YK_EXIT_WRONG;
     }
