@@ -8,7 +8,7 @@
 #include "base/problems.h"
 
 static const uint64_t MARK = UINT64_C(0x0a0d4d49534b591b); // no text begins like this
-enum { VERSION = 2 };                                      // of the bytes and their meaning: any change raises it
+enum { VERSION = 3 };                                      // of the bytes and their meaning: any change raises it
 
 typedef struct Head {
     uint64_t mark, version, count, fingerprint;
@@ -115,7 +115,7 @@ static bool is_whole(const unsigned char *bytes, size_t count, Head *head)
 static YkSimulation *read_all(const YkSimulation *like, YkArchive *a, YkStatus *status)
 {
     YkSimulation head = {.options = like->options}, *sim = NULL;
-    Parts parts;
+    Parts parts = {0};
     yk_simulation_archive_options(&head, a);
     walk_parts(a, &parts);
     a->failed = a->failed || parts.chosen_count > like->mech->coordinate_count;
@@ -135,7 +135,7 @@ static YkSimulation *read_all(const YkSimulation *like, YkArchive *a, YkStatus *
 
 YkStatus yk_simulation_restore(YkSimulation *sim, const void *bytes, size_t count)
 {
-    Head head;
+    Head head = {0};
     if (sim->is_in_control || !bytes || !is_whole(bytes, count, &head)) return YK_BAD_ARGUMENT;
     if (head.fingerprint != yk_fingerprint(sim->model)) return YK_BAD_MODEL;
     YkArchive a = {.bytes = (unsigned char *)bytes, .capacity = count, .is_reading = true};
