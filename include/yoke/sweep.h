@@ -31,6 +31,7 @@ typedef struct YkEvent {
     size_t channel; // EXTREME: index into the channels
     double value;   // EXTREME: the channel's value there
     bool is_maximum;
+    bool is_passed; // CHANGE_POINT: the machine goes on beyond it; otherwise its drive turns back or rests there
 } YkEvent;
 
 typedef struct YkSweep YkSweep;

@@ -7,15 +7,15 @@ static bool is_smooth(YkChannel c)
     return c.order == 0 && c.kind != YK_CHANNEL_TIME && c.kind < YK_CHANNEL_POINT_SPEED;
 }
 
-// Returns the derivative of a channel along the path, or 0 if it is not above rounding.
+// Returns the derivative of a channel along the path, or 0 if it is not above rounding, or could be another branch's.
 static double slope_here(const YkSweep *w, YkChannel c)
 {
-    if (!yk_state_has_rates(w->walk.path.state)) return 0;
-    double value = yk_state_channel(w->walk.path.state, c);
+    const YkState *s = w->walk.path.state;
+    if (!s->has_rates || (s->space.margin[0] < YK_BRANCH_MARGIN && !s->is_regular)) return 0;
+    double value = yk_state_channel(s, c);
     c.order = 1;
-    double slope = yk_state_channel(w->walk.path.state, c);
-    return fabs(slope) * yk_path_scale(&w->walk.path) > 1e-10 * (w->walk.path.state->mech->size + fabs(value)) ? slope
-                                                                                                               : 0;
+    double slope = yk_state_channel(s, c), least = 1e-10 * (s->mech->size + fabs(value));
+    return fabs(slope) * yk_path_scale(&w->walk.path) > least ? slope : 0;
 }
 
 // Changes the signs of the blocks from those after the change points passed since `at` to those before, or back. A
@@ -25,7 +25,7 @@ static void exchange_signs(YkSweep *w, double at)
     double way = w->options.to > w->options.from ? 1 : -1;
     for (size_t k = 0; k < w->walk.event_count; k++) {
         const YkEvent *e = &w->walk.events[k];
-        if (e->kind == YK_EVENT_CHANGE_POINT && (e->at - at) * way > 0)
+        if (e->is_passed && (e->at - at) * way > 0)
             w->walk.path.state->branch[e->block] = (signed char)-w->walk.path.state->branch[e->block];
     }
     if ((w->walk.path.passed - at) * way > 0) w->walk.path.side = -w->walk.path.side;
@@ -47,7 +47,7 @@ static double at_change_point(const YkSweep *w, double at)
 {
     for (size_t k = w->walk.event_count; k-- > 0;)
         if (w->walk.events[k].kind == YK_EVENT_CHANGE_POINT &&
-            fabs(w->walk.events[k].at - at) < 1e-4 * yk_path_scale(&w->walk.path))
+            yk_path_way(&w->walk.path, w->walk.events[k].at, at) < 1e-4)
             return w->walk.events[k].at;
     return at;
 }

@@ -24,8 +24,7 @@ double yk_path_heading(const YkPath *path)
     return (sum > 0) - (sum < 0);
 }
 
-// Returns whether the signs of a block are already those beyond the change point at which the walk has stopped.
-static bool has_passed(const YkWalk *w)
+bool yk_walk_has_passed(const YkWalk *w)
 {
     for (size_t k = 0; k < w->margin_count; k++)
         if (yk_walk_was_flipped_near(w, k, w->path.last)) return true;
@@ -36,7 +35,7 @@ void yk_walk_arrive(const YkWalk *w, double way)
 {
     YkState *s = w->path.state;
     bool is_there_still = yk_path_way(&w->path, w->from, w->path.last) < 1e-4; // the drives rest
-    double side = has_passed(w) ? -1 : 1; // as if it had come from beyond: turning back passes it
+    double side = yk_walk_has_passed(w) ? -1 : 1; // as if it had come from beyond: turning back passes it
     for (size_t i = 0; i < s->mech->input_count; i++) {
         s->arrival[i] = s->valid_input[3 * i];
         if (!is_there_still) s->heading[i] = side * way * rate_of(&w->path, i, -way);

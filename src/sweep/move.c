@@ -45,6 +45,13 @@ static void keep_passes(YkMove *move, const YkWalk *walk, double from, double to
     }
 }
 
+static YkStatus arrive(YkWalk *w, double to, double way)
+{
+    yk_walk_arrive(w, way);
+    YkStatus status = yk_path_probe(&w->path, to, false);
+    return status == YK_SINGULAR ? yk_walk_take_limits(w, to, way) : status;
+}
+
 // Goes from `from` to `to` on the walk's path; the state ends there with the motion's own rates.
 static YkStatus go(Mover *m, YkWalk *w, double from, double to)
 {
@@ -61,8 +68,7 @@ static YkStatus go(Mover *m, YkWalk *w, double from, double to)
     ok = ok && at >= 0 && yk_walk_go(w, at, to);
     keep_passes(m->move, w, from, to);
     if (w->failed) return YK_NO_MEMORY;
-    if (ok) yk_walk_arrive(w, to > from ? 1 : -1);
-    if (ok) return yk_path_probe(&w->path, to, false);
+    if (ok) return arrive(w, to, to > from ? 1 : -1);
     m->move->part = (w->path.last - from) / (to - from);
     m->move->block = w->limit_block;
     return w->status < 0 ? w->status : status < 0 ? status : YK_LIMIT;

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define REFER_MARGIN 1e-10 // a pose less than 1e-5 from a change point is not a reference
-
 bool yk_path_start(YkPath *path, YkState *state, int coordinate)
 {
     size_t n = 3 * state->mech->input_count;
@@ -171,7 +169,7 @@ void yk_path_refer(YkPath *path)
 
 void yk_path_refer_state(YkState *s)
 {
-    if (s->space.margin[0] > REFER_MARGIN) yk_state_refer(s);
+    if (s->space.margin[0] > YK_BRANCH_MARGIN) yk_state_refer(s);
 }
 
 YkStatus yk_path_probe(YkPath *path, double at, bool along)

@@ -4,6 +4,10 @@
 #include <yoke/sweep.h>
 #include "solve/state.h"
 
+// sin^2 below which, less than 1e-5 from a change point, a pose may still be the other branch's: it is not a reference, and
+// its rates do not tell which way a channel goes.
+#define YK_BRANCH_MARGIN 1e-10
+
 typedef struct YkPath {
     YkState *state;
     int input;           // -1: time, or a line
@@ -27,8 +31,7 @@ double yk_path_heading(const YkPath *path);
 YkStatus yk_path_set(YkPath *path, double at, bool along);
 // Does the same and solves: to look, or (probe) to continue from there, with the pose's angles as the next reference.
 YkStatus yk_path_try(YkPath *path, double at, bool along);
-// Takes the pose as reference unless it is nearly singular: it may then still be the other branch's, which need not be
-// near.
+// Takes the pose as reference unless it is nearly singular.
 void yk_path_refer(YkPath *path);
 void yk_path_refer_state(YkState *state);
 YkStatus yk_path_probe(YkPath *path, double at, bool along);

@@ -63,52 +63,28 @@ static bool is_unbounded(const YkSweep *w, size_t c)
     return yk_channel_needs_forces(w->channels[c]) && fabs(w->beside[c]) > 4 * w->largest[c] + noise;
 }
 
-// Fills a row exactly on a change point. J is singular there, but the motion is smooth through it, so the rates are the
-// limits from both sides: interpolated from four poses on each side (Lagrange, error O(h^8)). The touching blocks have
-// the other sign on the near side.
-static void fill_change_row(YkSweep *w, size_t row, const double *margins, double way)
+// Adds the channels at a pose beside the change point to its row's sums.
+static void add_channels(void *context, double weight)
 {
-    enum { SIDE = 4 };
-    YkState *s = w->walk.path.state;
-    double at = *yk_sweep_row(w, row), h = 0.01 * yk_path_scale(&w->walk.path) * way, *sums = w->sums,
-           *beside = w->beside;
-    bool ok = true;
-    for (size_t c = 0; c < w->channel_count; c++) sums[c] = w->largest[c] = 0;
-    for (int side = 1; side >= -1; side -= 2) {
-        for (int k = 1; k <= SIDE; k++) {
-            double weight = 0.5;
-            for (int j = 1; j <= SIDE; j++)
-                if (j != k) weight *= (double)(j * j) / (double)(j * j - k * k);
-            ok = ok && yk_path_probe(&w->walk.path, at + side * k * h, false) >= 0;
-            if (ok) yk_sweep_read_channels(w, beside);
-            for (size_t c = 0; ok && c < w->channel_count; c++) {
-                sums[c] += weight * beside[c];
-                w->largest[c] = fmax(w->largest[c], fabs(beside[c]));
-            }
-        }
-        for (size_t k = 0; k < w->walk.margin_count; k++) // to the near side, and back
-            if (yk_walk_has_margin(&w->walk, k) && margins[k] <= YK_SINGULAR_MARGIN)
-                s->branch[k] = (signed char)-s->branch[k];
+    YkSweep *w = context;
+    yk_sweep_read_channels(w, w->beside);
+    for (size_t c = 0; c < w->channel_count; c++) {
+        if (weight == 0 && is_unbounded(w, c)) w->sums[c] = (double)NAN;
+        if (weight == 0) continue;
+        w->sums[c] += weight * w->beside[c];
+        w->largest[c] = fmax(w->largest[c], fabs(w->beside[c]));
     }
-    bool has_nearer = ok && wants_forces(w) && yk_path_probe(&w->walk.path, at + h / 8, false) >= 0;
-    if (has_nearer) yk_sweep_read_channels(w, beside);
-    for (size_t c = 0; has_nearer && c < w->channel_count; c++)
-        if (is_unbounded(w, c)) sums[c] = (double)NAN;
-    yk_path_probe(&w->walk.path, at + h, true); // from the side of its present signs
-    yk_path_probe(&w->walk.path, at, true);
-    if (!ok) return;
+}
+
+// Fills a row exactly on a change point: rates and forces are the limits from both sides.
+static void fill_change_row(YkSweep *w, size_t row, const double *margins, double side)
+{
+    for (size_t c = 0; c < w->channel_count; c++) w->sums[c] = w->largest[c] = 0;
+    if (!yk_walk_visit_beside(&w->walk, *yk_sweep_row(w, row), side, margins, add_channels, w)) return;
     w->row_status[row] = YK_CHANGE_POINT;
     for (size_t c = 0; c < w->channel_count; c++)
         if (w->channels[c].order > 0 || w->channels[c].kind >= YK_CHANNEL_POINT_SPEED)
-            yk_sweep_row(w, row)[1 + c] = sums[c];
-}
-
-// Returns the first block that touches, or -1.
-static int touching_block(const YkSweep *w, const double *margins)
-{
-    for (size_t k = 0; k < w->walk.margin_count; k++)
-        if (yk_walk_has_margin(&w->walk, k) && margins[k] <= YK_SINGULAR_MARGIN) return (int)k;
-    return -1;
+            yk_sweep_row(w, row)[1 + c] = w->sums[c];
 }
 
 // A drive may turn back at a change point, and so may the sweep at its start: the signs then hold that the machine came
@@ -130,11 +106,11 @@ void yk_sweep_try_change_row(YkSweep *w)
     yk_walk_read_margins(&w->walk, margins);
     if (row == 0 && is_passed) w->walk.from = NAN;
     if (is_passed) yk_walk_flip_at(&w->walk, *yk_sweep_row(w, row), margins);
-    fill_change_row(w, row, margins, way);
+    fill_change_row(w, row, margins, is_passed || row == 0 ? way : -way); // else it goes back to where the signs hold
     if (w->row_status[row] == YK_CHANGE_POINT) {
         w->walk.event_count = drop_singular(w, *yk_sweep_row(w, row));
         YkEvent touched = {
-            .kind = YK_EVENT_CHANGE_POINT, .at = *yk_sweep_row(w, row), .block = touching_block(w, margins)};
+            .kind = YK_EVENT_CHANGE_POINT, .at = *yk_sweep_row(w, row), .block = yk_walk_touching_block(&w->walk, margins)};
         if (!is_passed) yk_walk_note(&w->walk, touched);
         return;
     }

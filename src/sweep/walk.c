@@ -107,7 +107,7 @@ static bool flip(YkWalk *w, size_t block, double at, double way)
     w->path.side = way;
     s->branch[block] = (signed char)-s->branch[block];
     w->flipped_at[block] = at;
-    if (is_seen) yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block});
+    if (is_seen) yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true});
     return true;
 }
 
@@ -172,7 +172,8 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
         if (is_decided(w, k, b)) continue;
         if (!narrow) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
-        flip(w, k, yk_walk_touch(a, ma[k], b, mb[k]), copysign(1, b - a));
+        double way = copysign(1, b - a), at = yk_walk_refine_touch(w, k, yk_walk_touch(a, ma[k], b, mb[k]), 1.2e-6);
+        if ((at - b) * way <= 0) flip(w, k, at, way); // otherwise the next interval passes it
         touched = true;
     }
     return touched ? TOUCHED : CLEAR;

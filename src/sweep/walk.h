@@ -57,7 +57,19 @@ double yk_walk_refine_touch(YkWalk *walk, size_t block, double at, double reach)
 bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, double *at);
 // Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from `at`.
 bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
-// heading.c: notes that the walk has ended at the state's pose, going in this direction of its path.
+// limits.c: solves poses beside a change point where the walk stands, on which signs hold on `side` (+1: ahead on the path).
+// Each is visited with its weight in the limit at the change point, where the state then stands again; one that is nearer
+// than the others is visited last with weight 0. Returns false if one of them does not close: it is a limit.
+typedef void (*YkVisitBeside)(void *context, double weight);
+bool yk_walk_visit_beside(YkWalk *walk, double at, double side, const double *margins, YkVisitBeside visit,
+                          void *context);
+// Gives the state at the singular end of a walk the limits of its rates. Returns CHANGE_POINT; SINGULAR if they have none,
+// or depend on more than the way there.
+YkStatus yk_walk_take_limits(YkWalk *walk, double at, double way);
+int yk_walk_touching_block(const YkWalk *walk, const double *margins); // the first one, or -1
+// heading.c: returns whether the signs of a block are already those beyond the change point at which the walk has stopped.
+bool yk_walk_has_passed(const YkWalk *walk);
+// Notes that the walk has ended at the state's pose, going in this direction of its path.
 void yk_walk_arrive(const YkWalk *walk, double way);
 
 #endif

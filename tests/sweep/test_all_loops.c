@@ -105,13 +105,16 @@ static void sweeps_have_no_event_there(void **unused)
     }
 }
 
-// With the plate's pins in one line all cranks are at their dead points together: there the machine is singular.
+// With the plate's pins in one line all cranks are at their dead points together: there the machine is singular, and its
+// rates are the limits of the motion.
 static void in_line_it_is_singular(void **unused)
 {
     (void)unused;
     Machine m = open_cranks(0, false);
     YkMotion goal = {0, 1, 0};
-    assert_int_equal(yk_state_move_to(m.state, &goal, NULL, NULL), YK_SINGULAR);
+    assert_int_equal(yk_state_move_to(m.state, &goal, NULL, NULL), YK_CHANGE_POINT);
+    check_cranks(&m, 0, 1, 0);
+    assert_int_equal(yk_state_solve(m.state), YK_SINGULAR); // which tells no more than the pose does
     assert_false(yk_state_has_rates(m.state));
     goal.position = -1;
     YkMove move = {0};

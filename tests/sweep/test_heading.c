@@ -49,6 +49,45 @@ static void test_a_copy_knows_where_it_came_from(void **unused)
     machine_free(&m);
 }
 
+// Rates at the change points are the limits of the motion that led there: on the parallelogram those of the crank; on the
+// crossed linkage tan(theta4/2) = -3 tan(theta2/2), where 3 = (4 + 2)/(4 - 2).
+static void go_on(Machine *m, double to, int branch)
+{
+    YkMotion goal = {to, 1, 0};
+    assert_int_equal(yk_state_move_to(m->state, &goal, NULL, NULL), YK_OK);
+    double half = machine_ask(m, "theta4") / 2, crank = to / 2;
+    CHECK_NEAR(yk_sin(half) * yk_cos(crank), (branch > 0 ? 1 : -3) * yk_cos(half) * yk_sin(crank), 1e-9);
+}
+
+static void check_rates(int branch, double from, double to, double ratio)
+{
+    Machine m = machine_load("parallelogram");
+    YkMotion middle = {1, 0, 0}, first = {from, 1, 0}, goal = {to, 3, -2};
+    assert_int_equal(yk_state_move_to(m.state, &middle, NULL, NULL), YK_OK);
+    yk_state_set_branch(m.state, 0, branch * yk_state_branch(m.state, 0));
+    assert_int_equal(yk_state_solve(m.state), YK_OK);
+    assert_true(yk_state_move_to(m.state, &first, NULL, NULL) >= 0);
+    assert_int_equal(yk_state_move_to(m.state, &goal, NULL, NULL), YK_CHANGE_POINT);
+    CHECK_NEAR(machine_ask(&m, "theta4.rate"), 3 * ratio, 1e-9);
+    CHECK_NEAR(machine_ask(&m, "theta4.accel"), -2 * ratio, 1e-8);
+    CHECK_NEAR(machine_ask(&m, "rocker.rate"), 3 * ratio, 1e-9);
+    assert_int_equal(yk_state_report(m.state)->block, 0);
+    go_on(&m, to + 0.3 * (to > from ? 1 : -1), branch);
+    machine_free(&m);
+}
+
+static void test_rates_at_change_points(void **unused)
+{
+    (void)unused;
+    check_rates(1, 1, 0, 1);
+    check_rates(1, 1, YK_PI, 1);
+    check_rates(1, -1, 2 * YK_PI, 1);
+    check_rates(-1, 1, 0, -3);
+    check_rates(-1, 1, YK_PI, -1.0 / 3);
+    check_rates(-1, -1, YK_PI, -1.0 / 3);
+    check_rates(-1, 5, 0, -3);
+}
+
 // Rows of theta4 and its rate, from a pose to which the machine has moved; theta2 turns at 1 rad/s.
 static void check_sweep(double from, double to, size_t expected_events)
 {
@@ -119,6 +158,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_moves_that_stop_at_change_points),
         cmocka_unit_test(test_a_copy_knows_where_it_came_from),
+        cmocka_unit_test(test_rates_at_change_points),
         cmocka_unit_test(test_sweeps_from_change_points),
         cmocka_unit_test(test_a_limit_is_not_passed),
     };

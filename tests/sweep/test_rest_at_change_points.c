@@ -47,18 +47,50 @@ static Machine parallelogram(const Drive *d)
     return machine_parse(text, true);
 }
 
+// The rocker does what the crank does, at the change point too, wherever the row has rates. Beside the change point the
+// pose determines the ratio of the rates to rounding over the square of the distance.
+static void check_row(const YkSweep *sweep, size_t row, const char *law)
+{
+    CHECK_NEAR(yk_sweep_value(sweep, row, 1), yk_sweep_value(sweep, row, 0), 1e-6);
+    if (yk_sweep_row_status(sweep, row) == YK_SINGULAR) return;
+    double rate = yk_sweep_value(sweep, row, 3) - yk_sweep_value(sweep, row, 2);
+    double accel = yk_sweep_value(sweep, row, 5) - yk_sweep_value(sweep, row, 4);
+    double off = fabs(yk_sweep_value(sweep, row, 0) - YK_PI), blur = off > 1e-7 ? 2e-15 / (off * off) : 0;
+    bool is_good = fabs(rate) <= 1e-6 + blur * fabs(yk_sweep_value(sweep, row, 2)) &&
+                   fabs(accel) <= 1e-5 + blur * fabs(yk_sweep_value(sweep, row, 4));
+    if (!is_good) print_error("%s: row %zu at %g s: %g, %g\n", law, row, yk_sweep_at(sweep, row), rate, accel);
+    assert_true(is_good);
+}
+
+// Each extreme of one is an extreme of the other, at the same pose.
+static void check_extremes(const YkSweep *sweep, const char *law)
+{
+    int balance = 0;
+    for (size_t e = 0; e < yk_sweep_event_count(sweep); e++) {
+        YkEvent event = yk_sweep_event(sweep, e);
+        if (event.kind != YK_EVENT_EXTREME || event.channel > 1) continue;
+        balance += event.channel == 0 ? 1 : -1;
+        double off = yk_sweep_event_value(sweep, e, 1) - yk_sweep_event_value(sweep, e, 0);
+        if (!(fabs(off) <= 1e-7)) print_error("%s: an extreme at %.12g s is off by %g\n", law, event.at, off);
+        assert_true(fabs(off) <= 1e-7);
+    }
+    if (balance != 0) print_error("%s: extremes of theta2 - theta4: %d\n", law, balance);
+    assert_int_equal(balance, 0);
+}
+
 static void test_sweeps_over_time(void **unused)
 {
     (void)unused;
-    static const char *const of[] = {"theta2", "theta4"};
+    static const char *const of[] = {"theta2",       "theta4",       "theta2.rate",
+                                     "theta4.rate",  "theta2.accel", "theta4.accel"};
     static const size_t steps[] = {1, 2, 3, 4, 5, 7, 12, 30, 101};
     for (size_t k = 0; k < DRIVES; k++)
         for (size_t n = 0; n < sizeof steps / sizeof *steps; n++) {
             Machine m = parallelogram(&drives[k]);
-            YkSweep *sweep = machine_sweep(&m, NULL, 0, 3, steps[n], of, 2);
+            YkSweep *sweep = machine_sweep(&m, NULL, 0, 3, steps[n], of, 6);
             assert_int_equal(yk_sweep_status(sweep), YK_OK);
-            for (size_t row = 0; row <= steps[n]; row++)
-                CHECK_NEAR(yk_sweep_value(sweep, row, 1), yk_sweep_value(sweep, row, 0), 1e-6);
+            for (size_t row = 0; row <= steps[n]; row++) check_row(sweep, row, drives[k].law);
+            check_extremes(sweep, drives[k].law);
             size_t passes = 0;
             for (size_t e = 0; e < yk_sweep_event_count(sweep); e++) {
                 YkEvent event = yk_sweep_event(sweep, e);
@@ -86,6 +118,9 @@ static void test_moves_over_time(void **unused)
                     print_error("%s, way %zu, at %g s\n", drives[k].law, n, times[n][i]);
                 assert_true(status >= 0);
                 CHECK_NEAR(machine_ask(&m, "theta4"), machine_ask(&m, "theta2"), 1e-6);
+                if (!yk_state_has_rates(m.state)) continue;
+                CHECK_NEAR(machine_ask(&m, "theta4.rate"), machine_ask(&m, "theta2.rate"), 1e-6);
+                CHECK_NEAR(machine_ask(&m, "theta4.accel"), machine_ask(&m, "theta2.accel"), 1e-5);
             }
             machine_free(&m);
         }
