@@ -41,6 +41,7 @@ export async function open({ browser, address }, options = {}, hash = "") {
   page.on("request", (request) => !request.url().startsWith(address) && !/^(data|blob):/.test(request.url()) && page.faults.push("asked for " + request.url()));
   await page.goto(address + hash);
   await page.locator("#tools button").first().waitFor();
+  await until(page, () => !document.body.inert);
   return page;
 }
 

@@ -185,7 +185,9 @@ function fromPage(): boolean {
   return Boolean(inline?.machine);
 }
 
+// Until the machine is there nothing can be typed or drawn, which it would replace.
 async function begin(): Promise<void> {
+  document.body.inert = true;
   build();
   listen();
   tabs.show("text");
@@ -194,5 +196,5 @@ async function begin(): Promise<void> {
   if (kept) load(kept.text, kept.name);
   else load("", words.untitled);
 }
-void begin();
+void begin().finally(() => { document.body.inert = false; });
 if ("serviceWorker" in navigator && isSecureContext && location.protocol !== "file:" && !new URLSearchParams(location.search).has("token")) void navigator.serviceWorker.register("sw.js").catch(() => undefined);

@@ -18,8 +18,18 @@ export class Source {
   private parsed: Document | null = null;
   constructor(readonly text: string) {}
 
+  // A text nested so deep that the parser runs out of stack is taken for one with mistakes.
+  private parse(): Document {
+    try {
+      return parseDocument(this.text, { keepSourceTokens: true, lineCounter: new LineCounter(), strict: false, uniqueKeys: false });
+    } catch (error) {
+      if (!(error instanceof RangeError)) throw error;
+      return parseDocument("[");
+    }
+  }
+
   private get document(): Document {
-    return (this.parsed ??= parseDocument(this.text, { keepSourceTokens: true, lineCounter: new LineCounter(), strict: false, uniqueKeys: false }));
+    return (this.parsed ??= this.parse());
   }
 
   // Tells whether gestures may edit the text: YAML with mistakes in its syntax is mended by hand first.

@@ -1,7 +1,6 @@
 // The editor: the machine's file, with its problems at their places. Its undo is the undo of everything.
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
-import { yaml } from "@codemirror/lang-yaml";
 import { bracketMatching, HighlightStyle, indentUnit, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { EditorState } from "@codemirror/state";
@@ -11,6 +10,7 @@ import { difference } from "../document/source";
 import type { Session } from "../session";
 import { words } from "../words";
 import { complete } from "./complete";
+import { yaml } from "./language";
 import { diagnosticsOf } from "./problems";
 
 const colours = HighlightStyle.define([
