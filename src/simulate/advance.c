@@ -1,6 +1,6 @@
 // Advances through time: steps, checks between them, and the events that end a step.
 #include <string.h>
-#include "simulate/simulation.h"
+#include "simulate/crossing.h"
 
 // Solves the pose at (t, y) and counts it.
 static bool stand(YkSimulation *sim, double t, const double *y)
@@ -65,6 +65,7 @@ static bool start_moving(YkSimulation *sim)
     sim->has_begun = true;
     sim->has_acted = false;
     yk_simulation_contacts_start(sim);
+    if (!yk_simulation_start_guide(sim)) yk_arena_fail(sim->arena);
     yk_simulation_look_near(sim, sim->time);
     if (!settle_contacts(sim) || !stand(sim, sim->time, sim->y)) return false;
     if (!sim->is_flat) sim->near_count = 0; // with accelerations they are known better
@@ -88,6 +89,9 @@ static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
     sim->report = sim->dynamics->report;
     return sim->status = status;
 }
+
+static const char *const near_rest = "a drive comes to rest, or turns back, so near to a change point that steps in time do "
+                                     "not tell on which side of it the machine goes on; `yoke sweep --over t` does";
 
 static bool has_run_out(const YkSimulation *sim)
 {
@@ -270,6 +274,10 @@ static YkStatus go_to(YkSimulation *sim, double to)
         }
         sim->report.message[0] = 0;
         sim->is_new_step = true;
+        if (!yk_simulation_agrees_with_guide(sim, yk_ode_time(sim->ode))) {
+            give_up(sim, YK_NOT_CONVERGED, near_rest);
+            return fail(sim, YK_ODE_FAILED);
+        }
         look_back(sim);
         if (!sample_energy(sim)) return fail(sim, YK_ODE_FAILED);
         double reached = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);

@@ -126,6 +126,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     yk_ode_free(sim->ode);
     yk_dynamics_free(sim->dynamics);
     yk_state_free(sim->state);
+    yk_state_free(sim->guide);
     yk_mechanism_free(sim->mech);
     free(sim->chosen);
     free(sim->free_input);
@@ -138,7 +139,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     free(sim->pose_sum);
     sim->ode = NULL;
     sim->dynamics = NULL;
-    sim->state = NULL;
+    sim->state = sim->guide = NULL;
     sim->mech = NULL;
     sim->chosen = NULL;
     sim->free_input = NULL;
@@ -260,6 +261,7 @@ bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
     next.contact_order = NULL;
     next.near = next.near_next = next.near_memory = NULL;
     next.pose_sum = NULL;
+    next.guide = NULL;
     next.near_count = 0;
     YkProblems *quiet = yk_problems_new();
     bool is_built =

@@ -151,3 +151,27 @@ void yk_simulation_set_signs(YkSimulation *sim, double t)
         sim->state->branch[near->block] = yk_sin(yk_near_angle(near, t - sim->near_time)) < 0 ? -1 : 1;
     }
 }
+
+// --- machines that drives alone move
+
+bool yk_simulation_start_guide(YkSimulation *sim)
+{
+    if (sim->free_count > 0 || sim->mech->block_count == 0 || sim->is_flat || sim->guide) return true;
+    sim->guide = yk_state_new(sim->mech);
+    if (sim->guide) yk_state_take(sim->guide, sim->state);
+    return sim->guide != NULL;
+}
+
+bool yk_simulation_agrees_with_guide(YkSimulation *sim, double t)
+{
+    const double CLEAR = 1e-8; // sin^2: nearer to a singular position both signs give the same pose
+    YkState *guide = sim->guide;
+    if (!guide || sim->near_count == 0 || sim->commands) return true;
+    if (yk_state_move_time(guide, t, NULL, NULL, NULL) < 0) return true; // it says no more than the step
+    for (size_t k = 0; k < sim->near_count; k++) {
+        size_t b = sim->near[k].block;
+        int sign = yk_sin(yk_near_angle(&sim->near[k], t - sim->near_time)) < 0 ? -1 : 1;
+        if (guide->space.block_margin[b] > CLEAR && sign != guide->branch[b]) return false;
+    }
+    return true;
+}

@@ -28,4 +28,10 @@ static inline double yk_near_angle(const YkNear *near, double ahead) // predicte
     return near->angle + ahead * (near->rate + 0.5 * ahead * near->acceleration);
 }
 
+// Where drives alone move the machine, they may rest, or turn back, so near to a singular position that no prediction tells
+// on which side of it they go on. There a second state follows the drives as sweeps do: starts it at the start's pose
+// (false when out of memory); returns whether it has the signs predicted for the end of a step.
+bool yk_simulation_start_guide(YkSimulation *sim);
+bool yk_simulation_agrees_with_guide(YkSimulation *sim, double t);
+
 #endif

@@ -33,7 +33,7 @@ bool yk_simulation_in_zone(const YkSimulation *sim, double t)
 // The way along which accelerations are interpolated: with the motion; or along one input, at the present time and
 // rates, if the motion hardly leaves the singular position (at rest, or about to reverse).
 typedef struct Way {
-    int32_t input; // of the free ones; YK_NONE: with the motion
+    int32_t input; // YK_NONE: with the motion
     double slope;  // of the nearest angle, per unit of the way
 } Way;
 
@@ -49,15 +49,31 @@ static void look_along(YkSimulation *sim, double t, const double *y, const YkNea
         s->input[3 * sim->free_input[k] + 1] = 1;
         bool has_rates =
             yk_state_solve(s) >= 0 && (s->is_regular || s->space.margin[0] > YK_SINGULAR_MARGIN); // two digits suffice
-        if (!has_rates && sim->is_flat) *way = (Way){0, sim->flat_slope};                         // the start itself
+        if (!has_rates && sim->is_flat) *way = (Way){sim->free_input[0], sim->flat_slope};        // the start itself
         if (!has_rates) return;
         YkRun run = yk_state_run(s, &s->space);
         double slope = yk_between_columns(&run, &sim->mech->blocks[near->block]).rate;
-        double scale = sim->mech->coordinates[sim->mech->inputs[sim->free_input[k]]].is_distance ? sim->mech->size : 1;
-        if (!(fabs(slope) * scale > most)) continue;
-        most = fabs(slope) * scale;
-        *way = (Way){(int32_t)k, slope};
+        if (!(fabs(slope) * yk_simulation_input_scale(sim, k) > most)) continue;
+        most = fabs(slope) * yk_simulation_input_scale(sim, k);
+        *way = (Way){sim->free_input[k], slope};
     }
+}
+
+// Does the same where drives determine the motion, and only one input moves: from the rates of both, since near the
+// singular position the pose tells nothing, and time leads only to one side of it if the drive turns back there.
+static void look_along_drive(YkSimulation *sim, double t, const double *y, const YkNear *near, Way *way)
+{
+    YkState *s = sim->state;
+    if (!yk_simulation_set(sim, t, y)) return;
+    size_t moving = 0, count = 0;
+    for (size_t i = 0; i < sim->mech->input_count; i++) {
+        if (s->input[3 * i + 1] == 0 && s->input[3 * i + 2] == 0) continue;
+        moving = i;
+        count++;
+    }
+    double v = s->input[3 * moving + 1], a = s->input[3 * moving + 2];
+    double rate = near->rate + (t - sim->near_time) * near->acceleration;
+    if (count == 1) *way = (Way){(int32_t)moving, (rate * v + near->acceleration * a) / (v * v + a * a)};
 }
 
 static Way find_way(YkSimulation *sim, double t, const double *y, const YkNear *near)
@@ -65,7 +81,7 @@ static Way find_way(YkSimulation *sim, double t, const double *y, const YkNear *
     double rate = near->rate + (t - sim->near_time) * near->acceleration;
     Way way = {YK_NONE, rate};
     bool turns_round = rate * rate < 2 * 0.1 * fabs(near->acceleration); // within 0.1 rad
-    if (turns_round || rate == 0) look_along(sim, t, y, near, &way);
+    if (turns_round || rate == 0) (sim->free_count > 0 ? look_along : look_along_drive)(sim, t, y, near, &way);
     return way;
 }
 
@@ -76,8 +92,8 @@ static bool move(YkSimulation *sim, double t, const double *y, const YkNear *nea
     double *moved = sim->moved, angle = yk_near_angle(near, t - sim->near_time) + ahead * way->slope;
     memcpy(moved, y, (2 * n + sim->work_count) * sizeof *moved);
     for (size_t k = 0; k < n && way->input == YK_NONE; k++) moved[k] += ahead * y[n + k];
-    if (way->input != YK_NONE) moved[way->input] += ahead;
     if (!yk_simulation_set(sim, way->input == YK_NONE ? t + ahead : t, moved)) return false;
+    if (way->input != YK_NONE) sim->state->input[3 * way->input] += ahead;
     sim->state->branch[near->block] = yk_sin(angle) < 0 ? -1 : 1;
     return true;
 }
@@ -229,7 +245,14 @@ bool yk_simulation_sum_poses(YkSimulation *sim, double t, const double *y, const
     return sum_poses(sim, t, y, acceleration, &fit);
 }
 
-void yk_simulation_take_sum(YkSimulation *sim)
+// Returns whether the loops close in a pose that is a sum, as far as interpolation can tell.
+static bool closes(YkState *s)
+{
+    const double MOST = 1e-7; // of the size
+    return yk_state_residuals(s).position <= MOST * s->mech->size;
+}
+
+bool yk_simulation_take_sum(YkSimulation *sim)
 {
     YkState *s = sim->state;
     memcpy(s->space.data + 4, sim->pose_sum, pose_count(&s->space) * sizeof *sim->pose_sum);
@@ -239,4 +262,5 @@ void yk_simulation_take_sum(YkSimulation *sim)
         *t.c *= per, *t.s *= per;
     }
     s->has_rates = true;
+    return closes(s);
 }

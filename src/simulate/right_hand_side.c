@@ -94,7 +94,7 @@ bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y)
     ok = yk_simulation_set(sim, t, y) && ok;
     for (size_t k = 0; k < n; k++) s->input[3 * sim->free_input[k] + 2] = rate[n + k];
     YkStatus status = yk_state_solve(s);
-    if (status >= 0 && is_summed) yk_simulation_take_sum(sim);
+    if (status >= 0 && is_summed) ok = yk_simulation_take_sum(sim) && ok;
     if (ok && status >= 0) return true;
     sim->status = status < 0 ? status : YK_NOT_CONVERGED;
     if (status < 0) sim->report = s->report;

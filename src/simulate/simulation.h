@@ -77,6 +77,7 @@ struct YkSimulation {
     double near_time;                 // of the step at which they were examined
     double *moved, *sampled, *looked; // scratch, as y
     double *pose_sum;                 // an interpolated pose, like the state's space
+    YkState *guide;                   // where drives alone move the machine: the same pose, followed as sweeps do
     bool is_flat; // the start is a change point; flat_slope: slope of the angle there, by the free input
     double flat_slope, flat_kinetic;
     // Contacts:
@@ -172,7 +173,7 @@ YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const dou
 // Sums up poses before and after (t, y) if it is so near to a singular position that it does not determine its own
 // rates; returns false if it needs no sum or has none. The second takes the sum once the state is there.
 bool yk_simulation_sum_poses(YkSimulation *sim, double t, const double *y, const double *acceleration);
-void yk_simulation_take_sum(YkSimulation *sim);
+bool yk_simulation_take_sum(YkSimulation *sim);
 
 // coordinates.c: other independent coordinates.
 // Takes other coordinates if they are better here: everything is remade for them, the pose stays. Returns false on

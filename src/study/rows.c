@@ -79,10 +79,7 @@ static void fill_row(const YkStudy *study, const YkRowCase *asked, const Room *r
     row[first - 2] = status;
     row[first - 1] = (double)standing;
     for (size_t c = 0; c < study->channel_count; c++) {
-        YkChannel channel = study->channels[c];
-        bool is_lost = // at a dead point
-            channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(channel);
-        bool stands = standing > 0 && !(status == YK_SINGULAR && is_lost && !asked->is_reduced);
+        bool stands = standing > 0 && (asked->is_reduced || yk_study_counts(study->channels[c], status));
         YkExtent e = room->extents[c * count + k];
         const double value[REDUCTIONS] = {e.least, e.largest, e.mean, e.largest - e.least};
         if (!asked->is_reduced) row[first + c] = stands ? room->outputs[c][k] : NAN;

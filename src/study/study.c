@@ -263,11 +263,11 @@ static YkStatus run_design(YkWorker *w, const YkJob *job, size_t design)
 
 // --- reducing
 
-// Returns whether a pose counts for this channel: rates and forces have no value at a dead point.
-static bool counts(YkChannel channel, signed char status)
+bool yk_study_counts(YkChannel channel, YkStatus status)
 {
-    bool is_rate = channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED || yk_channel_needs_forces(channel);
-    return status >= 0 && !(status == YK_SINGULAR && is_rate);
+    bool is_force = yk_channel_needs_forces(channel);
+    bool is_rate = is_force || channel.order > 0 || channel.kind == YK_CHANNEL_POINT_SPEED;
+    return status >= 0 && !(status == YK_SINGULAR && is_rate) && !(status == YK_CHANGE_POINT && is_force);
 }
 
 static void add_row(YkWorker *w, size_t c, size_t n, bool all_count)
@@ -276,7 +276,7 @@ static void add_row(YkWorker *w, size_t c, size_t n, bool all_count)
     YkExtent e = w->count[c] > 0 ? w->extent[c] : (YkExtent){INFINITY, -INFINITY, 0};
     size_t added = 0;
     for (size_t k = 0; k < n; k++) {
-        if (!all_count && !counts(w->study->channels[c], w->block_status[k])) continue;
+        if (!all_count && !yk_study_counts(w->study->channels[c], (YkStatus)w->block_status[k])) continue;
         e.least = e.least <= row[k] ? e.least : row[k];
         e.largest = e.largest >= row[k] ? e.largest : row[k];
         e.mean += row[k];

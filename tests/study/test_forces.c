@@ -117,6 +117,45 @@ static void test_turns_are_counted_past_forces_without_a_value(void **unused)
     machine_free(&m);
 }
 
+// At a change point the rates are limits, but the forces have no value, and do not count: theta2.effort stays as large
+// as beside it, where the machine's weight asks for it.
+static void test_forces_do_not_count_at_change_points(void **unused)
+{
+    (void)unused;
+    static const char *const name = "r", *const asked_for[] = {"theta2.effort", "theta4.rate"};
+    Machine m = machine_parse("parameters: {r: 2 m}\n"
+                              "bodies:\n"
+                              "  ground: {points: {O2: [0, 0], O4: [4, 0]}}\n"
+                              "  crank: {points: {O2: [0, 0], A: [r, 0]}, mass: 1, center: [1, 0]}\n"
+                              "  coupler: {points: {A: [0, 0], B: [4, 0]}, mass: 2, center: [2, 0]}\n"
+                              "  rocker: {points: {O4: [0, 0], B: [r, 0]}, mass: 1, center: [1, 0]}\n"
+                              "joints:\n"
+                              "  O2: {pin: [ground, crank], angle: theta2}\n"
+                              "  A: {pin: [crank, coupler], angle: theta3}\n"
+                              "  O4: {pin: [ground, rocker], angle: theta4}\n"
+                              "  B: {pin: [coupler, rocker]}\n"
+                              "gravity: [0, -10]\n"
+                              "drives: {theta2: 2.5 + 0.2/(1 s) * t}\nstart: {theta3: -2.5, theta4: 2.5}\n",
+                              true);
+    enum { AT = 4, ALL = 9 };
+    double theta[ALL], rate[ALL], r = 2;
+    for (int k = 0; k < ALL; k++) theta[k] = YK_PI + 0.1 * (k - AT), rate[k] = 0.2;
+    YkStudy *study = study_of(&m, &name, 1, asked_for, 2, 1);
+    const double *parameters[] = {&r}, *inputs[] = {theta, rate, NULL};
+    YkStudyCase asked = {parameters, 1, inputs, ALL, false, NULL};
+    YkExtent extents[2];
+    size_t standing;
+    assert_true(yk_study_reduce(study, &asked, extents, status, &standing) >= 0);
+    assert_int_equal(standing, ALL);
+    // Weights at the cranks' middles and on the coupler: (1/2 + 2 + 1/2) m g r cos(theta2); the cranks turn evenly.
+    CHECK_NEAR(extents[0].largest, 60 * yk_cos(theta[0]), 1e-6);
+    CHECK_NEAR(extents[0].least, 60 * yk_cos(theta[AT - 1]), 1e-6);
+    CHECK_NEAR(extents[1].least, 0.2, 1e-9);
+    CHECK_NEAR(extents[1].largest, 0.2, 1e-9);
+    yk_study_free(study);
+    machine_free(&m);
+}
+
 // A batch of a variant's mechanism follows every change, its forces too.
 static void test_batches_of_variants_follow(void **unused)
 {
@@ -152,6 +191,7 @@ int main(void)
         cmocka_unit_test(test_loads_that_depend_on_time),
         cmocka_unit_test(test_friction_that_is_none_in_the_file),
         cmocka_unit_test(test_turns_are_counted_past_forces_without_a_value),
+        cmocka_unit_test(test_forces_do_not_count_at_change_points),
         cmocka_unit_test(test_batches_of_variants_follow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
