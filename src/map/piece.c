@@ -46,7 +46,7 @@ YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step
     *piece = (YkPiece){.block = (size_t)mech->steps[step].target, .step = step};
     const YkBlock *block = &mech->blocks[piece->block];
     if (block->kind == YK_BLOCK_GROUP) return read_group(piece, mech);
-    if (block->kind == YK_BLOCK_LINK || block->kind == YK_BLOCK_CHECK) return YK_PIECE_REDUNDANT;
+    if (block->kind == YK_BLOCK_LINK || block->kind == YK_BLOCK_CHECK) return YK_PIECE_REPEATED;
     size_t angles = block->kind == YK_BLOCK_RRR ? 2 : block->kind == YK_BLOCK_PP ? 0 : 1;
     piece->shape = (YkShape){.loops = 1, .angles = angles, .unknowns = 2, .turning = {-1, -1}, .column = {0, 1}};
     if (block->kind == YK_BLOCK_RPR) piece->shape.turning[1] = 0;
@@ -172,6 +172,51 @@ YkDual yk_discs_sum(const YkDiscs *d, const YkSum *sum)
     return total;
 }
 
+// --- loops that repeat others
+
+static YkDual divide(YkDual a, YkDual b)
+{
+    YkBall inverse = yk_ball_inverse(b.at), at = yk_ball_mul(a.at, inverse);
+    YkBall rate = yk_ball_add(a.rate, yk_ball_negate(yk_ball_mul(at, b.rate)));
+    return (YkDual){at, yk_ball_mul(rate, inverse)};
+}
+
+static YkDual line_of(const YkDiscs *d, const YkBlock *block)
+{
+    return times(block->line[0], d->slots[block->line_slot[0]]);
+}
+
+static YkBall real_part(YkBall a)
+{
+    return real_disc(a.at.x, a.radius);
+}
+
+// Finds the one unknown of a loop: known + arm z = 0, or known + line d = 0.
+static void take_repeated(YkDiscs *d, const YkBlock *block)
+{
+    if (block->kind != YK_BLOCK_LINK) return;
+    YkColumn c = block->column[0];
+    YkDual away = negate(yk_discs_sum(d, &block->known));
+    if (!c.is_distance) {
+        d->slots[c.index] = divide(away, yk_discs_sum(d, &block->arm[0]));
+        return;
+    }
+    YkDual along = mul(away, conjugate(line_of(d, block)));
+    d->distances[c.index] = (YkDual){real_part(along.at), real_part(along.rate)};
+}
+
+YkDual yk_discs_miss(const YkDiscs *d, const YkBlock *block)
+{
+    YkDual known = times(yk_vec(1 / d->mech->size, 0), yk_discs_sum(d, &block->known));
+    if (block->kind == YK_BLOCK_CHECK) return known;
+    if (block->column[0].is_distance) {
+        YkDual along = mul(known, conjugate(line_of(d, block)));
+        return (YkDual){real_disc(along.at.at.y, along.at.radius), real_disc(along.rate.at.y, along.rate.radius)};
+    }
+    YkDual arm = times(yk_vec(1 / d->mech->size, 0), yk_discs_sum(d, &block->arm[0]));
+    return add(mul(known, conjugate(known)), negate(mul(arm, conjugate(arm))));
+}
+
 void yk_discs_take(YkDiscs *d, const YkStep *step)
 {
     switch (step->kind) {
@@ -191,6 +236,9 @@ void yk_discs_take(YkDiscs *d, const YkStep *step)
         break;
     case YK_STEP_RELATION:
         take_relation(d, &d->mech->relations[step->target]);
+        break;
+    case YK_STEP_BLOCK:
+        take_repeated(d, &d->mech->blocks[step->target]);
         break;
     default:
         break;

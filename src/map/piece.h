@@ -35,7 +35,8 @@ typedef struct YkDiscCoefficients { // [2][loops][unknowns + 1], the second half
 
 typedef enum YkPieceStatus {
     YK_PIECE_READ,
-    YK_PIECE_REDUNDANT, // equations that repeat others
+    YK_PIECE_REPEATED,  // a dyad's loop, or one without unknowns, that repeats others
+    YK_PIECE_REDUNDANT, // a group with equations that repeat others
     YK_PIECE_RELATIONS, // gears, cams and the like within a group
     YK_PIECE_LARGE,
     YK_PIECE_LINES
@@ -49,8 +50,11 @@ YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step
 // Returns whether a step other than a block's is one that discs can take: relations only if they are linear, turn
 // nothing by a fraction of an angle that loops place, and set no distance from such an angle.
 bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step);
-// Takes a step that is not a block's.
+// Takes a step that is not a block's, or that of a block that repeats others: its unknown, if it has one, is what it is
+// where its loop closes.
 void yk_discs_take(YkDiscs *discs, const YkStep *step);
+// Returns by how much the loop of a block that repeats others misses, over the size (of a link: its square).
+YkDual yk_discs_miss(const YkDiscs *discs, const YkBlock *block);
 YkDual yk_discs_sum(const YkDiscs *discs, const YkSum *sum);
 // Computes the coefficients of a block at what is known.
 void yk_piece_coefficients(const YkPiece *piece, const YkDiscs *discs, YkDiscCoefficients *out);

@@ -134,6 +134,7 @@ static bool make(YkRegions *r, double tolerance, YkProblems *problems)
     YkTracer *t = &r->field.tracer;
     bool has_angle = r->field.is_angle[0] || r->field.is_angle[1];
     if (!yk_tracer_read(t, problems)) return false;
+    if (t->repeats) return yk_map_refuse(problems, "some of its constraints repeat others", NULL);
     if (has_angle && yk_tracer_period(r->mech) == 0)
         return yk_map_refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
     if (!yk_field_fill(&r->field, tolerance)) return false;

@@ -37,6 +37,8 @@ bool yk_tracer_read(YkTracer *t, YkProblems *problems)
         if (step->kind != YK_STEP_BLOCK) continue;
         YkPiece *piece = &t->pieces[t->piece_count];
         YkPieceStatus status = yk_piece_read(piece, mech, k);
+        t->repeats |= status == YK_PIECE_REPEATED;
+        if (status == YK_PIECE_REPEATED) continue;
         if (status != YK_PIECE_READ)
             return yk_map_refuse(problems, reason_of(status), mech->blocks[step->target].label);
         t->kept[t->piece_count].outside = YK_OUTSIDE_NOT;
