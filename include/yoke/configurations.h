@@ -54,9 +54,10 @@ YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 
 // Visits every configuration at the state's inputs, each as its pose. visit (may be NULL) returns false to stop; the
 // state returns to the configuration it had. options may be NULL. Of groups of up to two loops of pinned links with one
-// gear or belt the space of all angles is divided, until each box is proved to hold none or one; angles count the turns
-// that the gear wants. Groups that are no such systems (with more gears, cams or constraints that repeat others, or of
-// more than 7 loops) are searched as yk_state_each does, and the report is not complete. Returns YK_OK, YK_NO_ASSEMBLY (with report->complete: proved), YK_STOPPED, or YK_NO_MEMORY.
+// gear or belt the space of all angles is divided, until each box is proved to hold no pose or one. Groups that are no
+// such systems (with more gears, cams or constraints that repeat others, or of more than 7 loops) are searched as
+// yk_state_each does, and the report is not complete. Returns YK_OK, YK_NO_ASSEMBLY (with report->complete: proved),
+// YK_STOPPED, or YK_NO_MEMORY.
 // Cost: the paths of all complex solutions of each group at each combination of earlier blocks.
 YK_API YkStatus yk_configurations_each(YkConfigurations *configurations, YkState *state,
                                        const YkConfigurationsOptions *options,

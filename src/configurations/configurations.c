@@ -30,7 +30,8 @@ struct YkConfigurations {
     YkConfigurationsOptions options;
     YkConfigurationsReport report;
     size_t lacking; // solutions that the group of the report lacks
-    bool out_of_memory, is_running, is_cut_short, is_left, is_excluded; // is_excluded: some group was
+    bool out_of_memory, is_running, is_cut_short, is_left;
+    bool is_excluded; // some group was
     YkPace enough;
     bool (*visit)(void *, YkState *);
     void *context;
@@ -171,6 +172,7 @@ static bool exclude(YkConfigurations *all, const YkRun *run, size_t index, YkPac
     Member *m = &all->members[index];
     if (m->kept.outside != YK_OUTSIDE_RELATIONS || !yk_geared_read(&geared, run, index)) return false;
     all->out_of_memory |= !yk_exclude(&geared, pace, &m->excluded);
+    all->is_cut_short |= yk_pace_is_stopped(pace);
     if (all->out_of_memory || !m->excluded.is_complete) return false;
     all->is_excluded = true;
     if (all->report.block < 0) all->report.block = (int)index;

@@ -24,7 +24,7 @@ typedef struct Search {
     const YkGeared *g;
     size_t n;
     Row rows[N];
-    double Y[N * N]; // an approximate inverse of the Jacobian in the middle
+    double Y[N * N];                               // an approximate inverse of the Jacobian in the middle
     double shift[N], shift_radius[N], rest[N * N]; // Y F; bounds of |I - Y J|
 } Search;
 

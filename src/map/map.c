@@ -104,8 +104,8 @@ static void tell_singles(const YkTracer *t, YkText *text)
 {
     const size_t most = sizeof t->single / sizeof *t->single;
     size_t count = t->single_count;
-    yk_text_format(text, "all constraints may also close in %z single pose%s, out of which it cannot move: near ", count,
-                   count == 1 ? "" : "s");
+    yk_text_format(text, "all constraints may also close in %z single pose%s, out of which it cannot move: near ",
+                   count, count == 1 ? "" : "s");
     for (size_t k = 0; k < count && k < most; k++) yk_text_format(text, "%s%e", k == 0 ? "" : ", ", t->single[k]);
     yk_text_format(text, " %s%s", t->is_angle ? "rad" : "m", count > most ? " and others" : "");
 }

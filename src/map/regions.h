@@ -26,7 +26,7 @@ struct YkRegions {
     size_t coordinate[2];
     double *inputs;
     double start[2]; // within the domain
-    YkRuns runs; // which region a cell is in
+    YkRuns runs;     // which region a cell is in
     YkTract *parts;
     size_t count, capacity;
     bool is_complete;

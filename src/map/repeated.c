@@ -85,7 +85,8 @@ static bool meets_kept(const YkTracer *t, const bool *is_kept, const YkStrand *s
     const YkTies *ties = &t->ties[t->piece_count];
     for (size_t k = 0; k < ties->count; k++) {
         const YkTie *tie = &ties->items[k];
-        bool is_there = (tie->strand[0] == strand && tie->end[0] == end) || (tie->strand[1] == strand && tie->end[1] == end);
+        bool is_there =
+            (tie->strand[0] == strand && tie->end[0] == end) || (tie->strand[1] == strand && tie->end[1] == end);
         for (size_t j = 0; is_there && j < ties->count; j++)
             if (ties->items[j].event == tie->event)
                 for (int side = 0; side < 2; side++)
@@ -135,7 +136,8 @@ static void tie_anew(YkTracer *t, const bool *is_kept, size_t first, YkTies *kep
         for (int side = 0; side < 2 && ties->items[k].event == ties->items[first].event; side++)
             add_end(&knot, is_kept, ties->items[k].strand[side], ties->items[k].end[side]);
     bool passes = knot.dropped > 0 && knot.count == 2 && knot.end[0] != knot.end[1];
-    if (knot.count == 1 || knot.count == KNOT_MAX) yk_note_unproved(t, ties->items[first].at, ties->items[first].strand[0]->level - 1);
+    if (knot.count == 1 || knot.count == KNOT_MAX)
+        yk_note_unproved(t, ties->items[first].at, ties->items[first].strand[0]->level - 1);
     for (size_t k = 1; k < knot.count; k++) {
         YkTie tie = ties->items[first];
         tie.kind = passes ? YK_TIE_PASS : tie.kind;

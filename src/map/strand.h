@@ -76,7 +76,7 @@ typedef struct YkTracer {
     bool is_unproved;
     double unproved_at;
     size_t unproved_block;
-    bool repeats;    // blocks repeat constraints of others: what their loops leave is sifted (repeated.c)
+    bool repeats;     // blocks repeat constraints of others: what their loops leave is sifted (repeated.c)
     double single[8]; // inputs near which they may close in single poses beside the strands, the first of them
     size_t single_count;
     double single_last;
@@ -163,7 +163,6 @@ void yk_trace_level(YkTracer *tracer, size_t level);
 bool yk_trace_tie(YkTracer *tracer, size_t level, YkTie tie); // returns false when out of memory
 // Ties the strands of a level where those below are tied (carry.c).
 void yk_trace_carry(YkTracer *tracer, size_t level);
-
 
 // --- constraints that repeat others (repeated.c)
 

@@ -292,7 +292,8 @@ static void test_random_machines_agree_with_solve_all(void **unused)
                                         "abk ac cd bdef eg fgh hi ki"};
     size_t events = 0, incomplete = 0;
     for (size_t k = 0; k < sizeof links / sizeof *links; k++)
-        for (uint64_t seed = 1; seed <= check_cases(RANDOM_TRIES); seed++) check_machine(links[k], seed, &events, &incomplete);
+        for (uint64_t seed = 1; seed <= check_cases(RANDOM_TRIES); seed++)
+            check_machine(links[k], seed, &events, &incomplete);
     assert_true(events > 2 * check_cases(RANDOM_TRIES) && incomplete <= 1);
 }
 
@@ -444,8 +445,9 @@ static Machine coupled_cranks(double g, size_t others, const double *x, const do
         c += snprintf(c, (size_t)(end - c), "  c%zu: {points: {O%zu: [0, 0], A%zu: [1, 0]}}\n", k, k, k);
     c += snprintf(c, (size_t)(end - c), "joints:\n");
     for (size_t k = 1; k < others + 3; k++)
-        c += snprintf(c, (size_t)(end - c), "  O%zu: {pin: [ground, c%zu], angle: u%zu}\n  A%zu: {pin: [c%zu, rod]%s}\n",
-                      k, k, k, k, k, k == 1 ? ", angle: r" : "");
+        c +=
+            snprintf(c, (size_t)(end - c), "  O%zu: {pin: [ground, c%zu], angle: u%zu}\n  A%zu: {pin: [c%zu, rod]%s}\n",
+                     k, k, k, k, k, k == 1 ? ", angle: r" : "");
     c += snprintf(c, (size_t)(end - c), "drives: {u1: 50 deg}\nstart: {r: -50 deg");
     for (size_t k = 2; k < others + 3; k++) c += snprintf(c, (size_t)(end - c), ", u%zu: 50 deg", k);
     snprintf(c, (size_t)(end - c), "}\n");
