@@ -52,7 +52,15 @@ static void trace_input(YkTracer *t)
 {
     YkStrand *root = yk_strand_new(t, 0, NULL);
     if (!root) return;
-    if (!yk_strand_add(t, root, (YkCell){.from = t->low, .to = t->high}, NULL, NULL) || !yk_strand_keep(t, root)) {
+    // Where nothing is followed on top of it, its own cells are the poses that are read.
+    size_t cells = t->piece_count == 0 ? (size_t)((t->high - t->low) / (YK_TRACE_LONGEST * t->scale)) + 1 : 1;
+    bool has_cells = true;
+    for (size_t k = 0; k < cells && has_cells; k++) {
+        double from = t->low + (t->high - t->low) * (double)k / (double)cells;
+        double to = k + 1 == cells ? t->high : t->low + (t->high - t->low) * (double)(k + 1) / (double)cells;
+        has_cells = yk_strand_add(t, root, (YkCell){.from = from, .to = to}, NULL, NULL);
+    }
+    if (!has_cells || !yk_strand_keep(t, root)) {
         yk_strand_free(root);
         return;
     }

@@ -3,6 +3,32 @@
 #include <stdlib.h>
 #include <string.h>
 #include "configurations/certify.h"
+#include "law/law.h"
+
+// Returns the lowest order of a derivative in which a law jumps, 0: its value; 3 if neither slope nor curvature does. So many
+// jumps that not all are read count as those of the value.
+static int first_jump(const YkLaw *law)
+{
+    enum { JUMPS_MAX = 64 };
+    YkLawJump jumps[JUMPS_MAX];
+    int order = 3;
+    size_t count = yk_law_jumps(law, jumps, JUMPS_MAX);
+    for (size_t k = 0; k < count && k < JUMPS_MAX; k++) order = jumps[k].order < order ? jumps[k].order : order;
+    return count > JUMPS_MAX ? 0 : order;
+}
+
+// Bounds the laws of relations. A law without a period stands still outside of its range, so that its slope may jump there.
+static void bound_laws(YkDiscs *discs)
+{
+    const double out = 1 + 1e-6; // peaks are exact up to rounding
+    for (size_t k = 0; k < discs->mech->relation_count; k++) {
+        const YkLaw *law = discs->mech->relations[k].law;
+        if (!law) continue;
+        bool is_smooth = yk_law_range(law).period > 0 && first_jump(law) > 1;
+        YkLawPeak slope = yk_law_peak(law, 1), curvature = yk_law_peak(law, 2);
+        discs->laws[k] = (YkLawBound){out * fabs(slope.value), is_smooth ? out * fabs(curvature.value) : INFINITY};
+    }
+}
 
 bool yk_discs_start(YkDiscs *discs, const YkMechanism *mech)
 {
@@ -10,7 +36,9 @@ bool yk_discs_start(YkDiscs *discs, const YkMechanism *mech)
     discs->slots = calloc(mech->slot_count + mech->orientation_count + 1, sizeof *discs->slots);
     discs->distances = calloc(mech->distance_count + 1, sizeof *discs->distances);
     discs->nodes = calloc(mech->node_count + 1, sizeof *discs->nodes);
-    if (!discs->slots || !discs->distances || !discs->nodes) return false;
+    discs->laws = calloc(mech->relation_count + 1, sizeof *discs->laws);
+    if (!discs->slots || !discs->distances || !discs->nodes || !discs->laws) return false;
+    bound_laws(discs);
     discs->slots[0].at = yk_ball(yk_vec(1, 0), 0);
     return true;
 }
@@ -20,6 +48,7 @@ void yk_discs_end(YkDiscs *discs)
     free(discs->slots);
     free(discs->distances);
     free(discs->nodes);
+    free(discs->laws);
     *discs = (YkDiscs){0};
 }
 
@@ -66,12 +95,19 @@ static bool is_whole(double x)
     return x == rint(x) && fabs(x) <= 64;
 }
 
+static bool can_take_law(const YkMechanism *mech, const YkRelation *r)
+{
+    for (uint32_t k = r->first_argument_source; k < r->first_argument_source + r->argument_source_count; k++)
+        if (mech->sources[k].kind != YK_SOURCE_INPUT) return false;
+    return first_jump(r->law) > 0;
+}
+
 bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step)
 {
     if (step->kind == YK_STEP_CHECK) return false;
     if (step->kind != YK_STEP_RELATION) return true;
     const YkRelation *r = &mech->relations[step->target];
-    if (r->law) return false;
+    if (r->law && !can_take_law(mech, r)) return false;
     for (uint32_t k = r->first_source; k < r->first_source + r->source_count; k++) {
         const YkRelationSource *s = &mech->sources[k];
         if (s->kind == YK_SOURCE_COLUMN) return false;
@@ -141,6 +177,21 @@ static YkDual input_of(const YkDiscs *d, int32_t input)
     return (YkDual){d->input, real_disc(1, 0)};
 }
 
+// Returns gain times the law over its argument: by the mean value theorem no farther from its middle than its slope allows.
+static YkDual law_of(const YkDiscs *d, const YkRelation *r)
+{
+    YkLawBound bound = d->laws[r - d->mech->relations];
+    YkDual x = constant(yk_vec(r->argument_offset, 0));
+    for (uint32_t k = r->first_argument_source; k < r->first_argument_source + r->argument_source_count; k++)
+        x = add(x, times(yk_vec(d->mech->sources[k].factor, 0), input_of(d, d->mech->sources[k].index)));
+    double y[YK_LAW_ORDER + 1], rounding = 1e-14 * (1 + fabs(x.at.at.x)) * bound.slope, radius = x.at.radius;
+    yk_law_eval(r->law, x.at.at.x, y);
+    YkBall value = real_disc(y[0], YK_BALL_OUT(bound.slope * radius + rounding + 1e-14 * fabs(y[0])));
+    double off = YK_BALL_OUT(bound.curvature * fmax(radius, 1e-14 * (1 + fabs(x.at.at.x))) + 1e-14 * bound.slope);
+    YkBall slope = off < bound.slope ? real_disc(y[1], off) : real_disc(0, bound.slope);
+    return times(yk_vec(r->gain, 0), (YkDual){value, yk_ball_mul(slope, x.rate)});
+}
+
 static void take_relation(YkDiscs *d, const YkRelation *r)
 {
     YkDual sum = constant(yk_vec(r->offset, 0)), turn = constant(yk_vec(1, 0));
@@ -152,6 +203,7 @@ static void take_relation(YkDiscs *d, const YkRelation *r)
             sum = add(sum, times(yk_vec(s->factor, 0),
                                  s->kind == YK_SOURCE_INPUT ? input_of(d, s->index) : d->distances[s->index]));
     }
+    if (r->law) sum = add(sum, law_of(d, r));
     if (r->target.is_distance)
         d->distances[r->target.index] = sum;
     else

@@ -15,6 +15,11 @@ typedef struct YkDual { // a value and its derivative by the mapped input
     YkBall at, rate;
 } YkDual;
 
+// Of the law of a relation, by its argument: no slope and no curvature is larger. Where its slope jumps, curvature is infinite.
+typedef struct YkLawBound {
+    double slope, curvature;
+} YkLawBound;
+
 // What is known of a pose, or of all poses of an interval: [slot], [distance], [node].
 typedef struct YkDiscs {
     const YkMechanism *mech;
@@ -24,6 +29,7 @@ typedef struct YkDiscs {
     YkBall second_input;
     const double *others; // the values of all inputs: those of the others stay
     YkDual *slots, *distances, *nodes;
+    YkLawBound *laws; // [relation]
 } YkDiscs;
 
 typedef struct YkDiscCoefficients { // [2][loops][unknowns + 1], the second half the conjugates of the first
@@ -47,8 +53,9 @@ void yk_discs_end(YkDiscs *discs);
 
 // Reads the structure of the block that a step solves.
 YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step);
-// Returns whether a step other than a block's is one that discs can take: relations only if they are linear, turn
-// nothing by a fraction of an angle that loops place, and set no distance from such an angle.
+// Returns whether a step other than a block's is one that discs can take: relations only if they turn nothing by a fraction
+// of an angle that loops place, set no distance from such an angle, and if their law, if they have one, depends on inputs
+// alone and has no jump.
 bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step);
 // Takes a step that is not a block's, or that of a block that repeats others: its unknown, if it has one, is what it is
 // where its loop closes.

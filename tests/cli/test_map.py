@@ -154,7 +154,7 @@ class Map(Case):
             self.assertIn(at, answer["reason"])
 
     def test_refusals(self):
-        for name in ("swing-cam", "geared-five-bar"):
+        for name in ("geared-five-bar", "ferguson"):
             run = Run("map", example(name))
             self.assertEqual((run.code, "E0850" in run.err), (1, True), name)
         self.wrong(806, "map", example("four-bar"), "--format", "csv")

@@ -413,7 +413,7 @@ static void test_dead_points_are_limits_of_the_drive(void **unused)
 static void test_what_cannot_be_mapped_is_refused(void **unused)
 {
     (void)unused;
-    static const char *const files[] = {"swing-cam", "geared-five-bar"};
+    static const char *const files[] = {"geared-five-bar", "ferguson"};
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
         Machine m = open_over(files[k], NULL);
         assert_null(yk_map_new(m.state, yk_input_coordinate(m.mech, 0), m.problems));
@@ -425,6 +425,74 @@ static void test_what_cannot_be_mapped_is_refused(void **unused)
     assert_null(yk_map_new(m.state, 99, m.problems));
     assert_null(yk_map_new(m.state, yk_coordinate_find(m.mech, "theta4"), m.problems)); // not an input
     machine_free(&m);
+}
+
+// --- cams
+
+// A cam lifts a table on which a rod stands, whose other end hangs on a crank of length 1 at (1.2, y).
+static Machine cam_machine(double lift, double y, double rod)
+{
+    char text[2000];
+    snprintf(
+        text, sizeof text,
+        "laws:\n  lift:\n    period: 360 deg\n    segments:\n      - {rise: {to: 120 deg, by: %.17g, law: cycloidal}}\n"
+        "      - {dwell: {to: 180 deg}}\n      - {fall: {to: 300 deg, by: %.17g, law: cycloidal}}\n"
+        "      - {dwell: {to: 360 deg}}\ncams:\n  disc: {cam: shaft, follower: table, law: lift, face: flat, base: 2}\n"
+        "bodies:\n  ground: {points: {O: [0, 0], Q: [1.2, %.17g]}}\n  shaft: {}\n  table: {points: {P: [0, 0]}}\n"
+        "  rod: {points: {P: [0, 0], R: [%.17g, 0]}}\n  crank: {points: {Q: [0, 0], R: [1, 0]}}\njoints:\n"
+        "  K: {pin: [ground, shaft], angle: u}\n  T: {slide: [ground, table], along: y, distance: s}\n"
+        "  P: {pin: [table, rod], angle: b}\n  Q: {pin: [ground, crank], angle: d}\n  R: {pin: [rod, crank]}\n"
+        "drives: {u: 10 deg}\nstart: {b: 60 deg, d: 120 deg}\n",
+        lift, lift, y, rod);
+    return machine_parse_with(text, NULL, 0);
+}
+
+// The crank's end is in line with the rod where the table is as high as the triangle of both says; all angles of the cam
+// at which it is are limits, and no others.
+static void test_a_cam_limits_what_it_moves(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 9;
+    size_t limits = 0;
+    for (uint64_t k = 0; k < check_cases(30); k++) {
+        double lift = check_uniform(&seed, 2, 6), rod = check_uniform(&seed, 1.3, 2);
+        Machine m = cam_machine(lift, check_uniform(&seed, 0.8, 1.6), rod);
+        assert_true(m.state != NULL);
+        if (!(yk_state_set_time(m.state, 0, m.problems) >= 0 && yk_state_assemble(m.state) >= 0)) {
+            machine_free(&m);
+            continue;
+        }
+        YkMap *map = map_of(&m);
+        if (!yk_map_is_complete(map)) print_error("%g %g: %s\n", lift, rod, yk_map_message(map));
+        assert_true(yk_map_is_complete(map));
+        compare(&m, map, "cam", 20);
+        for (size_t c = 0; c < yk_map_circuit_count(map); c++)
+            for (size_t e = 0; e < yk_map_circuit(map, c).events; e++, limits++) {
+                double turn = yk_map_event_value(map, c, e, yk_coordinate_find(m.mech, "b")) -
+                              yk_map_event_value(map, c, e, yk_coordinate_find(m.mech, "d"));
+                assert_int_equal(yk_map_event(map, c, e).kind, YK_MAP_LIMIT);
+                CHECK_NEAR(sin(turn), 0, 1e-5);
+            }
+        yk_map_free(map);
+        machine_free(&m);
+    }
+    assert_true(limits > 10);
+}
+
+static void test_a_cam_alone_has_one_circuit(void **unused)
+{
+    (void)unused;
+    static const char *const files[] = {"swing-cam", "valve-cam", "formula-cam", "pendulum"};
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+        Machine m = open_over(files[k], NULL);
+        YkMap *map = map_of(&m);
+        assert_true(yk_map_is_complete(map));
+        assert_int_equal(yk_map_circuit_count(map), 1);
+        assert_true(yk_map_turn(map, 0, 0).is_full);
+        compare(&m, map, files[k], 20);
+        yk_map_free(map);
+        machine_free(&m);
+    }
 }
 
 // --- constraints that repeat others
@@ -622,6 +690,8 @@ int main(void)
         cmocka_unit_test(test_a_slider_turns_back_at_its_dead_centres),
         cmocka_unit_test(test_dead_points_are_limits_of_the_drive),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
+        cmocka_unit_test(test_a_cam_limits_what_it_moves),
+        cmocka_unit_test(test_a_cam_alone_has_one_circuit),
         cmocka_unit_test(test_coupled_cranks_have_one_circuit),
         cmocka_unit_test(test_a_second_guide_changes_no_circuit),
         cmocka_unit_test(test_the_other_branch_is_reached_over_a_limit),
