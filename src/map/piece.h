@@ -1,8 +1,8 @@
 // A piece: one block of a machine, dyad or group, as a polynomial system whose coefficients are discs.
 #ifndef MAP_PIECE_H
 #define MAP_PIECE_H
-#include "configurations/ball.h"
 #include "configurations/system.h"
+#include "map/dual.h"
 
 enum { YK_PIECE_UNKNOWNS = 2 * YK_SYSTEM_LOOPS_MAX, YK_PIECE_NUMBERS = YK_PIECE_UNKNOWNS * (YK_PIECE_UNKNOWNS + 1) };
 
@@ -10,10 +10,6 @@ typedef struct YkPiece {
     size_t block, step; // the step that solves it
     YkShape shape;
 } YkPiece;
-
-typedef struct YkDual { // a value and its derivative by the mapped input
-    YkBall at, rate;
-} YkDual;
 
 // Of the law of a relation, by its argument: no slope and no curvature is larger. Where its slope jumps, curvature is infinite.
 typedef struct YkLawBound {
