@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "base/text.h"
+#include "configurations/exclude.h"
 #include "configurations/group.h"
 #include "configurations/namesakes.h"
 #include "solve/assemble.h"
@@ -14,6 +15,7 @@
 typedef struct Member {
     YkGroupKept kept;
     YkGroupSolutions solutions;
+    YkExcluded excluded;
     double *options, *costs;
     uint16_t *order;
     size_t capacity;
@@ -29,6 +31,7 @@ struct YkConfigurations {
     YkConfigurationsReport report;
     size_t lacking; // solutions that the group of the report lacks
     bool out_of_memory, is_running, is_cut_short, is_left;
+    bool is_excluded; // some group was
     YkPace enough;
     bool (*visit)(void *, YkState *);
     void *context;
@@ -41,7 +44,7 @@ YkConfigurationsOptions yk_default_configurations_options(void)
 
 const char *yk_complete_reason_name(YkCompleteReason reason)
 {
-    static const char *const names[] = {"none", "closed form", "counted"};
+    static const char *const names[] = {"none", "closed form", "counted", "excluded"};
     return (unsigned)reason < sizeof names / sizeof *names ? names[reason] : "?";
 }
 
@@ -69,6 +72,7 @@ void yk_configurations_free(YkConfigurations *all)
         Member *m = &all->members[b];
         yk_group_kept_end(&m->kept);
         yk_group_solutions_end(&m->solutions);
+        yk_excluded_end(&m->excluded);
         free(m->options);
         free(m->costs);
         free(m->order);
@@ -161,6 +165,20 @@ static void note(YkConfigurations *all, size_t index, const Member *m, YkGroupSt
     r->expected = s->is_counted ? s->expected : 0;
 }
 
+// Finds all configurations of a group with a gear by exclusion. Returns false if that does not succeed.
+static bool exclude(YkConfigurations *all, const YkRun *run, size_t index, YkPace *pace)
+{
+    YkGeared geared;
+    Member *m = &all->members[index];
+    if (m->kept.outside != YK_OUTSIDE_RELATIONS || !yk_geared_read(&geared, run, index)) return false;
+    all->out_of_memory |= !yk_exclude(&geared, pace, &m->excluded);
+    all->is_cut_short |= yk_pace_is_stopped(pace);
+    if (all->out_of_memory || !m->excluded.is_complete) return false;
+    all->is_excluded = true;
+    if (all->report.block < 0) all->report.block = (int)index;
+    return true;
+}
+
 static size_t list(void *context, const YkRun *run, size_t index, YkOptionRoom *room)
 {
     YkConfigurations *all = context;
@@ -172,13 +190,17 @@ static size_t list(void *context, const YkRun *run, size_t index, YkOptionRoom *
     YkGroupStatus status = yk_group_solve_all(&m->kept, run, index, pace, &m->solutions);
     all->is_cut_short |= status == YK_GROUP_STOPPED;
     all->out_of_memory |= status == YK_GROUP_NO_MEMORY;
-    note(all, index, m, status);
-    bool is_searched = all->options.in_search_order || !m->solutions.is_complete;
-    if (status == YK_GROUP_OUTSIDE || (is_searched && !yk_pace_is_stopped(pace))) {
+    bool is_excluded = status == YK_GROUP_OUTSIDE && exclude(all, run, index, pace);
+    if (!is_excluded) note(all, index, m, status);
+    bool is_whole = is_excluded || (status != YK_GROUP_OUTSIDE && m->solutions.is_complete);
+    bool is_searched = all->options.in_search_order || !is_whole;
+    if ((status == YK_GROUP_OUTSIDE && !is_excluded) || (is_searched && !yk_pace_is_stopped(pace))) {
         size_t found = yk_group_search(run, index);
         count = add_options(all, m, block, 0, run->groups->solutions, found);
     }
-    if (status != YK_GROUP_OUTSIDE)
+    if (is_excluded)
+        count = add_options(all, m, block, count, m->excluded.poses, m->excluded.count);
+    else if (status != YK_GROUP_OUTSIDE)
         count = add_options(all, m, block, count, m->solutions.real, m->solutions.real_count);
     *room = (YkOptionRoom){m->options, m->costs, m->order};
     return count;
@@ -200,10 +222,16 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
     YkConfigurationsReport *r = &all->report;
     YkText text = {0};
     r->complete = whole && all->lacking == 0 && lost == 0 && !all->is_cut_short;
-    r->reason = !r->complete ? YK_INCOMPLETE : r->block < 0 ? YK_COMPLETE_BY_CLOSED_FORM : YK_COMPLETE_BY_COUNT;
+    r->reason = !r->complete       ? YK_INCOMPLETE
+                : all->is_excluded ? YK_COMPLETE_BY_EXCLUSION
+                : r->block < 0     ? YK_COMPLETE_BY_CLOSED_FORM
+                                   : YK_COMPLETE_BY_COUNT;
     const char *label = r->block < 0 ? "" : all->mech->blocks[r->block].label;
     if (r->complete && r->block < 0)
         yk_text_puts(&text, "every dyad is solved in closed form");
+    else if (r->complete && r->expected == 0 && all->is_excluded)
+        yk_text_format(&text, "all other angles of the group of joint `%s` are proved not to close it%s", label,
+                       r->count == 0 ? ", and none closes the machine" : "");
     else if (r->complete)
         yk_text_format(&text, "all %z complex solutions of the group of joint `%s` are proved%s", r->expected, label,
                        r->count == 0 ? ", and none closes the machine" : "");
@@ -248,7 +276,7 @@ YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkC
     all->options = options ? *options : yk_default_configurations_options();
     all->report = (YkConfigurationsReport){.block = -1};
     all->lacking = 0;
-    all->out_of_memory = all->is_cut_short = all->is_left = false;
+    all->out_of_memory = all->is_cut_short = all->is_left = all->is_excluded = false;
     all->is_running = true;
     yk_pace_begin(&all->enough, all->options.enough);
     all->visit = visit;

@@ -10,13 +10,18 @@ static size_t root_of(size_t *parent, size_t k)
     return k;
 }
 
-// Returns the whole turn's tie at an end of a leaf, or NULL.
-static const YkTie *round_at(const YkMap *map, const YkStrand *leaf, int end, YkStrand **other)
+static bool goes_on(const YkTie *tie) // as the same branch
+{
+    return tie->kind == YK_TIE_ROUND || tie->kind == YK_TIE_PASS;
+}
+
+// Returns the tie by which a branch goes on at an end of a leaf, or NULL.
+static const YkTie *going_on_at(const YkMap *map, const YkStrand *leaf, int end, YkStrand **other)
 {
     const YkTies *ties = &map->tracer.ties[map->tracer.piece_count];
     for (size_t k = 0; k < ties->count; k++) {
         const YkTie *tie = &ties->items[k];
-        if (tie->kind != YK_TIE_ROUND) continue;
+        if (!goes_on(tie)) continue;
         for (int side = 0; side < 2; side++)
             if (tie->strand[side] == leaf && tie->end[side] == end) {
                 *other = tie->strand[1 - side];
@@ -44,7 +49,7 @@ static const YkTie *event_at(const YkMap *map, const YkStrand *leaf, int end)
 static bool add_meeting(YkMap *map, YkMapRows *rows, const YkStrand *leaf, int end, double shift)
 {
     const YkTie *tie = event_at(map, leaf, end);
-    if (!tie) return true;
+    if (!tie || (tie->kind == YK_TIE_PASS && end == 0)) return true; // there the strand before has put it
     const YkMapRows *of[2];
     const double *from[2];
     double *row = yk_map_add_row(map, rows);
@@ -99,11 +104,11 @@ static bool add_strand(YkMap *map, YkMapRows *rows, const YkStrand *leaf, double
     return true;
 }
 
-// Returns the leaf at which the branch of a leaf begins: goes back over whole turns as long as there are any.
+// Returns the leaf at which the branch of a leaf begins: goes back as long as it goes on.
 static YkStrand *first_of(const YkMap *map, YkStrand *leaf)
 {
     YkStrand *other, *at = leaf;
-    while (round_at(map, at, 0, &other) && other != leaf) at = other;
+    while (going_on_at(map, at, 0, &other) && other != leaf) at = other;
     return at;
 }
 
@@ -117,8 +122,9 @@ static bool add_line(YkMap *map, YkStrand *leaf)
     for (;;) {
         if (!add_strand(map, &map->lines[index].rows, at, shift)) return false;
         map->branch_of[at->index] = index;
-        shift += map->tracer.period;
-        if (!round_at(map, at, 1, &other)) break;
+        const YkTie *tie = going_on_at(map, at, 1, &other);
+        if (!tie) break;
+        if (tie->kind == YK_TIE_ROUND) shift += map->tracer.period;
         map->lines[index].is_closed = other == first;
         if (other == first || map->branch_of[other->index] != YK_NOT_FOUND) break;
         at = other;

@@ -70,7 +70,7 @@ bool yk_map_find_events(YkMap *map)
     const YkTies *ties = &map->tracer.ties[map->tracer.piece_count];
     for (size_t k = 0; k < ties->count; k++) {
         const YkTie *tie = &ties->items[k];
-        bool is_first = tie->kind != YK_TIE_ROUND;
+        bool is_first = tie->kind == YK_TIE_LIMIT || tie->kind == YK_TIE_CHANGE;
         for (size_t j = 0; j < k; j++) is_first &= ties->items[j].event != tie->event;
         if (is_first && !mark_tie(map, tie)) return false;
     }

@@ -11,8 +11,7 @@ void yk_field_end(YkField *f)
     yk_tracer_end(&f->tracer);
     free(f->count);
     free(f->state);
-    free(f->crossings[0]);
-    free(f->crossings[1]);
+    yk_crossings_end(&f->crossings);
 }
 
 static bool is_over(const YkField *f)
@@ -88,10 +87,7 @@ static bool make_room(YkField *f, size_t n)
 {
     f->count = calloc(n * n, sizeof *f->count);
     f->state = calloc(n * n, sizeof *f->state);
-    for (int k = 0; k < 2; k++) f->crossings[k] = malloc(n * n * sizeof *f->crossings[k]);
-    if (!f->count || !f->state || !f->crossings[0] || !f->crossings[1]) return false;
-    for (size_t k = 0; k < n * n; k++) f->crossings[0][k].part = f->crossings[1][k].part = -1;
-    return true;
+    return f->count && f->state;
 }
 
 // Shrinks the range of distances to what the machine can reach, and a cell more. Returns whether that was much less.
@@ -147,10 +143,9 @@ static int16_t first_difference(const YkField *f, const int *a, const int *b)
     return 0;
 }
 
-const YkCrossing *yk_field_crossing(YkField *f, size_t x, size_t y, int axis)
+// Bisects the way from a cell's centre to its neighbour's.
+static YkCrossing find_crossing(YkField *f, size_t x, size_t y, int axis)
 {
-    YkCrossing *c = &f->crossings[axis][y * f->n + x];
-    if (c->part >= 0) return c;
     double at[2] = {yk_field_center(f, 0, x), yk_field_center(f, 1, y)}, from = 0, to = 1;
     int own[2][YK_BOX_LEVELS] = {{0}}, middle[YK_BOX_LEVELS] = {0};
     int first = count_at(f, at[0], at[1], own[0]);
@@ -165,9 +160,17 @@ const YkCrossing *yk_field_crossing(YkField *f, size_t x, size_t y, int axis)
         *(is_before ? &from : &to) = half;
         if (!is_before) second = count;
     }
-    c->part = (float)(0.5 * (from + to));
-    c->piece = first >= 0 && second >= 0 ? first_difference(f, own[0], own[1]) : 0;
-    return c;
+    int16_t piece = first >= 0 && second >= 0 ? first_difference(f, own[0], own[1]) : 0;
+    return (YkCrossing){yk_crossing_key(y * f->n + x, axis), (float)(0.5 * (from + to)), piece};
+}
+
+YkCrossing yk_field_crossing(YkField *f, size_t x, size_t y, int axis)
+{
+    const YkCrossing *known = yk_crossings_find(&f->crossings, yk_crossing_key(y * f->n + x, axis));
+    if (known) return *known;
+    YkCrossing found = find_crossing(f, x, y, axis);
+    if (!yk_crossings_add(&f->crossings, found)) f->tracer.out_of_memory = true;
+    return found;
 }
 
 // --- what is not proved, and not near a curve
@@ -182,11 +185,10 @@ static void mark_near(YkField *f, size_t x, size_t y, size_t reach)
 size_t yk_field_stray(YkField *f)
 {
     enum { REACH = 12 };
-    for (size_t y = 0; y < f->n; y++)
-        for (size_t x = 0; x < f->n; x++) {
-            bool is_curve = f->crossings[0][y * f->n + x].part >= 0 || f->crossings[1][y * f->n + x].part >= 0;
-            if (is_curve) mark_near(f, x, y, REACH);
-        }
+    for (size_t k = 0; k < f->crossings.capacity; k++) {
+        const YkCrossing *c = &f->crossings.items[k];
+        if (c->key != 0) mark_near(f, yk_crossing_cell(c) % f->n, yk_crossing_cell(c) / f->n, REACH);
+    }
     for (size_t k = 0; k < f->n * f->n; k++)
         if (!(f->state[k] & (YK_CELL_PROVED | YK_CELL_NEAR))) return k;
     return f->n * f->n;

@@ -52,7 +52,15 @@ static void trace_input(YkTracer *t)
 {
     YkStrand *root = yk_strand_new(t, 0, NULL);
     if (!root) return;
-    if (!yk_strand_add(t, root, (YkCell){.from = t->low, .to = t->high}, NULL, NULL) || !yk_strand_keep(t, root)) {
+    // Where nothing is followed on top of it, its own cells are the poses that are read.
+    size_t cells = t->piece_count == 0 ? (size_t)((t->high - t->low) / (YK_TRACE_LONGEST * t->scale)) + 1 : 1;
+    bool has_cells = true;
+    for (size_t k = 0; k < cells && has_cells; k++) {
+        double from = t->low + (t->high - t->low) * (double)k / (double)cells;
+        double to = k + 1 == cells ? t->high : t->low + (t->high - t->low) * (double)(k + 1) / (double)cells;
+        has_cells = yk_strand_add(t, root, (YkCell){.from = from, .to = to}, NULL, NULL);
+    }
+    if (!has_cells || !yk_strand_keep(t, root)) {
         yk_strand_free(root);
         return;
     }
@@ -68,6 +76,7 @@ static void trace_all(YkTracer *t)
         yk_trace_level(t, level);
         yk_trace_carry(t, level);
     }
+    if (t->repeats && !t->out_of_memory && !yk_pace_is_stopped(t->pace)) yk_repeated_sift(t);
 }
 
 // Writes the state's pose as a row, without the joints' angles; its joints are those of the coordinates.
@@ -99,21 +108,34 @@ static void find_start(YkMap *map, const YkState *start)
     free(own);
 }
 
+static void tell_singles(const YkTracer *t, YkText *text)
+{
+    const size_t most = sizeof t->single / sizeof *t->single;
+    size_t count = t->single_count;
+    yk_text_format(text, "all constraints may also close in %z single pose%s, out of which it cannot move: near ",
+                   count, count == 1 ? "" : "s");
+    for (size_t k = 0; k < count && k < most; k++) yk_text_format(text, "%s%e", k == 0 ? "" : ", ", t->single[k]);
+    yk_text_format(text, " %s%s", t->is_angle ? "rad" : "m", count > most ? " and others" : "");
+}
+
 void yk_map_tell(YkMap *map)
 {
     YkTracer *t = &map->tracer;
     YkText text = {0};
-    map->is_complete = !t->is_unproved && map->lost == 0 && map->has_start;
+    map->is_complete = !t->is_unproved && t->single_count == 0 && map->lost == 0 && map->has_start;
     if (t->is_unproved)
         yk_text_format(&text, "not all is proved: near %g %s, at joint `%s`", t->unproved_at, t->is_angle ? "rad" : "m",
                        t->unproved_block < t->piece_count ? map->mech->blocks[t->pieces[t->unproved_block].block].label
                                                           : "?");
     else if (!map->has_start)
         yk_text_puts(&text, "the machine's own configuration is on none of the circuits");
+    else if (t->single_count > 0)
+        tell_singles(t, &text);
     else if (map->lost > 0)
         yk_text_format(&text, "%z dead points were not found on the circuits, or not all are known", map->lost);
     else
-        yk_text_puts(&text, "between its events the number of configurations is proved constant");
+        yk_text_format(&text, "between its events the number of configurations is proved constant%s",
+                       t->repeats ? "; the constraints that repeat others close along them, to rounding" : "");
     t->out_of_memory |= text.failed;
     const char *words = text.failed ? "" : yk_text_get(&text);
     size_t length = strlen(words) < sizeof map->message ? strlen(words) : sizeof map->message - 1;

@@ -42,7 +42,7 @@ static int count_of(const YkRegions *r, long x, long y)
 
 static bool is_in(const Walk *w, long x, long y)
 {
-    return is_within(w->regions, x, y) && w->regions->part_of[index_of(w->regions, x, y)] == w->id;
+    return is_within(w->regions, x, y) && yk_runs_part(&w->regions->runs, (size_t)x, (size_t)y) == w->id;
 }
 
 // --- corners
@@ -63,9 +63,9 @@ static int cross(YkRegions *r, long x, long y, int side, double *at)
     at[1] = f->low[1] + ((double)y + 0.5 + 0.5 * outward[side][1]) * f->step[1];
     if (!is_within(r, beyond[0], beyond[1])) return -1;
     long first[2] = {x < beyond[0] ? x : beyond[0], y < beyond[1] ? y : beyond[1]};
-    const YkCrossing *c = yk_field_crossing(f, (size_t)first[0], (size_t)first[1], axis);
-    at[axis] = yk_field_center(f, axis, (size_t)first[axis]) + (double)c->part * f->step[axis];
-    return (int)f->tracer.pieces[c->piece].block;
+    YkCrossing c = yk_field_crossing(f, (size_t)first[0], (size_t)first[1], axis);
+    at[axis] = yk_field_center(f, axis, (size_t)first[axis]) + (double)c.part * f->step[axis];
+    return (int)f->tracer.pieces[c.piece].block;
 }
 
 // Writes the place of a corner of cells at which three or four regions meet, or where one meets the domain's edge: the
@@ -144,7 +144,7 @@ static void walk(Walk *w, Place from)
     Place p = from;
     double at[2];
     do {
-        r->seen[index_of(r, p.x, p.y)] |= (unsigned char)(1 << p.side);
+        r->field.state[index_of(r, p.x, p.y)] |= (unsigned char)(YK_CELL_WALKED << p.side);
         int block = cross(r, p.x, p.y, p.side, at);
         if (block >= 0) add_corner(w, at); // the domain's edge is straight: its ends are enough
         // The corner of the grid at which this side ends.
@@ -177,7 +177,7 @@ static bool walk_from(YkRegions *r, uint32_t id, long x, long y)
     Walk w = {.regions = r, .part = part, .id = id, .has_memory = true};
     for (int side = 0; side < 4; side++) {
         bool is_outer = !is_in(&w, x + outward[side][0], y + outward[side][1]);
-        if (!is_outer || (r->seen[index_of(r, x, y)] & (1 << side))) continue;
+        if (!is_outer || (r->field.state[index_of(r, x, y)] & (YK_CELL_WALKED << side))) continue;
         if (!YK_ROOM(part->outlines, part->outline_count, part->outline_capacity)) return false;
         w.outline = &part->outlines[part->outline_count++];
         *w.outline = (YkBorder){0};
@@ -191,32 +191,36 @@ static bool walk_from(YkRegions *r, uint32_t id, long x, long y)
 
 // --- regions
 
-static bool begin_part(YkRegions *r, size_t cell)
+// Begins the regions, each with its first cell.
+static bool begin_parts(YkRegions *r)
 {
-    if (!YK_ROOM(r->parts, r->count, r->capacity)) return false;
-    r->parts[r->count++] = (YkTract){.cell = cell, .region = {.configurations = r->field.count[cell]}};
+    const YkRuns *runs = &r->runs;
+    for (size_t row = 0; row < runs->n; row++)
+        for (size_t k = runs->first[row]; k < runs->first[row + 1]; k++) {
+            size_t cell = row * runs->n + runs->items[k].from;
+            if (runs->items[k].part <= r->count) continue;
+            if (!YK_ROOM(r->parts, r->count, r->capacity)) return false;
+            r->parts[r->count++] = (YkTract){.cell = cell, .region = {.configurations = r->field.count[cell]}};
+        }
     return true;
 }
 
-// Gives all cells that are connected to one by their sides and have its count the region's number.
-static bool spread(YkRegions *r, size_t cell, size_t *stack)
+// Walks round the regions from all cells of a row that have another number of configurations beside them.
+static bool walk_row(YkRegions *r, size_t row)
 {
-    uint32_t id = (uint32_t)r->count;
-    size_t count = 0, n = r->field.n;
-    stack[count++] = cell;
-    r->part_of[cell] = id;
-    while (count > 0) {
-        size_t k = stack[--count];
-        for (int side = 0; side < 4; side++) {
-            long x = (long)(k % n) + outward[side][0], y = (long)(k / n) + outward[side][1];
-            if (!is_within(r, x, y)) continue;
-            size_t next = index_of(r, x, y);
-            if (r->part_of[next] != 0 || r->field.count[next] != r->field.count[cell]) continue;
-            r->part_of[next] = id;
-            stack[count++] = next;
+    const YkRuns *runs = &r->runs;
+    bool good = true;
+    for (size_t k = runs->first[row]; k < runs->first[row + 1]; k++) {
+        long end = (long)(k + 1 < runs->first[row + 1] ? runs->items[k + 1].from : runs->n), y = (long)row;
+        int count = count_of(r, (long)runs->items[k].from, y);
+        if (runs->items[k].part == 0) continue;
+        for (long x = (long)runs->items[k].from; x < end && good; x++) {
+            bool is_inner = x > (long)runs->items[k].from && x + 1 < end && count_of(r, x, y - 1) == count &&
+                            count_of(r, x, y + 1) == count;
+            if (!is_inner) good = walk_from(r, runs->items[k].part, x, y);
         }
     }
-    return true;
+    return good;
 }
 
 static void measure(YkTract *part)
@@ -242,18 +246,8 @@ static void measure(YkTract *part)
 
 bool yk_regions_trace(YkRegions *r)
 {
-    size_t n = r->field.n;
-    size_t *stack = malloc(n * n * sizeof *stack);
-    r->part_of = calloc(n * n, sizeof *r->part_of);
-    r->seen = calloc(n * n, sizeof *r->seen);
-    bool good = stack && r->part_of && r->seen;
-    for (size_t cell = 0; good && cell < n * n; cell++) {
-        if (r->field.count[cell] == 0 || r->part_of[cell] != 0) continue;
-        good = begin_part(r, cell) && spread(r, cell, stack);
-    }
-    for (size_t cell = 0; good && cell < n * n; cell++)
-        if (r->part_of[cell] != 0) good = walk_from(r, r->part_of[cell], (long)(cell % n), (long)(cell / n));
+    bool good = yk_runs_find(&r->runs, &r->field) && begin_parts(r);
+    for (size_t row = 0; good && row < r->field.n; row++) good = walk_row(r, row);
     for (size_t k = 0; good && k < r->count; k++) measure(&r->parts[k]);
-    free(stack);
     return good && !r->field.tracer.out_of_memory;
 }

@@ -1,29 +1,6 @@
-// Takes the compiled steps in discs, and reads blocks as systems.
+// Reads blocks as systems whose coefficients are discs.
 #include "map/piece.h"
-#include <stdlib.h>
-#include <string.h>
 #include "configurations/certify.h"
-
-bool yk_discs_start(YkDiscs *discs, const YkMechanism *mech)
-{
-    *discs = (YkDiscs){.mech = mech, .second = YK_NONE};
-    discs->slots = calloc(mech->slot_count + mech->orientation_count + 1, sizeof *discs->slots);
-    discs->distances = calloc(mech->distance_count + 1, sizeof *discs->distances);
-    discs->nodes = calloc(mech->node_count + 1, sizeof *discs->nodes);
-    if (!discs->slots || !discs->distances || !discs->nodes) return false;
-    discs->slots[0].at = yk_ball(yk_vec(1, 0), 0);
-    return true;
-}
-
-void yk_discs_end(YkDiscs *discs)
-{
-    free(discs->slots);
-    free(discs->distances);
-    free(discs->nodes);
-    *discs = (YkDiscs){0};
-}
-
-// --- the structure of a block
 
 static YkPieceStatus read_group(YkPiece *piece, const YkMechanism *mech)
 {
@@ -46,7 +23,7 @@ YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step
     *piece = (YkPiece){.block = (size_t)mech->steps[step].target, .step = step};
     const YkBlock *block = &mech->blocks[piece->block];
     if (block->kind == YK_BLOCK_GROUP) return read_group(piece, mech);
-    if (block->kind == YK_BLOCK_LINK || block->kind == YK_BLOCK_CHECK) return YK_PIECE_REDUNDANT;
+    if (block->kind == YK_BLOCK_LINK || block->kind == YK_BLOCK_CHECK) return YK_PIECE_REPEATED;
     size_t angles = block->kind == YK_BLOCK_RRR ? 2 : block->kind == YK_BLOCK_PP ? 0 : 1;
     piece->shape = (YkShape){.loops = 1, .angles = angles, .unknowns = 2, .turning = {-1, -1}, .column = {0, 1}};
     if (block->kind == YK_BLOCK_RPR) piece->shape.turning[1] = 0;
@@ -59,144 +36,6 @@ double yk_piece_size(const YkPiece *piece, const YkVec *x, size_t unknown)
     return unknown < piece->shape.angles ? size : fmax(1, size);
 }
 
-// --- the steps
-
-static bool is_whole(double x)
-{
-    return x == rint(x) && fabs(x) <= 64;
-}
-
-bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step)
-{
-    if (step->kind == YK_STEP_CHECK) return false;
-    if (step->kind != YK_STEP_RELATION) return true;
-    const YkRelation *r = &mech->relations[step->target];
-    if (r->law) return false;
-    for (uint32_t k = r->first_source; k < r->first_source + r->source_count; k++) {
-        const YkRelationSource *s = &mech->sources[k];
-        if (s->kind == YK_SOURCE_COLUMN) return false;
-        if (s->kind == YK_SOURCE_SLOT && (r->target.is_distance || !is_whole(s->factor))) return false;
-    }
-    return true;
-}
-
-// --- values with their derivatives
-
-static YkBall real_disc(double at, double radius)
-{
-    return yk_ball(yk_vec(at, 0), radius);
-}
-
-static YkDual constant(YkVec v)
-{
-    return (YkDual){yk_ball(v, 0), yk_ball(yk_vec(0, 0), 0)};
-}
-
-static YkDual add(YkDual a, YkDual b)
-{
-    return (YkDual){yk_ball_add(a.at, b.at), yk_ball_add(a.rate, b.rate)};
-}
-
-static YkDual negate(YkDual a)
-{
-    return (YkDual){yk_ball_negate(a.at), yk_ball_negate(a.rate)};
-}
-
-static YkDual mul(YkDual a, YkDual b)
-{
-    return (YkDual){yk_ball_mul(a.at, b.at), yk_ball_add(yk_ball_mul(a.rate, b.at), yk_ball_mul(a.at, b.rate))};
-}
-
-// Returns the product with a constant, whose zeros stay zeros.
-static YkDual times(YkVec v, YkDual a)
-{
-    YkBall factor = yk_ball(v, 0);
-    return (YkDual){yk_ball_mul(factor, a.at), yk_ball_mul(factor, a.rate)};
-}
-
-static YkDual conjugate(YkDual a)
-{
-    return (YkDual){yk_ball(yk_conj(a.at.at), a.at.radius), yk_ball(yk_conj(a.rate.at), a.rate.radius)};
-}
-
-// Returns e^(i angle), where the angle is real.
-static YkDual turn_by(YkDual angle)
-{
-    double at = angle.at.at.x;
-    YkBall e = yk_ball(yk_unit(at), YK_BALL_OUT(angle.at.radius + 1e-15 + fabs(at) * 4e-16));
-    return (YkDual){e, yk_ball_mul(yk_ball_mul(yk_ball(yk_vec(0, 1), 0), angle.rate), e)};
-}
-
-static YkDual power(YkDual z, int n)
-{
-    YkDual result = constant(yk_vec(1, 0)), base = n < 0 ? conjugate(z) : z; // |z| = 1
-    for (int k = n < 0 ? -n : n; k > 0; k--) result = mul(result, base);
-    return result;
-}
-
-static YkDual input_of(const YkDiscs *d, int32_t input)
-{
-    if (input == d->second) return (YkDual){d->second_input, yk_ball(yk_vec(0, 0), 0)};
-    if (input != d->mapped) return constant(yk_vec(d->others[input], 0));
-    return (YkDual){d->input, real_disc(1, 0)};
-}
-
-static void take_relation(YkDiscs *d, const YkRelation *r)
-{
-    YkDual sum = constant(yk_vec(r->offset, 0)), turn = constant(yk_vec(1, 0));
-    for (uint32_t k = r->first_source; k < r->first_source + r->source_count; k++) {
-        const YkRelationSource *s = &d->mech->sources[k];
-        if (s->kind == YK_SOURCE_SLOT)
-            turn = mul(turn, power(d->slots[s->index], (int)s->factor));
-        else
-            sum = add(sum, times(yk_vec(s->factor, 0),
-                                 s->kind == YK_SOURCE_INPUT ? input_of(d, s->index) : d->distances[s->index]));
-    }
-    if (r->target.is_distance)
-        d->distances[r->target.index] = sum;
-    else
-        d->slots[r->target.index] = mul(turn, turn_by(sum));
-}
-
-YkDual yk_discs_sum(const YkDiscs *d, const YkSum *sum)
-{
-    YkDual total = constant(sum->constant);
-    if (sum->plus != YK_NONE) total = add(total, d->nodes[sum->plus]);
-    if (sum->minus != YK_NONE) total = add(total, negate(d->nodes[sum->minus]));
-    for (uint32_t k = sum->first; k < sum->first + sum->count; k++) {
-        YkTerm t = d->mech->terms[k];
-        YkDual v = times(t.v, d->slots[t.slot]);
-        if (t.distance != YK_NONE) v = mul(v, d->distances[t.distance]);
-        total = add(total, v);
-    }
-    return total;
-}
-
-void yk_discs_take(YkDiscs *d, const YkStep *step)
-{
-    switch (step->kind) {
-    case YK_STEP_TURN: {
-        YkDual angle = add(input_of(d, step->input), constant(yk_vec(step->offset, 0)));
-        d->slots[step->target] = mul(d->slots[step->parent], turn_by(times(yk_vec(step->sign, 0), angle)));
-        break;
-    }
-    case YK_STEP_COMPOSE:
-        d->slots[step->target] = mul(d->slots[step->parent], d->slots[step->other]);
-        break;
-    case YK_STEP_DISTANCE:
-        d->distances[step->target] = input_of(d, step->input);
-        break;
-    case YK_STEP_NODE:
-        d->nodes[step->target] = yk_discs_sum(d, &d->mech->node_sums[step->target]);
-        break;
-    case YK_STEP_RELATION:
-        take_relation(d, &d->mech->relations[step->target]);
-        break;
-    default:
-        break;
-    }
-}
-
 // --- coefficients
 
 static void read_dyad(const YkDiscs *d, const YkBlock *block, double per_size, YkDual row[3])
@@ -205,10 +44,10 @@ static void read_dyad(const YkDiscs *d, const YkBlock *block, double per_size, Y
     bool slides[2] = {block->kind == YK_BLOCK_PP, block->kind != YK_BLOCK_RRR};
     for (int k = 0; k < 2; k++) {
         int line = block->kind == YK_BLOCK_PP ? k : 0;
-        row[k] = slides[k] ? times(block->line[line], d->slots[block->line_slot[line]])
-                           : times(scale, yk_discs_sum(d, &block->arm[k]));
+        row[k] = slides[k] ? yk_dual_times(block->line[line], d->slots[block->line_slot[line]])
+                           : yk_dual_times(scale, yk_discs_sum(d, &block->arm[k]));
     }
-    row[2] = times(scale, yk_discs_sum(d, &block->known));
+    row[2] = yk_dual_times(scale, yk_discs_sum(d, &block->known));
 }
 
 static int find(const YkMechanism *mech, const YkPiece *piece, bool is_distance, int32_t index)
@@ -227,17 +66,17 @@ static void read_loop(const YkPiece *piece, const YkDiscs *d, const YkSum *sum, 
     YkSum known = *sum;
     YkVec scale = yk_vec(1 / mech->size, 0);
     known.count = 0;
-    for (size_t k = 0; k < piece->shape.unknowns; k++) row[k] = constant(yk_vec(0, 0));
-    row[piece->shape.unknowns] = times(scale, yk_discs_sum(d, &known));
+    for (size_t k = 0; k < piece->shape.unknowns; k++) row[k] = yk_dual_constant(yk_vec(0, 0));
+    row[piece->shape.unknowns] = yk_dual_times(scale, yk_discs_sum(d, &known));
     for (uint32_t k = sum->first; k < sum->first + sum->count; k++) {
         YkTerm t = mech->terms[k];
         int angle = t.slot == 0 ? -1 : find(mech, piece, false, mech->group_root[t.slot]);
         int slide = t.distance == YK_NONE ? -1 : find(mech, piece, true, t.distance);
-        YkDual v = times(t.v, d->slots[angle >= 0 ? mech->relative_slot[t.slot] : t.slot]);
-        if (slide < 0) v = times(scale, v); // an unknown distance counts sizes, so its direction has no length
-        if (slide < 0 && t.distance != YK_NONE) v = mul(v, d->distances[t.distance]);
+        YkDual v = yk_dual_times(t.v, d->slots[angle >= 0 ? mech->relative_slot[t.slot] : t.slot]);
+        if (slide < 0) v = yk_dual_times(scale, v); // an unknown distance counts sizes, so its direction has no length
+        if (slide < 0 && t.distance != YK_NONE) v = yk_dual_mul(v, d->distances[t.distance]);
         size_t column = slide >= 0 ? (size_t)slide : angle >= 0 ? (size_t)angle : piece->shape.unknowns;
-        row[column] = add(row[column], v);
+        row[column] = yk_dual_add(row[column], v);
     }
 }
 
@@ -275,6 +114,6 @@ void yk_discs_place(YkDiscs *d, const YkPiece *piece, const YkDual *x)
         if (k < piece->shape.angles)
             d->slots[c.index] = x[k];
         else
-            d->distances[c.index] = times(yk_vec(d->mech->size, 0), x[k]);
+            d->distances[c.index] = yk_dual_times(yk_vec(d->mech->size, 0), x[k]);
     }
 }

@@ -1,8 +1,8 @@
 // A piece: one block of a machine, dyad or group, as a polynomial system whose coefficients are discs.
 #ifndef MAP_PIECE_H
 #define MAP_PIECE_H
-#include "configurations/ball.h"
 #include "configurations/system.h"
+#include "map/dual.h"
 
 enum { YK_PIECE_UNKNOWNS = 2 * YK_SYSTEM_LOOPS_MAX, YK_PIECE_NUMBERS = YK_PIECE_UNKNOWNS * (YK_PIECE_UNKNOWNS + 1) };
 
@@ -11,9 +11,10 @@ typedef struct YkPiece {
     YkShape shape;
 } YkPiece;
 
-typedef struct YkDual { // a value and its derivative by the mapped input
-    YkBall at, rate;
-} YkDual;
+// Of the law of a relation, by its argument: no slope and no curvature is larger. Where its slope jumps, curvature is infinite.
+typedef struct YkLawBound {
+    double slope, curvature;
+} YkLawBound;
 
 // What is known of a pose, or of all poses of an interval: [slot], [distance], [node].
 typedef struct YkDiscs {
@@ -24,6 +25,7 @@ typedef struct YkDiscs {
     YkBall second_input;
     const double *others; // the values of all inputs: those of the others stay
     YkDual *slots, *distances, *nodes;
+    YkLawBound *laws; // [relation]
 } YkDiscs;
 
 typedef struct YkDiscCoefficients { // [2][loops][unknowns + 1], the second half the conjugates of the first
@@ -35,7 +37,8 @@ typedef struct YkDiscCoefficients { // [2][loops][unknowns + 1], the second half
 
 typedef enum YkPieceStatus {
     YK_PIECE_READ,
-    YK_PIECE_REDUNDANT, // equations that repeat others
+    YK_PIECE_REPEATED,  // a dyad's loop, or one without unknowns, that repeats others
+    YK_PIECE_REDUNDANT, // a group with equations that repeat others
     YK_PIECE_RELATIONS, // gears, cams and the like within a group
     YK_PIECE_LARGE,
     YK_PIECE_LINES
@@ -46,11 +49,15 @@ void yk_discs_end(YkDiscs *discs);
 
 // Reads the structure of the block that a step solves.
 YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step);
-// Returns whether a step other than a block's is one that discs can take: relations only if they are linear, turn
-// nothing by a fraction of an angle that loops place, and set no distance from such an angle.
+// Returns whether a step other than a block's is one that discs can take: relations only if they turn nothing by a fraction
+// of an angle that loops place, set no distance from such an angle, and if their law, if they have one, depends on inputs
+// alone and has no jump.
 bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step);
-// Takes a step that is not a block's.
+// Takes a step that is not a block's, or that of a block that repeats others: its unknown, if it has one, is what it is
+// where its loop closes.
 void yk_discs_take(YkDiscs *discs, const YkStep *step);
+// Returns by how much the loop of a block that repeats others misses, over the size (of a link: its square).
+YkDual yk_discs_miss(const YkDiscs *discs, const YkBlock *block);
 YkDual yk_discs_sum(const YkDiscs *discs, const YkSum *sum);
 // Computes the coefficients of a block at what is known.
 void yk_piece_coefficients(const YkPiece *piece, const YkDiscs *discs, YkDiscCoefficients *out);

@@ -23,8 +23,7 @@ void yk_regions_free(YkRegions *r)
         free(r->parts[k].bounds);
     }
     free(r->parts);
-    free(r->part_of);
-    free(r->seen);
+    yk_runs_end(&r->runs);
     free(r->inputs);
     yk_text_free(&r->picture);
     yk_field_end(&r->field);
@@ -86,8 +85,9 @@ static void find_start(YkRegions *r)
         double length = r->field.high[k] - r->field.low[k];
         if (r->field.is_angle[k]) r->start[k] -= length * floor((r->start[k] - r->field.low[k]) / length);
     }
-    if (!find_cell(r, r->start[0], r->start[1], &cell) || r->part_of[cell] == 0) return;
-    r->parts[r->part_of[cell] - 1].region.contains_start = true;
+    if (!find_cell(r, r->start[0], r->start[1], &cell)) return;
+    uint32_t part = yk_runs_part(&r->runs, cell % r->field.n, cell / r->field.n);
+    if (part > 0) r->parts[part - 1].region.contains_start = true;
 }
 
 static int compare(const void *a, const void *b)
@@ -134,6 +134,7 @@ static bool make(YkRegions *r, double tolerance, YkProblems *problems)
     YkTracer *t = &r->field.tracer;
     bool has_angle = r->field.is_angle[0] || r->field.is_angle[1];
     if (!yk_tracer_read(t, problems)) return false;
+    if (t->repeats) return yk_map_refuse(problems, "some of its constraints repeat others", NULL);
     if (has_angle && yk_tracer_period(r->mech) == 0)
         return yk_map_refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
     if (!yk_field_fill(&r->field, tolerance)) return false;

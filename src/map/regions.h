@@ -4,6 +4,7 @@
 #include <yoke/regions.h>
 #include "base/text.h"
 #include "map/field.h"
+#include "map/runs.h"
 
 typedef struct YkBorder {
     double *points; // [count][2]
@@ -24,9 +25,8 @@ struct YkRegions {
     YkField field;
     size_t coordinate[2];
     double *inputs;
-    double start[2];     // within the domain
-    uint32_t *part_of;   // [n][n]: 1 + the region of a cell; 0: none
-    unsigned char *seen; // [n][n]: sides that are on an outline
+    double start[2]; // within the domain
+    YkRuns runs;     // which region a cell is in
     YkTract *parts;
     size_t count, capacity;
     bool is_complete;

@@ -31,10 +31,11 @@ typedef struct YkStrands {
     size_t count, capacity;
 } YkStrands;
 
-typedef enum YkTieKind { YK_TIE_LIMIT, YK_TIE_CHANGE, YK_TIE_ROUND } YkTieKind;
+typedef enum YkTieKind { YK_TIE_LIMIT, YK_TIE_CHANGE, YK_TIE_ROUND, YK_TIE_PASS } YkTieKind;
 
-// A tie: the machine passes from an end of a strand to an end of another one, at a limit, through a change point, or
-// by a whole turn of the input.
+// A tie: the machine passes from an end of a strand to an end of another one, at a limit, through a change point, by a
+// whole turn of the input, or where it would have a change point if constraints that repeat others did not close on one
+// branch alone.
 typedef struct YkTie {
     YkTieKind kind;
     YkStrand *strand[2];
@@ -75,6 +76,10 @@ typedef struct YkTracer {
     bool is_unproved;
     double unproved_at;
     size_t unproved_block;
+    bool repeats;     // blocks repeat constraints of others: what their loops leave is sifted (repeated.c)
+    double single[8]; // inputs near which they may close in single poses beside the strands, the first of them
+    size_t single_count;
+    double single_last;
 } YkTracer;
 
 // Steps at most this, and at least that, over the scale.
@@ -158,5 +163,11 @@ void yk_trace_level(YkTracer *tracer, size_t level);
 bool yk_trace_tie(YkTracer *tracer, size_t level, YkTie tie); // returns false when out of memory
 // Ties the strands of a level where those below are tied (carry.c).
 void yk_trace_carry(YkTracer *tracer, size_t level);
+
+// --- constraints that repeat others (repeated.c)
+
+// Keeps the strands of the last level on which the loops that repeat others close. Those are analytic on a strand: they
+// close everywhere on it or in single poses, which are noted.
+void yk_repeated_sift(YkTracer *tracer);
 
 #endif

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/problems.h"
+#include "law/law.h"
 #include "map/strand.h"
 
 // --- what can be mapped
@@ -33,16 +34,32 @@ bool yk_tracer_read(YkTracer *t, YkProblems *problems)
     for (size_t k = 0; k < mech->step_count; k++) {
         const YkStep *step = &mech->steps[k];
         if (step->kind != YK_STEP_BLOCK && !yk_discs_can_take(mech, step))
-            return yk_map_refuse(problems, "a cam, a law, or a gear between moving links is in it", NULL);
+            return yk_map_refuse(problems, "a cam, a law, or a gear is moved by links that loops place, or a law jumps",
+                                 NULL);
         if (step->kind != YK_STEP_BLOCK) continue;
         YkPiece *piece = &t->pieces[t->piece_count];
         YkPieceStatus status = yk_piece_read(piece, mech, k);
+        t->repeats |= status == YK_PIECE_REPEATED;
+        if (status == YK_PIECE_REPEATED) continue;
         if (status != YK_PIECE_READ)
             return yk_map_refuse(problems, reason_of(status), mech->blocks[step->target].label);
         t->kept[t->piece_count].outside = YK_OUTSIDE_NOT;
         t->kept[t->piece_count++].shape = piece->shape;
     }
     return true;
+}
+
+// Returns whether the argument of a relation's law moves by whole periods in so many turns of the inputs.
+static bool law_repeats(const YkMechanism *mech, const YkRelation *r, int turns)
+{
+    bool repeats = true;
+    double period = r->law ? yk_law_range(r->law).period : 0;
+    for (uint32_t s = r->first_argument_source; r->law && s < r->first_argument_source + r->argument_source_count;
+         s++) {
+        double way = 2 * YK_PI * mech->sources[s].factor * turns / period;
+        if (mech->sources[s].kind == YK_SOURCE_INPUT) repeats &= period > 0 && fabs(way - rint(way)) < 1e-9;
+    }
+    return repeats;
 }
 
 double yk_tracer_period(const YkMechanism *mech)
@@ -57,6 +74,7 @@ double yk_tracer_period(const YkMechanism *mech)
                 if (mech->sources[s].kind == YK_SOURCE_INPUT)
                     repeats &= !r->target.is_distance && fabs(way - rint(way)) < 1e-9;
             }
+            repeats &= law_repeats(mech, r, turns);
         }
         if (repeats) return 2 * YK_PI * turns;
     }

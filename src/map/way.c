@@ -124,7 +124,7 @@ static size_t list_poses(const Search *s, YkMapPlace from, YkMapPlace to, YkMapP
     count++;
     for (size_t leaf = to.strand; leaf != from.strand; leaf = s->before[leaf]) {
         const YkTie *tie = s->into[leaf];
-        if (tie->kind == YK_TIE_ROUND) continue;
+        if (tie->kind == YK_TIE_ROUND || tie->kind == YK_TIE_PASS) continue;
         const YkStrand *strand = s->map->leaves->items[leaf];
         int end = tie->strand[0] == strand ? tie->end[0] : tie->end[1];
         double at = end == 1 ? yk_strand_to(strand) : yk_strand_from(strand);

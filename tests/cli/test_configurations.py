@@ -38,8 +38,16 @@ class Configurations(Case):
         self.assertEqual(answer["reason"], "closed form")
         self.assertNotIn("complex", answer)
 
-    def test_what_is_searched_says_so(self):
+    def test_a_group_with_a_gear_is_excluded(self):
         answer = Run("solve", example("geared-five-bar"), "--all", "--format", "json").json()
+        self.assertEqual((answer["complete"], answer["reason"], len(answer["configurations"])), (True, "excluded", 10))
+        self.assertNotIn("complex", answer)
+
+    def test_what_is_searched_says_so(self):
+        with open(example("geared-five-bar"), encoding="utf-8") as file:
+            text = file.read().replace("mesh: [b, d], teeth: [20, 30]", "mesh: [b, d], teeth: [997, 991]")
+        file = self.write("odd.yaml", text)
+        answer = Run("solve", file, "--all", "--format", "json").json()
         self.assertIs(answer["complete"], False)
         self.assertIsNone(answer["reason"])
         self.assertIn("gears", answer["because"])

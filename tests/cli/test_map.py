@@ -132,8 +132,29 @@ class Map(Case):
         answer = self.good("solve", example("four-bar"), "--at", f"theta2={at}", "--all", "--format", "json").json()
         return next(c["coordinates"]["theta4"]["position"] for c in answer["configurations"] if not c["is_start"])
 
+    def test_every_circuit_that_holds_the_pose_is_named(self):
+        file = example("stephenson-awkward")
+        circuits = self.answer(file)["circuits"]
+        held = [k + 1 for k, c in enumerate(circuits) if c["ranges"][0][0] < 2.5 < c["ranges"][0][1]]
+        self.assertEqual(len(held), 2)
+        own = self.good("solve", file, "--at", "theta6=-2.2", "--all", "--format", "json").json()["configurations"][0]
+        run = Run("map", file, "--pose", "theta6=-2.2", "--pose", "theta2=%r" % own["coordinates"]["theta2"]["position"],
+                  "--reach", "theta6=2.5")
+        self.assertEqual(run.code, 1, run.err)
+        self.assertIn("on circuits %d and %d: no motion" % tuple(held), run.out)
+
+    def test_a_repeated_constraint_leaves_one_circuit(self):
+        answer = self.answer(example("three-crank-parallelogram"))
+        circuit, = answer["circuits"]
+        self.assertEqual((circuit["branches"], circuit["events"], circuit["parts"][0]["closed"]), (1, [], True))
+        # On the crossed branch of the first two cranks the third one fits in two poses.
+        self.assertIs(answer["complete"], False)
+        self.assertIn("2 single poses", answer["reason"])
+        for at in ("-0.0487", "3.0442"):
+            self.assertIn(at, answer["reason"])
+
     def test_refusals(self):
-        for name in ("swing-cam", "three-crank-parallelogram", "geared-five-bar"):
+        for name in ("geared-five-bar", "ferguson"):
             run = Run("map", example(name))
             self.assertEqual((run.code, "E0850" in run.err), (1, True), name)
         self.wrong(806, "map", example("four-bar"), "--format", "csv")

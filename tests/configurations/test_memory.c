@@ -3,12 +3,10 @@
 #include "interposed.h"
 #include <yoke/yoke.h>
 
-static void test_each_failure_is_told(void **unused)
+static void check_each_failure(const char *file, size_t count)
 {
-    (void)unused;
-    skip_unless_interposed();
     YkProblems *problems = yk_problems_new();
-    YkModel *model = yk_model_load(YOKE_ROOT "/examples/stephenson-awkward.yaml", NULL, problems);
+    YkModel *model = yk_model_load(file, NULL, problems);
     YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
     YkState *state = yk_state_new(mech);
     assert_true(state && yk_state_set_time(state, 0, problems) >= 0 && yk_state_assemble(state) >= 0);
@@ -22,7 +20,7 @@ static void test_each_failure_is_told(void **unused)
         YkStatus status = all ? yk_configurations_each(all, state, &options, NULL, NULL, &r) : YK_NO_MEMORY;
         countdown = -1;
         if (!has_failed) {
-            assert_true(status == YK_OK && r.complete && r.count == 2);
+            assert_true(status == YK_OK && r.complete && r.count == count);
             yk_configurations_free(all);
             break;
         }
@@ -31,7 +29,7 @@ static void test_each_failure_is_told(void **unused)
         assert_false(r.complete);
         if (all) {
             assert_int_equal(yk_configurations_each(all, state, &options, NULL, NULL, &r), YK_OK);
-            assert_true(r.complete && r.count == 2);
+            assert_true(r.complete && r.count == count);
         }
         yk_configurations_free(all);
         assert_int_equal(live, blocks);
@@ -42,6 +40,14 @@ static void test_each_failure_is_told(void **unused)
     yk_mechanism_free(mech);
     yk_model_free(model);
     yk_problems_free(problems);
+}
+
+static void test_each_failure_is_told(void **unused)
+{
+    (void)unused;
+    skip_unless_interposed();
+    check_each_failure(YOKE_ROOT "/examples/stephenson-awkward.yaml", 2);
+    check_each_failure(YOKE_ROOT "/examples/geared-five-bar.yaml", 10);
 }
 
 int main(void)

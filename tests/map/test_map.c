@@ -292,7 +292,8 @@ static void test_random_machines_agree_with_solve_all(void **unused)
                                         "abk ac cd bdef eg fgh hi ki"};
     size_t events = 0, incomplete = 0;
     for (size_t k = 0; k < sizeof links / sizeof *links; k++)
-        for (uint64_t seed = 1; seed <= check_cases(RANDOM_TRIES); seed++) check_machine(links[k], seed, &events, &incomplete);
+        for (uint64_t seed = 1; seed <= check_cases(RANDOM_TRIES); seed++)
+            check_machine(links[k], seed, &events, &incomplete);
     assert_true(events > 2 * check_cases(RANDOM_TRIES) && incomplete <= 1);
 }
 
@@ -412,7 +413,7 @@ static void test_dead_points_are_limits_of_the_drive(void **unused)
 static void test_what_cannot_be_mapped_is_refused(void **unused)
 {
     (void)unused;
-    static const char *const files[] = {"swing-cam", "three-crank-parallelogram", "geared-five-bar"};
+    static const char *const files[] = {"geared-five-bar", "ferguson"};
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
         Machine m = open_over(files[k], NULL);
         assert_null(yk_map_new(m.state, yk_input_coordinate(m.mech, 0), m.problems));
@@ -423,6 +424,175 @@ static void test_what_cannot_be_mapped_is_refused(void **unused)
     assert_null(yk_map_new(NULL, 0, NULL));
     assert_null(yk_map_new(m.state, 99, m.problems));
     assert_null(yk_map_new(m.state, yk_coordinate_find(m.mech, "theta4"), m.problems)); // not an input
+    machine_free(&m);
+}
+
+// --- cams
+
+// A cam lifts a table on which a rod stands, whose other end hangs on a crank of length 1 at (1.2, y).
+static Machine cam_machine(double lift, double y, double rod)
+{
+    char text[2000];
+    snprintf(
+        text, sizeof text,
+        "laws:\n  lift:\n    period: 360 deg\n    segments:\n      - {rise: {to: 120 deg, by: %.17g, law: cycloidal}}\n"
+        "      - {dwell: {to: 180 deg}}\n      - {fall: {to: 300 deg, by: %.17g, law: cycloidal}}\n"
+        "      - {dwell: {to: 360 deg}}\ncams:\n  disc: {cam: shaft, follower: table, law: lift, face: flat, base: 2}\n"
+        "bodies:\n  ground: {points: {O: [0, 0], Q: [1.2, %.17g]}}\n  shaft: {}\n  table: {points: {P: [0, 0]}}\n"
+        "  rod: {points: {P: [0, 0], R: [%.17g, 0]}}\n  crank: {points: {Q: [0, 0], R: [1, 0]}}\njoints:\n"
+        "  K: {pin: [ground, shaft], angle: u}\n  T: {slide: [ground, table], along: y, distance: s}\n"
+        "  P: {pin: [table, rod], angle: b}\n  Q: {pin: [ground, crank], angle: d}\n  R: {pin: [rod, crank]}\n"
+        "drives: {u: 10 deg}\nstart: {b: 60 deg, d: 120 deg}\n",
+        lift, lift, y, rod);
+    return machine_parse_with(text, NULL, 0);
+}
+
+// The crank's end is in line with the rod where the table is as high as the triangle of both says; all angles of the cam
+// at which it is are limits, and no others.
+static void test_a_cam_limits_what_it_moves(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 9;
+    size_t limits = 0;
+    for (uint64_t k = 0; k < check_cases(30); k++) {
+        double lift = check_uniform(&seed, 2, 6), rod = check_uniform(&seed, 1.3, 2);
+        Machine m = cam_machine(lift, check_uniform(&seed, 0.8, 1.6), rod);
+        assert_true(m.state != NULL);
+        if (!(yk_state_set_time(m.state, 0, m.problems) >= 0 && yk_state_assemble(m.state) >= 0)) {
+            machine_free(&m);
+            continue;
+        }
+        YkMap *map = map_of(&m);
+        if (!yk_map_is_complete(map)) print_error("%g %g: %s\n", lift, rod, yk_map_message(map));
+        assert_true(yk_map_is_complete(map));
+        compare(&m, map, "cam", 20);
+        for (size_t c = 0; c < yk_map_circuit_count(map); c++)
+            for (size_t e = 0; e < yk_map_circuit(map, c).events; e++, limits++) {
+                double turn = yk_map_event_value(map, c, e, yk_coordinate_find(m.mech, "b")) -
+                              yk_map_event_value(map, c, e, yk_coordinate_find(m.mech, "d"));
+                assert_int_equal(yk_map_event(map, c, e).kind, YK_MAP_LIMIT);
+                CHECK_NEAR(sin(turn), 0, 1e-5);
+            }
+        yk_map_free(map);
+        machine_free(&m);
+    }
+    assert_true(limits > 10);
+}
+
+static void test_a_cam_alone_has_one_circuit(void **unused)
+{
+    (void)unused;
+    static const char *const files[] = {"swing-cam", "valve-cam", "formula-cam", "pendulum"};
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+        Machine m = open_over(files[k], NULL);
+        YkMap *map = map_of(&m);
+        assert_true(yk_map_is_complete(map));
+        assert_int_equal(yk_map_circuit_count(map), 1);
+        assert_true(yk_map_turn(map, 0, 0).is_full);
+        compare(&m, map, files[k], 20);
+        yk_map_free(map);
+        machine_free(&m);
+    }
+}
+
+// --- constraints that repeat others
+
+// Cranks of length 1 that turn in parallel: one at (0, 0), one at (g, 0), the others at x, y; a rod joins them.
+static Machine coupled_cranks(double g, size_t others, const double *x, const double *y)
+{
+    char text[2400], *c = text;
+    const char *const end = text + sizeof text;
+    c += snprintf(c, (size_t)(end - c), "bodies:\n  ground: {points: {O1: [0, 0], O2: [%.17g, 0]", g);
+    for (size_t k = 0; k < others; k++)
+        c += snprintf(c, (size_t)(end - c), ", O%zu: [%.17g, %.17g]", k + 3, x[k], y[k]);
+    c += snprintf(c, (size_t)(end - c), "}}\n  rod: {points: {A1: [0, 0], A2: [%.17g, 0]", g);
+    for (size_t k = 0; k < others; k++)
+        c += snprintf(c, (size_t)(end - c), ", A%zu: [%.17g, %.17g]", k + 3, x[k], y[k]);
+    c += snprintf(c, (size_t)(end - c), "}}\n");
+    for (size_t k = 1; k < others + 3; k++)
+        c += snprintf(c, (size_t)(end - c), "  c%zu: {points: {O%zu: [0, 0], A%zu: [1, 0]}}\n", k, k, k);
+    c += snprintf(c, (size_t)(end - c), "joints:\n");
+    for (size_t k = 1; k < others + 3; k++)
+        c +=
+            snprintf(c, (size_t)(end - c), "  O%zu: {pin: [ground, c%zu], angle: u%zu}\n  A%zu: {pin: [c%zu, rod]%s}\n",
+                     k, k, k, k, k, k == 1 ? ", angle: r" : "");
+    c += snprintf(c, (size_t)(end - c), "drives: {u1: 50 deg}\nstart: {r: -50 deg");
+    for (size_t k = 2; k < others + 3; k++) c += snprintf(c, (size_t)(end - c), ", u%zu: 50 deg", k);
+    snprintf(c, (size_t)(end - c), "}\n");
+    return machine_parse_with(text, NULL, 0);
+}
+
+// Returns by how much a further crank misses on the crossed branch of the parallelogram, where the rod is mirrored.
+static double crossed_miss(double g, double x, double y, double u)
+{
+    double turn = 2 * atan2(-sin(u), g - cos(u)), c = cos(turn), s = sin(turn);
+    return hypot(cos(u) + c * x - s * y - x, sin(u) + s * x + c * y - y) - 1;
+}
+
+// Counts where a third crank fits on the crossed branch, but in line with the ground, where both branches are the same.
+static size_t count_crossed(double g, double x, double y)
+{
+    enum { STEPS = 20000 };
+    size_t count = 0;
+    for (int half = 0; half < 2; half++)
+        for (int k = 1; k < STEPS - 1; k++) {
+            double from = half * YK_PI + YK_PI * k / STEPS, to = half * YK_PI + YK_PI * (k + 1) / STEPS;
+            count += (crossed_miss(g, x, y, from) > 0) != (crossed_miss(g, x, y, to) > 0);
+        }
+    return count;
+}
+
+// The cranks turn in parallel for ever, past the change points of the parallelogram, whose other branch the third crank
+// does not let them take; it fits there in single poses alone, and two further ones never.
+static void test_coupled_cranks_have_one_circuit(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 3;
+    size_t singles = 0;
+    for (uint64_t k = 0; k < check_cases(60); k++) {
+        double g = check_uniform(&seed, 1.5, 4), x[2], y[2];
+        size_t others = 1 + k % 2;
+        for (size_t j = 0; j < 2; j++) {
+            x[j] = check_uniform(&seed, -4, 4);
+            y[j] = check_uniform(&seed, 0.2, 2);
+        }
+        Machine m = coupled_cranks(g, others, x, y);
+        assert_true(yk_state_set_time(m.state, 0, m.problems) >= 0 && yk_state_assemble(m.state) >= 0);
+        YkMap *map = map_of(&m);
+        size_t fits = others == 1 ? count_crossed(g, x[0], y[0]) : 0, told = 0;
+        const char *words = strstr(yk_map_message(map), "close in ");
+        if (words) told = (size_t)strtoul(words + strlen("close in "), NULL, 10);
+        if (told != fits) print_error("%.17g, %.17g, %.17g: %s\n", g, x[0], y[0], yk_map_message(map));
+        assert_int_equal(told, fits);
+        assert_int_equal(yk_map_is_complete(map), fits == 0);
+        singles += fits;
+        assert_int_equal(yk_map_circuit_count(map), 1);
+        YkMapCircuit circuit = yk_map_circuit(map, 0);
+        assert_true(circuit.contains_start && circuit.branches == 1 && circuit.events == 0 && circuit.ranges == 1);
+        YkMapBranch branch = yk_map_branch(map, 0, 0);
+        assert_true(branch.is_closed);
+        CHECK_NEAR(yk_map_range(map, 0, 0).to - yk_map_range(map, 0, 0).from, 2 * YK_PI, 1e-9);
+        for (size_t r = 0; r < branch.rows; r++) { // in parallel
+            const double *row = yk_map_row(map, 0, 0, r);
+            CHECK_NEAR(cos(row[yk_coordinate_find(m.mech, "u2")] - row[yk_coordinate_find(m.mech, "u1")]), 1, 1e-9);
+            CHECK_NEAR(cos(row[yk_coordinate_find(m.mech, "u3")] - row[yk_coordinate_find(m.mech, "u1")]), 1, 1e-9);
+        }
+        compare(&m, map, "coupled cranks", 6);
+        yk_map_free(map);
+        machine_free(&m);
+    }
+    assert_true(singles > 0);
+}
+
+static void test_a_second_guide_changes_no_circuit(void **unused)
+{
+    (void)unused;
+    Machine m = open_over("doubled-guide", NULL);
+    YkMap *map = map_of(&m);
+    assert_true(yk_map_is_complete(map));
+    assert_int_equal(yk_map_circuit_count(map), 2);
+    compare(&m, map, "doubled-guide", 40);
+    yk_map_free(map);
     machine_free(&m);
 }
 
@@ -520,6 +690,10 @@ int main(void)
         cmocka_unit_test(test_a_slider_turns_back_at_its_dead_centres),
         cmocka_unit_test(test_dead_points_are_limits_of_the_drive),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
+        cmocka_unit_test(test_a_cam_limits_what_it_moves),
+        cmocka_unit_test(test_a_cam_alone_has_one_circuit),
+        cmocka_unit_test(test_coupled_cranks_have_one_circuit),
+        cmocka_unit_test(test_a_second_guide_changes_no_circuit),
         cmocka_unit_test(test_the_other_branch_is_reached_over_a_limit),
         cmocka_unit_test(test_no_way_leads_to_another_circuit),
         cmocka_unit_test(test_wrong_indices_get_nothing),

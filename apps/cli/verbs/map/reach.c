@@ -21,7 +21,7 @@ typedef struct Reach {
     Wanted from, to;
     YkMapPlace *way;
     size_t way_count;
-    double *row; // scratch: the coordinates of a place
+    double *rows; // [way_count][coordinates]
 } Reach;
 
 static bool read_values(YkMapAnswer *answer, const YkAssignments *pairs, Wanted *wanted)
@@ -71,6 +71,30 @@ static bool find_way(Reach *r)
     return true;
 }
 
+// Returns the least circuit of a pose beyond `after` (YK_NOT_FOUND: none is before), or YK_NOT_FOUND.
+static size_t next_circuit(const Wanted *wanted, size_t after)
+{
+    size_t next = YK_NOT_FOUND;
+    for (size_t k = 0; k < wanted->count; k++) {
+        size_t circuit = wanted->places[k].circuit;
+        bool is_beyond = after == YK_NOT_FOUND || circuit > after;
+        if (is_beyond && (next == YK_NOT_FOUND || circuit < next)) next = circuit;
+    }
+    return next;
+}
+
+// Writes "circuit 2", or "circuits 2, 3 and 4".
+static void add_circuits(const Wanted *wanted, YkText *text)
+{
+    size_t first = next_circuit(wanted, YK_NOT_FOUND), circuit = next_circuit(wanted, first);
+    yk_text_format(text, "circuit%s %z", circuit == YK_NOT_FOUND ? "" : "s", first + 1);
+    while (circuit != YK_NOT_FOUND) {
+        size_t after = next_circuit(wanted, circuit);
+        yk_text_format(text, "%s%z", after == YK_NOT_FOUND ? " and " : ", ", circuit + 1);
+        circuit = after;
+    }
+}
+
 // Explains why the machine cannot get there.
 static void add_reason(const Reach *r, YkText *text)
 {
@@ -83,8 +107,9 @@ static void add_reason(const Reach *r, YkText *text)
             yk_text_format(text, "no configuration closes at the %s of %s", r->answer->name, poses[k]->option);
         return;
     }
-    yk_text_format(text, "the pose is on circuit %z, ", r->from.places[0].circuit + 1);
-    yk_text_format(text, "and what is to be reached on circuit %z: no motion joins them", r->to.places[0].circuit + 1);
+    yk_text_format(text, "the pose is on circuit %z, and what is to be reached on ", r->from.places[0].circuit + 1);
+    add_circuits(&r->to, text);
+    yk_text_puts(text, ": no motion joins them");
     if (!yk_map_is_complete(r->answer->map)) yk_text_puts(text, " that was found, but the map is not complete");
 }
 
@@ -115,10 +140,10 @@ static void write_text(const Reach *r)
     }
     for (size_t k = 0; k < r->way_count; k++) {
         yk_table_word(table, k == 0 ? "from" : k + 1 == r->way_count ? "to" : "over");
-        bool is_read = yk_map_coordinates_at(r->answer->map, r->way[k], r->row);
+        const double *row = r->rows + k * yk_coordinate_count(mech);
         for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
             YkQuantity quantity = yk_quantity_of(yk_coordinate_info(mech, c).is_distance, 0);
-            yk_table_number(table, is_read ? yk_shown(session, r->row[c], quantity) : NAN, YK_DIGITS);
+            yk_table_number(table, yk_shown(session, row[c], quantity), YK_DIGITS);
         }
     }
     yk_table_write(table, 2, out);
@@ -145,9 +170,9 @@ static void write_json(const Reach *r)
     yk_json_end(&json);
     yk_json_list(&json, "way", YK_JSON_LINES);
     for (size_t k = 0; k < r->way_count; k++) {
-        bool is_read = yk_map_coordinates_at(r->answer->map, r->way[k], r->row);
+        const double *row = r->rows + k * yk_coordinate_count(mech);
         yk_json_list(&json, NULL, YK_JSON_INLINE);
-        for (size_t c = 0; c < yk_coordinate_count(mech); c++) yk_json_number(&json, NULL, is_read ? r->row[c] : NAN);
+        for (size_t c = 0; c < yk_coordinate_count(mech); c++) yk_json_number(&json, NULL, row[c]);
         yk_json_end(&json);
     }
     yk_json_end(&json);
@@ -164,11 +189,21 @@ static bool make_room(Reach *r)
     size_t n = yk_coordinate_count(r->answer->session->mech) + 1;
     r->from.values = calloc(n, sizeof *r->from.values);
     r->to.values = calloc(n, sizeof *r->to.values);
-    r->row = calloc(n, sizeof *r->row);
     r->from.places = calloc(PLACES_MAX, sizeof *r->from.places);
     r->to.places = calloc(PLACES_MAX, sizeof *r->to.places);
-    if (r->from.values && r->to.values && r->row && r->from.places && r->to.places) return true;
+    if (r->from.values && r->to.values && r->from.places && r->to.places) return true;
     return yk_session_refuse(r->answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+}
+
+// Reads the poses of the way. Returns false when out of memory.
+static bool read_way(Reach *r)
+{
+    size_t n = yk_coordinate_count(r->answer->session->mech);
+    bool good = true;
+    r->rows = calloc(r->way_count * n + 1, sizeof *r->rows);
+    for (size_t k = 0; k < r->way_count && r->rows && good; k++)
+        good = yk_map_coordinates_at(r->answer->map, r->way[k], r->rows + k * n);
+    return r->rows && good;
 }
 
 static int answer_reach(Reach *r)
@@ -189,7 +224,7 @@ static int answer_reach(Reach *r)
         yk_problem_hint(session->problems, "give another coordinate too; `yoke solve --all` lists them");
         return YK_EXIT_WRONG;
     }
-    if (!good || !find_way(r)) {
+    if (!good || !find_way(r) || !read_way(r)) {
         yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
         return YK_EXIT_WRONG;
     }
@@ -206,7 +241,7 @@ int yk_map_reach(YkMapAnswer *answer)
     int exit_code = answer_reach(&r);
     free(r.from.values);
     free(r.to.values);
-    free(r.row);
+    free(r.rows);
     free(r.from.places);
     free(r.to.places);
     free(r.way);

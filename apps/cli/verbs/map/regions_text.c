@@ -1,5 +1,4 @@
 // `yoke map --over A,B` for people, and as JSON.
-#include <math.h>
 #include <string.h>
 #include "session.h"
 #include "verbs/map/map.h"
@@ -155,7 +154,7 @@ void yk_map_regions_json(const YkRegionsAnswer *answer)
     yk_json_list(&json, "domain", YK_JSON_INLINE);
     for (int k = 0; k < 2; k++) add_pair(&json, NULL, yk_regions_domain(r, k).from, yk_regions_domain(r, k).to);
     yk_json_end(&json);
-    yk_json_number(&json, "tolerance", fmax(yk_regions_tolerance(r, 0), yk_regions_tolerance(r, 1)));
+    add_pair(&json, "tolerance", yk_regions_tolerance(r, 0), yk_regions_tolerance(r, 1));
     yk_json_bool(&json, "complete", yk_regions_are_complete(r));
     yk_json_string(&json, "reason", yk_regions_message(r));
     yk_json_number(&json, "proved", yk_regions_proved(r));

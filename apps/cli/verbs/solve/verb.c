@@ -130,7 +130,7 @@ static void write_report(Writer *writer, const YkConfigurationsReport *report)
     yk_json_bool(json, "complete", report->complete);
     yk_json_string(json, "reason", is_known ? yk_complete_reason_name(report->reason) : NULL);
     yk_json_string(json, "because", report->message);
-    if (report->block < 0) return;
+    if (report->block < 0 || (report->expected == 0 && report->reason == YK_COMPLETE_BY_EXCLUSION)) return;
     yk_json_object(json, "complex", YK_JSON_INLINE);
     yk_json_number(json, "proved", (double)report->proved);
     yk_json_number(json, "counted", report->expected > 0 || is_known ? (double)report->expected : (double)NAN);

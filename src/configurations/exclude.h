@@ -1,0 +1,18 @@
+// Finds all poses of a geared group by exclusion: the space of its angles is halved until every box is proved to hold no
+// pose, or not more than the one that is found in it.
+#ifndef CONFIGURATIONS_EXCLUDE_H
+#define CONFIGURATIONS_EXCLUDE_H
+#include "configurations/geared.h"
+
+typedef struct YkExcluded { // the array is kept and reused
+    double *poses;          // [count][unknowns]: angles, rad, with the turns that the relation wants
+    double *alone;          // [count][2 unknowns]: the middle and the half width of a box in which each is the only one
+    size_t count, capacity, boxes;
+    bool is_complete;
+} YkExcluded;
+
+// Returns false when out of memory. What stops `pace` leaves it incomplete, as do poses that meet: nothing tells them apart.
+bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out);
+void yk_excluded_end(YkExcluded *excluded);
+
+#endif
