@@ -128,6 +128,11 @@ const double *yk_synthesis_angles(const YkSynthesis *s, size_t candidate, size_t
     return angle;
 }
 
+double yk_synthesis_interpolating(const YkSynthesis *s, size_t candidate)
+{
+    return candidate < yk_synthesis_count(s) ? s->candidates.items[candidate].interpolating : NAN;
+}
+
 size_t yk_synthesis_curve(const YkSynthesis *s, size_t candidate, const double **xy)
 {
     if (candidate >= yk_synthesis_count(s)) return 0;

@@ -11,6 +11,7 @@ typedef struct YkFound {
     YkDesign design;
     YkDefect defect;
     double error, worst, transmission[2];
+    double interpolating; // largest error before it was evened out, rad; otherwise NaN
     double merit; // larger is better
     size_t order; // in which it was found, to break ties
     const char *model, *file;

@@ -48,6 +48,7 @@ typedef struct YkFunctionTask {
     double pair[YK_PAIRS_MAX][2]; // input and output angle from the start, rad, ascending inputs
     size_t count;
     YkGiven phase[YK_SIDES], ground; // rad, m
+    bool evened;                     // the largest errors are made alike
     YkPlace place;
 } YkFunctionTask;
 

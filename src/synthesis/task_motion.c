@@ -107,7 +107,9 @@ static void check_pole(YkTaskReader *reader)
     YkVec pole = yk_pose_apply(*first, z);
     for (size_t k = 1; k < motion->count; k++)
         if (yk_norm(yk_sub(yk_pose_apply(motion->pose[k], z), pole)) > 1e-9 * (size + yk_norm(z))) return;
-    double unit;
+    double unit, small = 1e-12 * (size + yk_norm(z));
+    if (fabs(pole.x) < small) pole.x = 0;
+    if (fabs(pole.y) < small) pole.y = 0;
     const char *name = yk_model_unit(reader->loader->model, YK_QUANTITY_LENGTH, &unit);
     yk_problem(reader->loader->problems, YK_CODE_TASK_SPECIAL, motion->place[0],
                "through these positions the body only turns about one point, (%e, %e) %s", pole.x / unit, pole.y / unit,

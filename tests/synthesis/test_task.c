@@ -65,6 +65,7 @@ static void every_mistake_has_its_code_and_place(void **state)
     refuse("synthesis: motion\nmechanisms: [slider-crank]\npositions:\n- {at: [0, 0], angle: 0}\n- {at: [1, 0], angle: 1}\n"
            "- {at: [1, 1], angle: 2}\n- {at: [3, 0], angle: 3}\n- {at: [2, 5], angle: 4}\n",
            YK_CODE_TASK_POSITIONS, 2);
+    refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nsamples: 4\nevened: true\n", YK_CODE_TASK_EVENED, 7);
     refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nmechanisms: [slider-crank]\n", YK_CODE_WRONG_WORD,
            6);
     refuse("synthesis: motion\npositions:\n- {at: [0, 0], angle: 3 mm}\n- {at: [1, 0], angle: 1}\n",
