@@ -85,8 +85,7 @@ bool yk_design_has_circuits(const YkDesign *design)
 
 bool yk_design_turns(const YkDesign *design)
 {
-    if (design->kind == YK_DESIGN_SLIDER_CRANK)
-        return design->length[1] + fabs(offset_of(design)) < design->length[2];
+    if (design->kind == YK_DESIGN_SLIDER_CRANK) return design->length[1] + fabs(offset_of(design)) < design->length[2];
     YkFourBarClass kind = yk_design_class(design);
     return kind == YK_FOUR_BAR_CRANK_ROCKER || kind == YK_FOUR_BAR_DRAG_LINK;
 }

@@ -46,7 +46,7 @@ typedef struct YkVerdict {
 // design.c
 bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design);
 YkFourBarClass yk_design_class(const YkDesign *design);
-const char *yk_design_type(const YkDesign *design); // "crank-rocker", ...
+const char *yk_design_type(const YkDesign *design);  // "crank-rocker", ...
 bool yk_design_has_circuits(const YkDesign *design); // two of them, so that one cannot be reached from the other
 bool yk_design_turns(const YkDesign *design);        // the input turns through
 // Finds the angles of input, coupler and output (slider-crank: the distance) where the body is at a pose.

@@ -103,7 +103,8 @@ bool yk_pose_slide(const YkPose *pose, size_t count, double direction, double al
     }
     if (!solve_moving(row, rows.count, along, &z) || yk_norm(z) > far_away) return false;
     z = yk_scale(rows.scale, z);
-    YkVec at = yk_pose_apply(pose[0], z), foot = yk_sub(at, yk_scale(yk_dot(at, yk_unit(direction)), yk_unit(direction)));
+    YkVec at = yk_pose_apply(pose[0], z),
+          foot = yk_sub(at, yk_scale(yk_dot(at, yk_unit(direction)), yk_unit(direction)));
     *dyad = (YkDyad){.kind = YK_DYAD_PR, .fixed = {foot.x, foot.y}, .moving = {z.x, z.y}, .direction = direction};
     return true;
 }

@@ -12,7 +12,10 @@ typedef struct Kind {
 
 static const Kind kinds[YK_TASK_KINDS] = {
     {"motion", yk_task_read_motion, yk_task_check_motion, {"positions"}},
-    {"function", yk_task_read_function, yk_task_check_function, {"of", "x", "input", "output", "samples", "evened", "pairs"}},
+    {"function",
+     yk_task_read_function,
+     yk_task_check_function,
+     {"of", "x", "input", "output", "samples", "evened", "pairs"}},
     {"stroke", yk_task_read_stroke, yk_task_check_stroke, {"swing", "stroke", "time_ratio"}},
     {"path", yk_task_read_path, yk_task_check_path, {"points", "closed", "angles"}},
     {"machine", yk_task_read_machine, yk_task_check_machine, {"machine", "free", "over", "goals"}},
@@ -20,7 +23,7 @@ static const Kind kinds[YK_TASK_KINDS] = {
 static const char *const keys[] = {"name",    "synthesis", "units",     "parameters", "mechanisms", "fix",    "bounds",
                                    "require", "best",      "positions", "of",         "x",          "input",  "output",
                                    "samples", "pairs",     "swing",     "stroke",     "time_ratio", "points", "closed",
-                                   "angles",  "evened",    "machine",   "free",      "over",       "goals",      NULL};
+                                   "angles",  "evened",    "machine",   "free",       "over",       "goals",  NULL};
 
 const char *yk_task_kind(const YkTask *task)
 {
