@@ -110,6 +110,9 @@ YK_API const char *yk_synthesis_parameter(const YkSynthesis *synthesis, size_t c
 // Returns the input's absolute angles at the points of a path, rad, and their number in `count`; NULL and 0 for other tasks.
 // The array belongs to the synthesis.
 YK_API const double *yk_synthesis_angles(const YkSynthesis *synthesis, size_t candidate, size_t *count);
+// Returns the largest error of the function generator that meets five points, from which the candidate was evened out, rad;
+// NaN for a candidate that was not.
+YK_API double yk_synthesis_interpolating(const YkSynthesis *synthesis, size_t candidate);
 // The path of the coupler point over the motion, xy[2 * count] in m; functions: input angle and error, rad. Returns
 // the count; the array belongs to the synthesis.
 YK_API size_t yk_synthesis_curve(const YkSynthesis *synthesis, size_t candidate, const double **xy);

@@ -47,8 +47,7 @@ YkCandidate yk_found_candidate(const YkFound *found)
     c.type = yk_design_type(design);
     c.error = found->error;
     c.worst = found->worst;
-    bool has_circuits = is_four_bar ? yk_design_is_grashof(design) : yk_design_turns(design);
-    c.circuits = has_circuits && yk_design_class(design) != YK_FOUR_BAR_CHANGE_POINT ? 2 : 1;
+    c.circuits = yk_design_has_circuits(design) ? 2 : 1;
     for (size_t i = 0; i < 2; i++) {
         c.transmission[i] = found->transmission[i];
         c.pivots[i][0] = design->pivot[i].x;
@@ -127,6 +126,11 @@ const double *yk_synthesis_angles(const YkSynthesis *s, size_t candidate, size_t
     const double *angle = candidate < yk_synthesis_count(s) ? s->candidates.items[candidate].angle : NULL;
     if (count) *count = angle ? s->task->path.count : 0;
     return angle;
+}
+
+double yk_synthesis_interpolating(const YkSynthesis *s, size_t candidate)
+{
+    return candidate < yk_synthesis_count(s) ? s->candidates.items[candidate].interpolating : NAN;
 }
 
 size_t yk_synthesis_curve(const YkSynthesis *s, size_t candidate, const double **xy)

@@ -12,24 +12,37 @@ static double argument(YkVec v)
     return yk_atan2(v.y, v.x);
 }
 
+// A slider-crank: the second dyad is a slide along a line of the ground.
+static bool slider_of_dyads(const YkPose *first, const YkDyad *output, YkDesign *design)
+{
+    design->kind = YK_DESIGN_SLIDER_CRANK;
+    design->pivot[1] = yk_pose_apply(*first, vector(output->moving));
+    design->along = output->direction;
+    return design->length[1] > 1e-7 * design->length[2] && design->length[2] > 1e-7 * design->length[1];
+}
+
 bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design)
 {
     YkVec z = vector(input->moving), across = yk_sub(vector(output->moving), z);
     YkVec ground = yk_sub(vector(output->fixed), vector(input->fixed));
     double coupler = yk_norm(across), size = input->length + output->length + coupler + yk_norm(ground);
+    bool good = true;
     *design = (YkDesign){.kind = YK_DESIGN_FOUR_BAR, .has_point = true};
     design->pivot[0] = vector(input->fixed);
-    design->pivot[1] = vector(output->fixed);
-    design->length[0] = yk_norm(ground);
     design->length[1] = input->length;
     design->length[2] = coupler;
-    design->length[3] = output->length;
-    for (size_t k = 0; k < 4; k++)
-        if (!(design->length[k] > 1e-7 * size)) return false;
     design->turn = -argument(across);
     design->point = yk_mul(yk_unit(design->turn), yk_scale(-1, z));
-    yk_design_angles(design, *first, design->angle);
-    return true;
+    if (output->kind == YK_DYAD_PR) {
+        good = slider_of_dyads(first, output, design);
+    } else {
+        design->pivot[1] = vector(output->fixed);
+        design->length[0] = yk_norm(ground);
+        design->length[3] = output->length;
+        for (size_t k = 0; k < 4; k++) good = good && design->length[k] > 1e-7 * size;
+    }
+    if (good) yk_design_angles(design, *first, design->angle);
+    return good;
 }
 
 // The classes of design/four_bar.c, of lengths in the same order.
@@ -56,17 +69,23 @@ const char *yk_design_type(const YkDesign *design)
     return design->kind == YK_DESIGN_FOUR_BAR ? names[yk_design_class(design)] : "slider-crank";
 }
 
-bool yk_design_is_grashof(const YkDesign *design)
+// How far the pivot of a slider-crank's crank lies from the slider's line, with a sign.
+static double offset_of(const YkDesign *design)
 {
-    return yk_design_class(design) != YK_FOUR_BAR_TRIPLE_ROCKER;
+    return yk_cross(yk_unit(design->along), yk_sub(design->pivot[0], design->pivot[1]));
+}
+
+bool yk_design_has_circuits(const YkDesign *design)
+{
+    if (design->kind == YK_DESIGN_SLIDER_CRANK) // crank or coupler turns through
+        return fabs(offset_of(design)) < fabs(design->length[1] - design->length[2]);
+    YkFourBarClass kind = yk_design_class(design);
+    return kind != YK_FOUR_BAR_TRIPLE_ROCKER && kind != YK_FOUR_BAR_CHANGE_POINT;
 }
 
 bool yk_design_turns(const YkDesign *design)
 {
-    if (design->kind == YK_DESIGN_SLIDER_CRANK) {
-        double offset = yk_cross(yk_unit(design->along), yk_sub(design->pivot[0], design->pivot[1]));
-        return design->length[1] + fabs(offset) < design->length[2];
-    }
+    if (design->kind == YK_DESIGN_SLIDER_CRANK) return design->length[1] + fabs(offset_of(design)) < design->length[2];
     YkFourBarClass kind = yk_design_class(design);
     return kind == YK_FOUR_BAR_CRANK_ROCKER || kind == YK_FOUR_BAR_DRAG_LINK;
 }
@@ -77,7 +96,8 @@ void yk_design_angles(const YkDesign *design, YkPose pose, double angle[3])
     YkVec along = yk_unit(angle[1]), A = yk_sub(pose.at, yk_mul(along, design->point));
     YkVec B = yk_add(A, yk_scale(design->length[2], along));
     angle[0] = argument(yk_sub(A, design->pivot[0]));
-    angle[2] = argument(yk_sub(B, design->pivot[1]));
+    YkVec out = yk_sub(B, design->pivot[1]);
+    angle[2] = design->kind == YK_DESIGN_FOUR_BAR ? argument(out) : yk_dot(out, yk_unit(design->along));
 }
 
 static int sign(double x)
@@ -89,6 +109,8 @@ static int sign(double x)
 static double circuit_sense(const YkDesign *design, const double angle[3])
 {
     size_t shortest = 0;
+    if (design->kind == YK_DESIGN_SLIDER_CRANK) // the longer link never stands across the line
+        return yk_cos(angle[design->length[1] < design->length[2]] - design->along);
     for (size_t k = 1; k < 4; k++)
         if (design->length[k] < design->length[shortest]) shortest = k;
     YkVec ground = yk_sub(design->pivot[1], design->pivot[0]);
@@ -104,12 +126,12 @@ static double circuit_sense(const YkDesign *design, const double angle[3])
 
 YkDefect yk_design_signs(const YkDesign *design, double (*angle)[3], size_t count)
 {
-    bool has_circuits = yk_design_is_grashof(design) && yk_design_class(design) != YK_FOUR_BAR_CHANGE_POINT;
+    bool has_circuits = yk_design_has_circuits(design), is_slider = design->kind == YK_DESIGN_SLIDER_CRANK;
     YkDefect defect = YK_DEFECT_NONE;
     int circuit = 0, branch = 0;
     for (size_t k = 0; k < count; k++) {
         int own_circuit = has_circuits ? sign(circuit_sense(design, angle[k])) : 0;
-        int own = sign(yk_sin(angle[k][2] - angle[k][1]));
+        int own = sign(is_slider ? yk_cos(angle[k][1] - design->along) : yk_sin(angle[k][2] - angle[k][1]));
         if (k > 0 && own_circuit != circuit) return YK_DEFECT_CIRCUIT;
         if (k > 0 && own != branch) defect = YK_DEFECT_BRANCH;
         circuit = own_circuit;

@@ -46,10 +46,10 @@ typedef struct YkVerdict {
 // design.c
 bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design);
 YkFourBarClass yk_design_class(const YkDesign *design);
-const char *yk_design_type(const YkDesign *design); // "crank-rocker", ...
-bool yk_design_is_grashof(const YkDesign *design);  // four-bars; change points count as Grashof
-bool yk_design_turns(const YkDesign *design);       // the input turns through
-// Finds the angles of input, coupler and output where the body is at a pose.
+const char *yk_design_type(const YkDesign *design);  // "crank-rocker", ...
+bool yk_design_has_circuits(const YkDesign *design); // two of them, so that one cannot be reached from the other
+bool yk_design_turns(const YkDesign *design);        // the input turns through
+// Finds the angles of input, coupler and output (slider-crank: the distance) where the body is at a pose.
 void yk_design_angles(const YkDesign *design, YkPose pose, double angle[3]);
 // Judges by the signs of its angles whether positions lie on one circuit and between dead points of the input. Source: Chase & Mirth 1993.
 YkDefect yk_design_signs(const YkDesign *design, double (*angle)[3], size_t count);

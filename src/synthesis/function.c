@@ -7,6 +7,7 @@
 #include <math.h>
 #include "base/mix.h"
 #include "num/dense.h"
+#include "synthesis/even.h"
 #include "synthesis/synthesis.h"
 
 enum { RAYS = 720, PHASES = 40, STOPS = YK_PAIRS_MAX + 2 };
@@ -47,7 +48,24 @@ static void angles_at(const YkFunctionTask *f, const YkDesign *design, size_t k,
     angle[1] = yk_atan2(across.y, across.x);
 }
 
-// Replaces the curve's outputs by their errors, and returns the largest: by a parabola through the rows about it.
+// The size of a peak near a row: that of the polynomial through five rows about it.
+static double peak_near(const YkVerdict *verdict, size_t r)
+{
+    size_t middle = r < 2 ? 2 : r + 3 > verdict->rows ? verdict->rows - 3 : r;
+    const double *y = &verdict->curve[2 * middle + 1];
+    double a = y[-4], b = y[-2], c = y[0], d = y[2], e = y[4], x = (double)r - (double)middle;
+    double c1 = (a - 8 * b + 8 * d - e) / 12, c2 = (-a + 16 * b - 30 * c + 16 * d - e) / 24;
+    double c3 = (-a + 2 * b - 2 * d + e) / 12, c4 = (a - 4 * b + 6 * c - 4 * d + e) / 24, start = x;
+    for (int k = 0; k < 4; k++) {
+        double bend = 2 * c2 + x * (6 * c3 + 12 * x * c4);
+        double to = x - (c1 + x * (2 * c2 + x * (3 * c3 + 4 * x * c4))) / bend;
+        if (!(fabs(to - start) <= 1)) break; // no peak between the rows beside it
+        x = to;
+    }
+    return fabs(c + x * (c1 + x * (c2 + x * (c3 + x * c4))));
+}
+
+// Replaces the curve's outputs by their errors, and returns the largest, between the rows as well.
 static double structural_error(const YkTask *task, const YkDesign *design, YkVerdict *verdict)
 {
     const YkFunctionTask *f = &task->function;
@@ -65,20 +83,18 @@ static double structural_error(const YkTask *task, const YkDesign *design, YkVer
     for (size_t r = 0; r < verdict->rows; r++) {
         double here = verdict->curve[2 * r + 1];
         worst = fmax(worst, fabs(here));
-        if (r == 0 || r + 1 == verdict->rows) continue;
+        if (r == 0 || r + 1 == verdict->rows || verdict->rows < 5) continue;
         double before = verdict->curve[2 * r - 1], after = verdict->curve[2 * r + 3];
-        double bend = before - 2 * here + after, slope = (after - before) / 2;
-        bool is_peak = fabs(here) >= fabs(before) && fabs(here) >= fabs(after) && bend != 0;
-        if (is_peak) worst = fmax(worst, fabs(here - slope * slope / (2 * bend)));
+        if (fabs(here) >= fabs(before) && fabs(here) >= fabs(after)) worst = fmax(worst, peak_near(verdict, r));
     }
     return worst;
 }
 
-// Judges a four-bar over the range, or from the first pair to the last.
-static void take(YkSynthesis *s, const YkDesign *design)
+// Judges a four-bar over the range, or from the first pair to the last. Returns it if it passes, NULL otherwise.
+static YkFound *take(YkSynthesis *s, const YkFunctionTask *f, const YkDesign *design)
 {
     const YkTask *task = s->task;
-    const YkFunctionTask *f = &task->function;
+    YkFound *found = NULL;
     double input[STOPS], output[STOPS], angle[YK_PAIRS_MAX][3];
     YkJourney journey = {.task = task, .input = input, .output = output, .exact = true, .turns = task->turns};
     YkVerdict verdict = {.defect = YK_DEFECT_NONE};
@@ -102,10 +118,28 @@ static void take(YkSynthesis *s, const YkDesign *design)
     if (defect == YK_DEFECT_NONE) defect = yk_synthesis_try(s, design, &journey, &text, &verdict);
     if (defect == YK_DEFECT_NONE && f->of) verdict.worst = structural_error(task, design, &verdict);
     if (defect == YK_DEFECT_NONE)
-        yk_synthesis_keep(s, design, &text, &verdict, f->of ? -verdict.worst : verdict.transmission[0]);
+        found = yk_synthesis_keep(s, design, &text, &verdict, f->of ? -verdict.worst : verdict.transmission[0]);
     else
         yk_synthesis_leave(s, design, defect, &verdict);
     yk_text_free(&text);
+    return found;
+}
+
+// Takes the four-bar nearby with the least largest error, which meets five other points of the function. Returns false if
+// there is none.
+static bool take_evened(YkSynthesis *s, const YkDesign *design)
+{
+    YkFunctionTask f = s->task->function;
+    const double *length = design->length;
+    YkGenerator bar = {length[1] / length[0], length[2] / length[0], length[3] / length[0], design->angle[0],
+                       design->angle[2]};
+    double before = NAN;
+    if (!f.evened || !yk_even_out(s->task, &bar, f.pair, &before)) return false;
+    YkVec A = yk_scale(bar.input, yk_unit(bar.phi)), B = yk_scale(bar.output, yk_unit(bar.psi));
+    YkDesign even = make(&f, A, B, bar.coupler);
+    YkFound *found = take(s, &f, &even);
+    if (found) found->interpolating = before;
+    return true;
 }
 
 // --- five and four pairs: dyads
@@ -117,7 +151,7 @@ static bool take_dyad(YkSynthesis *s, const YkDyad *dyad, size_t held)
     if (dyad->kind != YK_DYAD_RR || yk_norm(fixed) + yk_norm(moving) < 1e-6) return false;
     if (yk_norm(fixed) < 1e-6 || yk_norm(moving) < 1e-6 || dyad->length < 1e-6) return true;
     YkDesign design = make(&s->task->function, held == 0 ? fixed : moving, held == 0 ? moving : fixed, dyad->length);
-    take(s, &design);
+    if (!take_evened(s, &design)) take(s, &s->task->function, &design);
     return true;
 }
 
@@ -190,7 +224,7 @@ static void take_phases(YkSynthesis *s, double phi, double psi)
     if (is_turned || !(b2 > 1e-12)) // a negative length is a link half a turn ahead
         yk_synthesis_leave(s, &design, YK_DEFECT_ASSEMBLY, &(YkVerdict){.defect = YK_DEFECT_ASSEMBLY});
     else
-        take(s, &design);
+        take(s, f, &design);
 }
 
 static void take_three(YkSynthesis *s)

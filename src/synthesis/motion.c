@@ -1,9 +1,9 @@
-// A body through positions: all dyads that reach them, and every pair of these as a four-bar.
+// A body through positions: all dyads that reach them, and every pair of these as a four-bar or a slider-crank.
 #include <math.h>
 #include "base/mix.h"
 #include "synthesis/synthesis.h"
 
-enum { RAYS = 48, PIVOTS = 48, TRY_MICROSECONDS = 600 };
+enum { RAYS = 48, PIVOTS = 48, LINES = 12, TRY_MICROSECONDS = 600 };
 
 // --- dyads
 
@@ -97,6 +97,19 @@ static void add_few(YkSynthesis *s)
     s->is_complete = has_both && motion->count == 3;
 }
 
+// Two or three positions have slides in every direction; they are the output's where its pivot is not given.
+static void add_lines(YkSynthesis *s)
+{
+    const YkMotionTask *motion = &s->task->motion;
+    uint64_t seed = s->options.seed;
+    double from = yk_mix_unit(&seed);
+    YkDyad dyad;
+    for (size_t k = 0; k < LINES && !motion->pivot[1].is_given; k++)
+        if (yk_pose_slide(motion->pose, motion->count, YK_PI * ((double)k + from) / LINES, 4 * filled(from, k, 2) - 2,
+                          &dyad))
+            yk_synthesis_add_dyad(s, &dyad, 2);
+}
+
 // --- pairs
 
 // Fills the input's angles at the positions: on and on in one sense (+1, -1), or each the nearest way (0). Returns
@@ -152,7 +165,7 @@ static void attempt(YkSynthesis *s, const YkDesign *design, Attempt *trial)
     trial->defect = best;
 }
 
-// Takes a pair of dyads as a four-bar, driven from either side that may be the input.
+// Takes a pair of dyads, driven from either side that may be the input: a link of the ground, not a slide.
 static void take_pair(YkSynthesis *s, size_t i, size_t k)
 {
     Attempt trial[YK_SIDES] = {{.defect = YK_DEFECT_NONE}};
@@ -161,7 +174,7 @@ static void take_pair(YkSynthesis *s, size_t i, size_t k)
     for (int side = 0; side < YK_SIDES; side++) {
         size_t input = side == 0 ? i : k, output = side == 0 ? k : i;
         YkDesign design;
-        if (!(s->sides[input] & 1) || !(s->sides[output] & 2)) continue;
+        if (!(s->sides[input] & 1) || !(s->sides[output] & 2) || dyad[side]->kind != YK_DYAD_RR) continue;
         if (yk_design_of_dyads(&s->task->motion.pose[0], dyad[side], dyad[1 - side], &design)) {
             design.dyad[0] = (int)input;
             design.dyad[1] = (int)output;
@@ -190,17 +203,26 @@ static void take_pair(YkSynthesis *s, size_t i, size_t k)
     for (int side = 0; side < YK_SIDES; side++) yk_text_free(&trial[side].text);
 }
 
+// Whether two kinds of dyads make a machine that the task seeks.
+static bool is_sought(const YkSynthesis *s, YkDyadKind a, YkDyadKind b)
+{
+    if (a == YK_DYAD_RR && b == YK_DYAD_RR) return s->task->has_four_bar;
+    bool is_slider = (a == YK_DYAD_RR && b == YK_DYAD_PR) || (a == YK_DYAD_PR && b == YK_DYAD_RR);
+    return is_slider && s->task->has_slider;
+}
+
 bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems)
 {
     size_t count = s->task->motion.count;
     if (count == 5 && !add_five(s, problems)) return false;
     if (count == 4) add_four(s);
     if (count < 4) add_few(s);
+    if (count < 4 && s->task->has_slider) add_lines(s);
     size_t dyads = s->dyad_count;
     for (size_t i = 0; i < dyads; i++) {
         yk_pace_reach(&s->pace, (double)i * (2 * (double)dyads - (double)i) / ((double)dyads * (double)dyads + 1));
         for (size_t k = i + 1; k < dyads; k++) {
-            if (s->dyads[i].kind != YK_DYAD_RR || s->dyads[k].kind != YK_DYAD_RR) continue;
+            if (!is_sought(s, s->dyads[i].kind, s->dyads[k].kind)) continue;
             if (!yk_synthesis_goes_on(s, 1)) return true;
             take_pair(s, i, k);
         }

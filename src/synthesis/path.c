@@ -175,9 +175,8 @@ static void search_kind(YkSynthesis *s, YkDesignKind kind, double from, double t
 
 bool yk_synthesise_path(YkSynthesis *s, YkProblems *problems)
 {
-    const YkPathTask *path = &s->task->path;
     (void)problems;
-    if (path->has_four_bar) search_kind(s, YK_DESIGN_FOUR_BAR, 0, path->has_slider ? 0.5 : 1);
-    if (path->has_slider) search_kind(s, YK_DESIGN_SLIDER_CRANK, path->has_four_bar ? 0.5 : 0, 1);
+    if (s->task->has_four_bar) search_kind(s, YK_DESIGN_FOUR_BAR, 0, s->task->has_slider ? 0.5 : 1);
+    if (s->task->has_slider) search_kind(s, YK_DESIGN_SLIDER_CRANK, s->task->has_four_bar ? 0.5 : 0, 1);
     return true;
 }

@@ -57,27 +57,54 @@ static void row_in_moving(const double *r, YkVec F, double out[3])
     out[2] = r[0] + r[3] * F.x + r[4] * F.y;
 }
 
-bool yk_pose_pivot(const YkPose *pose, size_t count, YkVec fixed, double along, YkDyad *dyad)
+static const double flat = 1e-10;
+
+// Solves the rows of a moving pivot. One row leaves a line of them: the one that is `along` from its foot.
+static bool solve_moving(double (*row)[3], size_t count, double along, YkVec *z)
 {
-    static const double flat = 1e-10;
-    YkPoseRows rows;
-    double p[3], q[3];
-    yk_pose_rows(pose, count, &rows);
-    YkVec F = yk_scale(1 / rows.scale, yk_sub(fixed, rows.middle)), z;
-    row_in_moving(rows.row[0], F, p);
-    YkVec a = yk_vec(p[0], p[1]);
-    if (count == 2) {
+    YkVec a = yk_vec(row[0][0], row[0][1]);
+    if (count == 1) {
         double length2 = yk_dot(a, a);
         if (!(length2 > flat * flat)) return false; // the fixed pivot is the pole
-        YkVec foot = yk_scale(-p[2] / length2, a), along_line = yk_scale(1 / sqrt(length2), yk_quarter(a));
-        z = yk_add(foot, yk_scale(along, along_line));
-    } else {
-        row_in_moving(rows.row[1], F, q);
-        YkVec b = yk_vec(q[0], q[1]);
-        double determinant = yk_cross(a, b);
-        if (!(fabs(determinant) > flat * yk_norm(a) * yk_norm(b))) return false; // the moving pivot is at infinity
-        z = yk_vec((p[1] * q[2] - q[1] * p[2]) / determinant, (q[0] * p[2] - p[0] * q[2]) / determinant);
+        YkVec foot = yk_scale(-row[0][2] / length2, a);
+        *z = yk_add(foot, yk_scale(along / sqrt(length2), yk_quarter(a)));
+        return true;
     }
+    const double *p = row[0], *q = row[1];
+    YkVec b = yk_vec(q[0], q[1]);
+    double determinant = yk_cross(a, b);
+    if (!(fabs(determinant) > flat * yk_norm(a) * yk_norm(b))) return false; // the moving pivot is at infinity
+    *z = yk_vec((p[1] * q[2] - q[1] * p[2]) / determinant, (q[0] * p[2] - p[0] * q[2]) / determinant);
+    return true;
+}
+
+bool yk_pose_pivot(const YkPose *pose, size_t count, YkVec fixed, double along, YkDyad *dyad)
+{
+    YkPoseRows rows;
+    double row[2][3] = {{0}};
+    yk_pose_rows(pose, count, &rows);
+    YkVec F = yk_scale(1 / rows.scale, yk_sub(fixed, rows.middle)), z;
+    for (size_t k = 0; k < rows.count && k < 2; k++) row_in_moving(rows.row[k], F, row[k]);
+    if (!solve_moving(row, rows.count, along, &z)) return false;
     *dyad = yk_pose_dyad(&rows, &pose[0], z, F);
     return dyad->length > flat * rows.scale;
+}
+
+bool yk_pose_slide(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad)
+{
+    static const double far_away = 50;
+    YkPoseRows rows;
+    double row[2][3] = {{0}};
+    yk_pose_rows(pose, count, &rows);
+    YkVec F = yk_quarter(yk_unit(direction)), z; // at infinity, across the line
+    for (size_t k = 0; k < rows.count && k < 2; k++) {
+        const double *r = rows.row[k], constant_free[YK_MONOMIALS] = {0, 0, 0, r[3], r[4], r[5], r[6]};
+        row_in_moving(constant_free, F, row[k]);
+    }
+    if (!solve_moving(row, rows.count, along, &z) || yk_norm(z) > far_away) return false;
+    z = yk_scale(rows.scale, z);
+    YkVec at = yk_pose_apply(pose[0], z),
+          foot = yk_sub(at, yk_scale(yk_dot(at, yk_unit(direction)), yk_unit(direction)));
+    *dyad = (YkDyad){.kind = YK_DYAD_PR, .fixed = {foot.x, foot.y}, .moving = {z.x, z.y}, .direction = direction};
+    return true;
 }

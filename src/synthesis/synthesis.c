@@ -53,6 +53,7 @@ static YkFound *add(YkSynthesis *s, YkFoundList *list, const YkDesign *design, c
     YkFound *found = &list->items[list->count];
     *found = (YkFound){.design = *design, .defect = verdict->defect, .order = list->count++};
     found->error = verdict->error;
+    found->interpolating = NAN;
     found->worst = verdict->worst;
     memcpy(found->transmission, verdict->transmission, sizeof found->transmission);
     return found;

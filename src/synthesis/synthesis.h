@@ -11,8 +11,9 @@ typedef struct YkFound {
     YkDesign design;
     YkDefect defect;
     double error, worst, transmission[2];
-    double merit; // larger is better
-    size_t order; // in which it was found, to break ties
+    double interpolating; // largest error before it was evened out, rad; otherwise NaN
+    double merit;         // larger is better
+    size_t order;         // in which it was found, to break ties
     const char *model, *file;
     const double *curve; // [2 * rows]
     const double *value; // [free parameters] of a machine, SI, or NULL

@@ -12,7 +12,10 @@ typedef struct Kind {
 
 static const Kind kinds[YK_TASK_KINDS] = {
     {"motion", yk_task_read_motion, yk_task_check_motion, {"positions"}},
-    {"function", yk_task_read_function, yk_task_check_function, {"of", "x", "input", "output", "samples", "pairs"}},
+    {"function",
+     yk_task_read_function,
+     yk_task_check_function,
+     {"of", "x", "input", "output", "samples", "evened", "pairs"}},
     {"stroke", yk_task_read_stroke, yk_task_check_stroke, {"swing", "stroke", "time_ratio"}},
     {"path", yk_task_read_path, yk_task_check_path, {"points", "closed", "angles"}},
     {"machine", yk_task_read_machine, yk_task_check_machine, {"machine", "free", "over", "goals"}},
@@ -20,7 +23,7 @@ static const Kind kinds[YK_TASK_KINDS] = {
 static const char *const keys[] = {"name",    "synthesis", "units",     "parameters", "mechanisms", "fix",    "bounds",
                                    "require", "best",      "positions", "of",         "x",          "input",  "output",
                                    "samples", "pairs",     "swing",     "stroke",     "time_ratio", "points", "closed",
-                                   "angles",  "machine",   "free",      "over",       "goals",      NULL};
+                                   "angles",  "evened",    "machine",   "free",       "over",       "goals",  NULL};
 
 const char *yk_task_kind(const YkTask *task)
 {
@@ -118,13 +121,13 @@ static void read_require(YkTaskReader *reader)
     yk_task_value(reader, map, "size_ratio", YK_DIM_NUMBER, &task->size_ratio);
 }
 
-// `mechanisms:` may only name what the kind gives: four-bars, for paths slider-cranks as well.
+// `mechanisms:` may only name what the kind gives: four-bars, for paths and motions slider-cranks as well.
 static void read_mechanisms(YkTaskReader *reader)
 {
     YkLoader *loader = reader->loader;
-    YkPathTask *path = &reader->task->path;
-    bool is_path = reader->task->kind == YK_TASK_PATH;
-    path->has_four_bar = !yk_node_get(loader->root, "mechanisms");
+    YkTask *task = reader->task;
+    bool may_slide = task->kind == YK_TASK_PATH || task->kind == YK_TASK_MOTION;
+    task->has_four_bar = !yk_node_get(loader->root, "mechanisms");
     const YkNode *list = yk_node_get(loader->root, "mechanisms");
     if (!list || !yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "value", .part = "mechanisms"}))
         return;
@@ -133,16 +136,14 @@ static void read_mechanisms(YkTaskReader *reader)
         if (!yk_load_expect(loader, item, YK_NODE_SCALAR, &(YkSubject){.noun = "entry", .owner = "mechanisms"}))
             continue;
         bool is_four_bar = strcmp(item->text, "four-bar") == 0;
-        bool is_slider = is_path && strcmp(item->text, "slider-crank") == 0;
-        path->has_four_bar |= is_four_bar;
-        path->has_slider |= is_slider;
+        bool is_slider = may_slide && strcmp(item->text, "slider-crank") == 0;
+        task->has_four_bar |= is_four_bar;
+        task->has_slider |= is_slider;
         if (is_four_bar || is_slider) continue;
-        yk_problem(loader->problems, YK_CODE_WRONG_WORD, item->place,
-                   is_path ? "this version finds four-bars and slider-cranks for a path, no %q"
-                           : "this version finds four-bars for this task, no %q",
-                   item->text);
-        yk_problem_hint(loader->problems, is_path ? "write [four-bar, slider-crank], or one of them"
-                                                  : "write [four-bar], or leave `mechanisms` out");
+        yk_problem(loader->problems, YK_CODE_WRONG_WORD, item->place, "this version finds four-bars%s for a %s, no %q",
+                   may_slide ? " and slider-cranks" : "", kinds[task->kind].name, item->text);
+        yk_problem_hint(loader->problems, may_slide ? "write [four-bar, slider-crank], or one of them"
+                                                    : "write [four-bar], or leave `mechanisms` out");
     }
     if (list->count == 0) {
         yk_problem(loader->problems, YK_CODE_WRONG_WORD, list->place, "`mechanisms` names no machine");

@@ -48,6 +48,7 @@ typedef struct YkFunctionTask {
     double pair[YK_PAIRS_MAX][2]; // input and output angle from the start, rad, ascending inputs
     size_t count;
     YkGiven phase[YK_SIDES], ground; // rad, m
+    bool evened;                     // the largest errors are made alike
     YkPlace place;
 } YkFunctionTask;
 
@@ -68,7 +69,7 @@ enum { YK_PATH_POINTS_MAX = 1000 };
 typedef struct YkPathTask {
     YkVec *point; // [count], m
     size_t count;
-    bool is_closed, has_four_bar, has_slider;
+    bool is_closed;
     YkPathTiming timing;
     double *angle; // [count], absolute, rad; NULL unless they are given
     double step;   // between successive points, rad
@@ -122,6 +123,7 @@ struct YkTask {
     YkBound lengths, coupler_point, pivots[2]; // of x and y
     YkGiven transmission, size_ratio;
     bool turns, moves, any_order;
+    bool has_four_bar, has_slider; // the mechanisms that are sought
     size_t best;
     YkMotionTask motion;
     YkFunctionTask function;

@@ -58,6 +58,7 @@ void yk_task_read_function(YkTaskReader *reader)
     reader->samples = 5;
     YkWant want = {.dimension = YK_DIM_NUMBER, .subject = {.noun = "value", .part = "samples"}};
     if (samples) yk_load_value(loader, samples, &want, &reader->samples);
+    function->evened = yk_task_yes(reader, loader->root, "evened", false);
     if (of && pairs) {
         const YkNode *key = yk_load_key(loader->root, "pairs");
         yk_problem(loader->problems, YK_CODE_RIVAL_KEYS, key->place,
@@ -174,6 +175,11 @@ void yk_task_check_function(YkTaskReader *reader)
     if (samples && !isnan(reader->samples) && !is_count)
         yk_problem(reader->loader->problems, YK_CODE_TASK_POSITIONS, samples->place,
                    "a four-bar meets 3, 4 or 5 points of a function exactly");
+    if (f->evened && (!f->of || reader->samples < 5)) {
+        yk_problem(reader->loader->problems, YK_CODE_TASK_EVENED, yk_node_get(reader->loader->root, "evened")->place,
+                   "errors are evened out between five points of a formula");
+        yk_problem_hint(reader->loader->problems, f->of ? "write `samples: 5`" : "give `of` and `x` in place of `pairs`");
+    }
     if (f->of) check_ranges(reader);
     if (!f->of && f->count > 0) check_pairs(reader);
     if (f->ground.is_given && f->ground.value <= 0)

@@ -88,12 +88,61 @@ static void check_turned(YkTaskReader *reader)
         "a slide or a parallelogram moves a body so; a four-bar takes it through positions that differ in angle");
 }
 
+// Reports three or more positions with a common pole: the body then turns about it, and a pin there is the machine.
+static void check_pole(YkTaskReader *reader)
+{
+    const YkMotionTask *motion = &reader->task->motion;
+    double size = 0;
+    size_t turned = 0;
+    for (size_t k = 0; k < motion->count; k++) {
+        if (!is_known(motion->pose[k])) return;
+        size = fmax(size, yk_norm(yk_sub(motion->pose[k].at, motion->pose[0].at)));
+        if (turned == 0 && fabs(yk_sin((motion->pose[k].angle - motion->pose[0].angle) / 2)) > 1e-6) turned = k;
+    }
+    if (motion->count < 3 || turned == 0) return;
+    // (R_k - R_0) z = d_0 - d_k: z is the body's point that position `turned` leaves in place.
+    const YkPose *first = &motion->pose[0], *other = &motion->pose[turned];
+    YkVec turn = yk_sub(yk_unit(other->angle), yk_unit(first->angle));
+    YkVec z = yk_scale(1 / yk_dot(turn, turn), yk_mul(yk_sub(first->at, other->at), yk_conj(turn)));
+    YkVec pole = yk_pose_apply(*first, z);
+    for (size_t k = 1; k < motion->count; k++)
+        if (yk_norm(yk_sub(yk_pose_apply(motion->pose[k], z), pole)) > 1e-9 * (size + yk_norm(z))) return;
+    double unit, small = 1e-12 * (size + yk_norm(z));
+    if (fabs(pole.x) < small) pole.x = 0;
+    if (fabs(pole.y) < small) pole.y = 0;
+    const char *name = yk_model_unit(reader->loader->model, YK_QUANTITY_LENGTH, &unit);
+    yk_problem(reader->loader->problems, YK_CODE_TASK_SPECIAL, motion->place[0],
+               "through these positions the body only turns about one point, (%e, %e) %s", pole.x / unit, pole.y / unit,
+               name);
+    yk_problem_hint(reader->loader->problems, "a pin there is the whole machine; a four-bar needs other positions");
+}
+
+// Reports what leaves no slider-crank: its line is found, and five positions have none.
+static void check_slider(YkTaskReader *reader)
+{
+    const YkTask *task = reader->task;
+    YkProblems *problems = reader->loader->problems;
+    const YkNode *mechanisms = yk_node_get(reader->loader->root, "mechanisms");
+    if (!task->has_slider || task->has_four_bar) return;
+    if (task->motion.count == YK_POSES_MAX) {
+        yk_problem(problems, YK_CODE_TASK_POSITIONS, mechanisms->place,
+                   "five positions have no slide: a slider-crank takes a body exactly through two to four");
+        yk_problem_hint(problems, "leave one position out, or add four-bar");
+    } else if (task->motion.pivot[1].is_given) {
+        yk_problem(problems, YK_CODE_TASK_BOUNDS, mechanisms->place,
+                   "a slider-crank has no output pivot: the line of its slider is found");
+        yk_problem_hint(problems, "leave `output_pivot` out, or add four-bar");
+    }
+}
+
 void yk_task_check_motion(YkTaskReader *reader)
 {
     const YkMotionTask *motion = &reader->task->motion;
     const YkNode *fix = yk_node_get(reader->loader->root, "fix");
     check_different(reader);
     check_turned(reader);
+    check_pole(reader);
+    check_slider(reader);
     if (motion->count < 4 || (!motion->pivot[0].is_given && !motion->pivot[1].is_given)) return;
     yk_problem(reader->loader->problems, YK_CODE_TASK_POSITIONS, fix->place,
                "with %z positions no pivot can be chosen freely: the positions determine them", motion->count);

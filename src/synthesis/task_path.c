@@ -128,7 +128,7 @@ static void check_fix(YkTaskReader *reader)
                    "two pivots determine the ground's angle: `ground_angle` is given twice");
         yk_problem_hint(problems, "leave `ground_angle` or one of the pivots out");
     }
-    if (path->has_slider && path->pivot[1].is_given)
+    if (reader->task->has_slider && path->pivot[1].is_given)
         yk_problem(problems, YK_CODE_TASK_BOUNDS, fix->place,
                    "a slider-crank has no output pivot: `output_pivot` belongs to four-bars alone");
 }

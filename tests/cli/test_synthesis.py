@@ -41,6 +41,21 @@ class Synthesis(Case):
             self.assertEqual(first["fixed"], candidate["pivots"][0])
             self.assertEqual(second["fixed"], candidate["pivots"][1])
 
+    def test_errors_evened_out_are_told_with_those_before(self):
+        with open(os.path.join(ROOT, "examples", "tasks", "power-function.yaml"), encoding="utf-8") as file:
+            path = self.write("evened.yaml", file.read() + "evened: true\n")
+        self.assertIn("interpolating", self.good("synthesize", path).out)
+        for candidate in self.good("synthesize", path, "--format", "json").json()["candidates"]:
+            self.assertLess(candidate["worst"], 0.8 * candidate["interpolating"])
+
+    def test_slider_cranks_take_a_body_through_positions(self):
+        path = self.write("slide.yaml", self.read_example().replace("name:", "mechanisms: [slider-crank]\nname:"))
+        self.wrong(841, "synthesize", path)
+        with open(path, encoding="utf-8") as file:
+            lines = [line for line in file if "40 deg" not in line and "30 deg" not in line]
+        answer = self.good("synthesize", self.write("slide.yaml", "".join(lines)), "--format", "json").json()
+        self.assertEqual({candidate["mechanism"] for candidate in answer["candidates"]}, {"slider-crank"})
+
     def test_a_folder_holds_the_machines_the_picture_and_the_answer(self):
         folder = self.path("machines")
         run = self.good("synthesize", FIVE, "-o", folder)

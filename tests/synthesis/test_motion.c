@@ -117,19 +117,18 @@ static void a_crank_rocker_is_found_again_among_the_candidates(void **state)
 }
 
 // What the signs leave out for branch or circuit, the engine cannot drive either, whichever way it goes.
-static void what_the_signs_leave_out_the_engine_cannot_drive(void **state)
+static void signs_agree_with_the_engine(uint64_t seed, int rounds, size_t count, const char *more)
 {
-    (void)state;
-    uint64_t seed = 12;
     size_t tried = 0;
-    for (int round = 0; round < 40; round++) {
+    for (int round = 0; round < rounds; round++) {
         YkPose pose[5];
         char text[2000];
-        for (size_t k = 0; k < 5; k++) {
+        for (size_t k = 0; k < count; k++) {
             pose[k].at = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1));
             pose[k].angle = check_uniform(&seed, -1, 1);
         }
-        write_task(text, sizeof text, pose, 5);
+        write_task(text, sizeof text, pose, count);
+        strcat(text, more);
         Answer a = answer_to(text);
         for (size_t k = 0; k < a.synthesis->defects.count; k++) {
             const YkFound *found = &a.synthesis->defects.items[k];
@@ -138,8 +137,8 @@ static void what_the_signs_leave_out_the_engine_cannot_drive(void **state)
                 double input[5], angle[3];
                 YkVerdict verdict;
                 YkText model = {0};
-                YkJourney journey = {.task = a.task, .input = input, .count = 5, .pose = pose, .exact = true};
-                for (size_t i = 0; i < 5; i++) {
+                YkJourney journey = {.task = a.task, .input = input, .count = count, .pose = pose, .exact = true};
+                for (size_t i = 0; i < count; i++) {
                     yk_design_angles(&found->design, pose[i], angle);
                     input[i] = i == 0 ? angle[0] : input[i - 1] + yk_remainder(angle[0] - input[i - 1], 2 * YK_PI);
                     if (i > 0 && sense * (input[i] - input[i - 1]) < 0) input[i] += sense * 2 * YK_PI;
@@ -154,6 +153,13 @@ static void what_the_signs_leave_out_the_engine_cannot_drive(void **state)
         answer_free(&a);
     }
     assert_true(tried > 100);
+}
+
+static void what_the_signs_leave_out_the_engine_cannot_drive(void **state)
+{
+    (void)state;
+    signs_agree_with_the_engine(12, 40, 5, "");
+    signs_agree_with_the_engine(16, 2, 4, "mechanisms: [slider-crank]\n");
 }
 
 static void three_positions_with_pivots_have_one_machine_or_a_reason(void **state)
@@ -197,6 +203,74 @@ static void two_and_four_positions_are_sampled_and_every_candidate_passes(void *
         }
         answer_free(&a);
         answer_free(&b);
+    }
+}
+
+// Positions of a slider-crank's coupler; `line` is the direction of its slider's line.
+static void slider_crank_poses(YkPose *pose, size_t count, double *line, uint64_t *seed)
+{
+    double a = check_uniform(seed, .4, .8), b = check_uniform(seed, 1.2, 2), offset = check_uniform(seed, -.3, .3);
+    double from = check_uniform(seed, -3, 3), step = check_uniform(seed, .3, 1);
+    YkVec P = yk_vec(check_uniform(seed, -1, 2), check_uniform(seed, -1, 1)), at = yk_vec(.3, -.2);
+    *line = check_uniform(seed, -1.5, 1.5);
+    for (size_t k = 0; k < count; k++) {
+        YkVec A = yk_scale(a, yk_unit(from + step * (double)k)), out = yk_unit(*line);
+        double angle = yk_asin((offset - A.y) / b);
+        pose[k].angle = angle + *line + .3;
+        pose[k].at = yk_add(at, yk_mul(out, yk_add(A, yk_mul(yk_unit(angle), P))));
+    }
+}
+
+static void four_positions_of_a_slider_crank_give_its_line(void **state)
+{
+    (void)state;
+    uint64_t seed = 14;
+    size_t passed = 0;
+    for (size_t round = 0; round < check_cases(12); round++) {
+        YkPose pose[4];
+        double line, nearest = INFINITY;
+        char text[2000];
+        slider_crank_poses(pose, 4, &line, &seed);
+        write_task(text, sizeof text, pose, 4);
+        strcat(text, "mechanisms: [slider-crank]\n");
+        Answer a = answer_to(text);
+        for (size_t k = 0; k < yk_synthesis_dyad_count(a.synthesis); k++) {
+            YkDyad d = yk_synthesis_dyad(a.synthesis, k);
+            if (d.kind == YK_DYAD_PR) nearest = fmin(nearest, fabs(yk_sin(d.direction - line)));
+        }
+        CHECK_NEAR(nearest, 0, 1e-9);
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis); k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            assert_string_equal(c.mechanism, "slider-crank");
+            check_passes(c.model, pose, 4, true);
+            passed++;
+        }
+        answer_free(&a);
+    }
+    assert_true(passed > 10);
+}
+
+static void two_and_three_positions_have_slider_cranks_that_pass(void **state)
+{
+    (void)state;
+    uint64_t seed = 15;
+    for (size_t count = 2; count <= 3; count++) {
+        YkPose pose[4];
+        double line;
+        char text[2000];
+        slider_crank_poses(pose, count, &line, &seed);
+        write_task(text, sizeof text, pose, count);
+        strcat(text, "mechanisms: [slider-crank]\n");
+        YkSynthesisOptions options = yk_default_synthesis_options();
+        options.best = 12;
+        Answer a = answer_with(text, &options);
+        assert_true(yk_synthesis_count(a.synthesis) >= 3);
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis); k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            assert_string_equal(c.mechanism, "slider-crank");
+            check_passes(c.model, pose, count, true);
+        }
+        answer_free(&a);
     }
 }
 
@@ -254,6 +328,8 @@ int main(void)
         cmocka_unit_test(what_the_signs_leave_out_the_engine_cannot_drive),
         cmocka_unit_test(three_positions_with_pivots_have_one_machine_or_a_reason),
         cmocka_unit_test(two_and_four_positions_are_sampled_and_every_candidate_passes),
+        cmocka_unit_test(four_positions_of_a_slider_crank_give_its_line),
+        cmocka_unit_test(two_and_three_positions_have_slider_cranks_that_pass),
         cmocka_unit_test(bounds_and_requirements_leave_out_what_breaks_them),
         cmocka_unit_test(a_search_that_is_stopped_keeps_what_it_has),
     };

@@ -58,6 +58,19 @@ static void every_mistake_has_its_code_and_place(void **state)
            YK_CODE_TASK_POSITIONS, 4);
     refuse("synthesis: motion\npositions:\n- {at: [0, 0], angle: 1}\n- {at: [1, 0], angle: 1}\n", YK_CODE_TASK_SPECIAL,
            3);
+    refuse("synthesis: motion\npositions:\n- {at: [3, 1], angle: 0}\n- {at: [1, 3], angle: 90 deg}\n"
+           "- {at: [-1, 1], angle: 180 deg}\n",
+           YK_CODE_TASK_SPECIAL, 3); // about (1, 1)
+    refuse("synthesis: motion\n" TWO "mechanisms: [slider-crank]\nfix: {output_pivot: [1, 1]}\n", YK_CODE_TASK_BOUNDS,
+           3);
+    refuse("synthesis: motion\nmechanisms: [slider-crank]\npositions:\n- {at: [0, 0], angle: 0}\n- {at: [1, 0], angle: "
+           "1}\n"
+           "- {at: [1, 1], angle: 2}\n- {at: [3, 0], angle: 3}\n- {at: [2, 5], angle: 4}\n",
+           YK_CODE_TASK_POSITIONS, 2);
+    refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nsamples: 4\nevened: true\n",
+           YK_CODE_TASK_EVENED, 7);
+    refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nmechanisms: [slider-crank]\n",
+           YK_CODE_WRONG_WORD, 6);
     refuse("synthesis: motion\npositions:\n- {at: [0, 0], angle: 3 mm}\n- {at: [1, 0], angle: 1}\n",
            YK_CODE_WRONG_DIMENSION, 3);
     refuse("synthesis: motion\npositions:\n- {at: [0, 0], angle: q}\n- {at: [1, 0], angle: 1}\n", YK_CODE_UNKNOWN_NAME,

@@ -1,4 +1,5 @@
 // `yoke synthesize` for programs.
+#include <math.h>
 #include "verbs/synthesize/synthesize.h"
 #include "write/json.h"
 
@@ -55,6 +56,8 @@ static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t ind
     yk_json_string(json, "mechanism", c.mechanism);
     yk_json_number(json, "error", c.error);
     yk_json_number(json, "worst", c.worst);
+    double interpolating = yk_synthesis_interpolating(synthesis, index);
+    if (!isnan(interpolating)) yk_json_number(json, "interpolating", interpolating);
     bool has_dimensions = c.circuits > 0; // a machine that is there has parameters alone
     if (has_dimensions) {
         add_two(json, "transmission", c.transmission);

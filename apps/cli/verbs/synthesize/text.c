@@ -1,4 +1,5 @@
 // `yoke synthesize` for people.
+#include <math.h>
 #include "session.h"
 #include "verbs/synthesize/synthesize.h"
 #include "write/table.h"
@@ -59,13 +60,16 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
 {
     size_t count = yk_synthesis_count(synthesis);
     if (count == 0) return;
-    YkTable *table = yk_table_new(10);
+    bool is_evened = false;
+    for (size_t k = 0; k < count; k++) is_evened = is_evened || !isnan(yk_synthesis_interpolating(synthesis, k));
+    YkTable *table = yk_table_new(10 + is_evened);
     static const char *const heads[] = {"rank",  "type",    "worst",  "transmission from", "to", "ground",
                                         "input", "coupler", "output", "circuits"};
     const char *units[] = {
         NULL,      NULL, is_angle ? u->angle : u->length, u->angle, u->angle, u->length, u->length, u->length,
         u->length, NULL};
     for (size_t k = 0; k < 10; k++) yk_table_head(table, heads[k], units[k]);
+    if (is_evened) yk_table_head(table, "interpolating", u->angle);
     for (size_t k = 0; k < count; k++) {
         YkCandidate c = yk_synthesis_candidate(synthesis, k);
         double noise = is_angle ? 1e-9 : 1e-9 * c.size;
@@ -80,6 +84,9 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
                 yk_table_word(table, "-");
         }
         add_number_word(table, c.circuits);
+        double before = yk_synthesis_interpolating(synthesis, k);
+        if (is_evened && isnan(before)) yk_table_word(table, "-");
+        if (is_evened && !isnan(before)) yk_table_number(table, before / u->angle_size, DIGITS);
     }
     end_table(out, table);
 }

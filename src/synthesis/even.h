@@ -1,0 +1,16 @@
+// Evens out the structural error of a function generator.
+#ifndef SYNTHESIS_EVEN_H
+#define SYNTHESIS_EVEN_H
+#include "synthesis/task.h"
+
+// A four-bar on a ground of 1: its links, and the angles of input and output where the range begins.
+typedef struct YkGenerator {
+    double input, coupler, output, phi, psi;
+} YkGenerator;
+
+// Evens out the errors of a four-bar that meets five points of the function: its six largest become alike, with
+// alternating signs, and the least largest error is found nearby. Gives the five pairs that it then meets, and the largest
+// error before, rad. Returns false, and changes nothing, where the errors do not alternate or the four-bar does not close.
+bool yk_even_out(const YkTask *task, YkGenerator *bar, double pair[YK_PAIRS_MAX][2], double *before);
+
+#endif
