@@ -22,7 +22,8 @@ static bool refuse_silent(YkProblems *problems, int rank, const char *what, YkSp
     size_t length = strlen(hello->said);
     while (length > 0 && hello->said[length - 1] == '\n') length--;
     hello->said[length] = '\0';
-    yk_problem(problems, YK_CODE_RANKS_FAILED, (YkPlace){0}, "rank %d on %s could not read the %s", rank, hello->place, what);
+    yk_problem(problems, YK_CODE_RANKS_FAILED, (YkPlace){0}, "rank %d on %s could not read the %s", rank, hello->place,
+               what);
     yk_problem_hint(problems, "it said: %s", hello->said);
     return false;
 }
@@ -34,8 +35,8 @@ bool yk_spread_hear_hello(YkSession *session, int rank, uint64_t signature, cons
     memset(&hello, 0, sizeof hello);
     yk_ranks()->receive(rank, YK_SPREAD_HELLO, &hello, sizeof hello);
     if (strcmp(hello.version, yk_version()) != 0) {
-        yk_problem(problems, YK_CODE_RANKS_DIFFER, (YkPlace){0}, "rank %d on %s is yoke %s, and rank 0 is yoke %s", rank,
-                   hello.place, hello.version, yk_version());
+        yk_problem(problems, YK_CODE_RANKS_DIFFER, (YkPlace){0}, "rank %d on %s is yoke %s, and rank 0 is yoke %s",
+                   rank, hello.place, hello.version, yk_version());
         return false;
     }
     if (!hello.is_read) return refuse_silent(problems, rank, what, &hello);

@@ -2,9 +2,11 @@
 #include "synthesis/answer.h"
 #include <string.h>
 
-static const char path_task[] = "synthesis: path\nbest: 3\nunits: {length: mm}\nbounds: {lengths: [5, 200]}\nmechanisms: [four-bar, slider-crank]\npoints:\n"
+static const char path_task[] = "synthesis: path\nbest: 3\nunits: {length: mm}\nbounds: {lengths: [5, "
+                                "200]}\nmechanisms: [four-bar, slider-crank]\npoints:\n"
                                 "- [0, 0]\n- [10, 6]\n- [22, 9]\n- [35, 8]\n- [47, 3]\n";
-static const char motion_task[] = "synthesis: motion\npositions:\n- {at: [0, 0], angle: 0}\n- {at: [1, 0.2], angle: 0.3}\n";
+static const char motion_task[] =
+    "synthesis: motion\npositions:\n- {at: [0, 0], angle: 0}\n- {at: [1, 0.2], angle: 0.3}\n";
 
 static YkTask *task_of(const char *text)
 {

@@ -67,7 +67,8 @@ static bool hear_hello(Spread *s, int rank)
 {
     s->peers[rank].is_ready = true;
     s->peers[rank].wants = YK_SPREAD_AHEAD;
-    return yk_spread_hear_hello(s->a->session, rank, yk_study_signature(s->a), "study", "model file, file of tolerances");
+    return yk_spread_hear_hello(s->a->session, rank, yk_study_signature(s->a), "study",
+                                "model file, file of tolerances");
 }
 
 // --- rows
