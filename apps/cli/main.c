@@ -7,12 +7,17 @@
 #include "session.h"
 #include "stop.h"
 
-// Several ranks would all do the same: only a study shares its work among them, and rank 0 alone tells the rest.
+// Several ranks would all do the same: only some verbs share their work among them, and rank 0 alone tells the rest.
+static bool shares_work(const YkRequest *request)
+{
+    return request->verb->run == yk_run_study || request->verb->run == yk_run_synthesize;
+}
+
 static bool refuse_ranks(YkSession *session)
 {
     yk_session_refuse(session, YK_CODE_RANKS_VERB, "mpirun started `yoke %s` on several ranks, which it cannot use",
                       session->request->verb->name);
-    yk_problem_hint(session->problems, "start it without mpirun: `yoke study` alone shares its work among ranks");
+    yk_problem_hint(session->problems, "start it without mpirun: `yoke study` and `yoke synthesize` share their work among ranks");
     return false;
 }
 
@@ -28,7 +33,7 @@ static int run(YkSession *session)
     const YkRequest *request = session->request;
     bool has_ranks = yk_ranks_count() > 1, is_asked = request->verb && !request->version && !request->help;
     if (yk_problems_error_count(session->problems) > 0) return YK_EXIT_WRONG;
-    if (has_ranks && is_asked && request->verb->run != yk_run_study && !refuse_ranks(session)) return YK_EXIT_WRONG;
+    if (has_ranks && is_asked && !shares_work(request) && !refuse_ranks(session)) return YK_EXIT_WRONG;
     if (!is_asked && yk_ranks_rank() > 0) return YK_EXIT_DONE;
     if (request->version) {
         tell_version(session);

@@ -30,11 +30,20 @@ YK_API const char *yk_task_unit(const YkTask *task, YkQuantity quantity, double 
 // the task has no machine, past the last parameter, and for plain numbers (of size 1).
 YK_API const char *yk_task_parameter_unit(const YkTask *task, size_t index, double *size);
 
+// Where a search gets its pieces (yk_pieces_new) if it does not compute them itself. `get` fills numbers[yk_pieces_width] of
+// a piece and returns YK_OK; or YK_STOPPED or YK_NO_MEMORY, which end the search. It is asked in ascending order, and not for
+// all pieces.
+typedef struct YkPieceSource {
+    YkStatus (*get)(void *context, size_t piece, double *numbers);
+    void *context;
+} YkPieceSource;
+
 typedef struct YkSynthesisOptions {
     uint64_t seed; // of samples, where a task leaves a choice; default 1
     size_t best;   // how many candidates are kept; 0: as the task says, or 10
     // Watches the search; {NULL}: not watched. Where it ends the search, the candidates found so far are the answer.
     YkProgress progress;
+    YkPieceSource pieces; // {NULL}: the search computes them itself
 } YkSynthesisOptions;
 YK_API YkSynthesisOptions yk_default_synthesis_options(void);
 
@@ -49,6 +58,24 @@ YK_API bool yk_synthesis_was_stopped(const YkSynthesis *synthesis);
 YK_API bool yk_synthesis_is_complete(const YkSynthesis *synthesis);
 // The number of solutions of the equations, where they are finite: false otherwise.
 YK_API bool yk_synthesis_solutions(const YkSynthesis *synthesis, size_t *complex_count, size_t *real_count);
+
+// The pieces of a search, for whoever distributes it over threads, processes or machines. A piece is a start of the search,
+// improved to its end, as numbers. It depends on the task, the seed and its own number alone, so it does not matter who
+// computes it, or when. Paths and machines are sought in pieces.
+typedef struct YkPieces YkPieces;
+// Prepares to compute pieces of a task, which must outlive them. `progress` and `seed` of the options count. Returns NULL
+// with problems added when out of memory or when the task's machine cannot be assembled.
+YK_API YkPieces *yk_pieces_new(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
+YK_API void yk_pieces_free(YkPieces *pieces);
+// Returns how many numbers a piece has; 0 where the task is not sought in pieces.
+YK_API size_t yk_pieces_width(const YkPieces *pieces);
+// Returns how many pieces there are at most.
+YK_API size_t yk_pieces_count(const YkPieces *pieces);
+// Returns a number that tells these pieces from those of another task, seed or version.
+YK_API uint64_t yk_pieces_signature(const YkPieces *pieces);
+// Computes a piece: numbers[yk_pieces_width]. Returns YK_OK, YK_STOPPED or YK_BAD_ARGUMENT. Cost: some milliseconds;
+// cheapest in ascending order.
+YK_API YkStatus yk_pieces_compute(YkPieces *pieces, size_t piece, double *numbers);
 
 // A dyad: a link between the ground and the moving body. World and body coordinates, m.
 typedef enum YkDyadKind {

@@ -44,7 +44,7 @@ class Simulations(Guarded):
     """
 
     __slots__ = ("machine", "count", "of", "efforts", "values", "status", "_core", "_options", "_at", "_rate", "_held",
-                 "_array", "_many", "_channels", "_coordinates", "_threads", "_pool")
+                 "_array", "_many", "_channels", "_coordinates", "_threads", "_pool", "_process")
 
     def __init__(self, machine: "Machine", count: int, *, of: Any, effort: Sequence[str], at: Mapping[str, Any],
                  rate: Mapping[str, Any], method: str, tolerance: Optional[float], step: Optional[Value],
@@ -60,6 +60,7 @@ class Simulations(Guarded):
         most = os.cpu_count() or 1 if threads is None else _sweep.count(threads, "threads", 1024)
         self._threads = min(most, self.count)
         self._pool: Any = None
+        self._process = 0  # whose threads the pool has
         self._held: list[Any] = [None] * self.count
         self._array = ffi.new("YkSimulation *[]", self.count)
         self.values, self.status = np.zeros((self.count, len(self.of))), np.zeros(self.count, np.int8)
@@ -86,7 +87,7 @@ class Simulations(Guarded):
         with self._lock:
             self._gone, self._held = "was closed", []
             self._array = ffi.new("YkSimulation *[]", 1)
-            if self._pool is not None:
+            if self._pool is not None and self._process == os.getpid():
                 self._pool.shutdown()
 
     def __len__(self) -> int:
@@ -176,10 +177,8 @@ class Simulations(Guarded):
             array = None
             if efforts is not None:
                 shape = (self.count, len(self.efforts))
-                given = np.asarray(efforts)
-                if given.ndim == 1 and shape[1] == 1:
-                    given = given[:, None]
-                array = doubles(given, "efforts", shape)
+                is_column = shape[1] == 1 and dimensions(efforts, "efforts") == 1
+                array = doubles(np.asarray(efforts)[:, None] if is_column else efforts, "efforts", shape)
             self._run(seconds, array)
             return self.values
 
@@ -191,10 +190,10 @@ class Simulations(Guarded):
         if self._threads == 1 or span == 0.0:
             lib.yk_host_step_many(self._many, 0, self.count)
         else:
-            if self._pool is None:
+            if self._pool is None or self._process != os.getpid():  # a fork leaves the threads behind
                 from concurrent.futures import ThreadPoolExecutor
 
-                self._pool = ThreadPoolExecutor(self._threads - 1, "yoke")
+                self._pool, self._process = ThreadPoolExecutor(self._threads - 1, "yoke"), os.getpid()
             parts = zip(bounds[1:], bounds[2:])
             waiting = [self._pool.submit(lib.yk_host_step_many, self._many, a, b) for a, b in parts]
             lib.yk_host_step_many(self._many, 0, bounds[1])

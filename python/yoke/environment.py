@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
 
 import numpy as np
 
+from ._arrays import dimensions
 from ._problems import RequestError, refusal
 from ._values import TIME, Value, si
 
@@ -84,14 +85,20 @@ class Environment:
         if restarted.size:
             self._restart(restarted)
         failed = self.simulations.status < 0
-        ended = failed | (np.zeros(self.count, bool) if self._ended is None else np.asarray(self._ended(values), bool))
-        if ended.shape != (self.count,):
-            raise refusal(RequestError, "E0806", f"ended returns an array of shape {(self.count,)}, not {ended.shape}")
-        reward = np.ones(self.count) if self._reward is None else np.array(self._reward(values, actions), float)
+        ended = failed if self._ended is None else failed | self._answer("ended", self._ended(values), bool)
+        reward = np.ones(self.count)
+        if self._reward is not None:
+            reward = self._answer("reward", self._reward(values, actions), float)
         reward[restarted] = 0.0
         cut = (self.steps >= self.most) & ~ended
         self._over = ended | cut
         return values.copy(), reward, ended, cut, {"status": self.simulations.status.copy()}
+
+    def _answer(self, name: str, value: Any, kind: type) -> "NDArray[Any]":
+        """Copies what a function of the caller returned, one value for each copy."""
+        if dimensions(value, name) != 1 or len(value) != self.count:
+            raise refusal(RequestError, "E0806", f"`{name}` returns an array of shape {(self.count,)}, not {np.shape(value)}")
+        return np.array(value, kind)
 
     def close(self) -> None:
         """Frees the simulations."""

@@ -1,23 +1,20 @@
 // Parameters of a machine that is there, varied so that it meets goals; each answer is judged on its file.
 #include <math.h>
 #include <string.h>
-#include "base/mix.h"
 #include "base/number.h"
 #include "synthesis/machine_fit.h"
 #include "synthesis/synthesis.h"
 #include <yoke/builder.h>
 #include <yoke/move.h>
 
-enum { BATCHES = 200, STARTS = 20, STEPS = 100, KEPT = 40 };
-
-static const double weight_at_first = 100, weight_at_last = 1e8, harder = 100; // of claims
+enum { KEPT = 40 };
 
 typedef struct Search {
     YkSynthesis *s;
     YkMachineFit fit;
     YkMachineTry pool[KEPT]; // that passed, best first
     size_t pooled, most;
-    uint64_t seed;
+    double *numbers; // of a piece
 } Search;
 
 // Reads a model. Returns YK_OK, YK_BAD_MODEL or YK_NO_MEMORY.
@@ -209,49 +206,29 @@ static void take(Search *search, YkMachineTry *try)
     yk_text_free(&text);
 }
 
-// Draws parameters; the first try has those of the file.
-static void draw(Search *search, bool is_first, YkMachineTry *try)
+// Finds the best try of a batch, here or wherever its piece comes from. Returns whether there is any.
+static bool find_batch(Search *search, size_t batch, YkMachineTry *best)
 {
-    const YkMachineTask *machine = &search->fit.task->machine;
-    for (size_t j = 0; j < machine->free_count; j++) {
-        const YkBound *range = &machine->range[j];
-        double own = yk_model_parameter(machine->model, machine->name[j]);
-        try->value[j] = is_first ? fmin(fmax(own, range->low), range->high)
-                                 : range->low + (range->high - range->low) * yk_mix_unit(&search->seed);
-    }
-}
-
-static void run_batch(Search *search, size_t batch)
-{
-    YkMachineTry best = {.cost = INFINITY}, try;
-    search->fit.weight = weight_at_first;
-    for (size_t k = 0; k < (batch == 0 ? 1 : STARTS); k++) {
-        draw(search, batch == 0, &try);
-        if (yk_machine_measure(&search->fit, search->fit.miss, &try) && try.cost < best.cost) best = try;
-    }
-    if (!isfinite(best.cost)) return;
-    for (search->fit.weight = weight_at_first; search->fit.weight <= weight_at_last; search->fit.weight *= harder) {
-        yk_machine_improve(&search->fit, &best, STEPS); // claims that hold it back are kept more and more strictly
-        if (best.lack <= 0) break;
-    }
-    take(search, &best);
+    double *numbers = search->numbers;
+    if (!search->s->options.pieces.get) return yk_machine_batch(&search->fit, search->s->options.seed, batch, best);
+    return yk_synthesis_fetch(search->s, batch, numbers) && yk_machine_unpack(search->fit.task, numbers, best);
 }
 
 bool yk_synthesise_machine(YkSynthesis *s, YkProblems *problems)
 {
-    const YkMachineTask *machine = &s->task->machine;
     Search *search = YK_NEW(s->arena, Search, 1);
-    if (!search) return true;
-    *search = (Search){.s = s, .seed = s->options.seed};
+    double *numbers = YK_NEW(s->arena, double, yk_machine_width(s->task));
+    if (!search || !numbers) return true;
+    *search = (Search){.s = s, .numbers = numbers};
     size_t best = s->options.best > 0 ? s->options.best : s->task->best;
     search->most = best < KEPT ? best : KEPT;
     bool good = yk_machine_fit_new(s->task, s->arena, &search->fit, problems);
-    size_t work = (machine->steps + 1) * STARTS / 5; // some 0.2 us a pose
     search->fit.pace = &s->pace;
-    for (size_t k = 0; good && k < BATCHES; k++) {
-        yk_pace_reach(&s->pace, (double)k / BATCHES);
-        if (!yk_synthesis_goes_on(s, work)) break;
-        run_batch(search, k);
+    for (size_t k = 0; good && k < YK_MACHINE_BATCHES; k++) {
+        YkMachineTry try;
+        yk_pace_reach(&s->pace, (double)k / YK_MACHINE_BATCHES);
+        if (!yk_synthesis_goes_on(s, yk_machine_batch_work(s->task))) break;
+        if (find_batch(search, k, &try)) take(search, &try);
     }
     yk_machine_fit_free(&search->fit);
     return good;

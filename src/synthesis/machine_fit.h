@@ -79,4 +79,14 @@ bool yk_machine_differentiate(YkMachineFit *fit, const YkMachineTry *try);
 // Improves a try by at most `steps` steps of Levenberg and Marquardt within the ranges.
 bool yk_machine_improve(YkMachineFit *fit, YkMachineTry *try, size_t steps);
 
+// machine_batch.c: draws parameters and improves the best of them, for this seed and the number of the batch; the first
+// batch takes the parameters of the file. Returns false if no machine moves.
+enum { YK_MACHINE_BATCHES = 200 };
+bool yk_machine_batch(YkMachineFit *fit, uint64_t seed, size_t batch, YkMachineTry *best);
+size_t yk_machine_batch_work(const YkTask *task); // microseconds
+// Write what a batch found as numbers, and read it: numbers[yk_machine_width].
+size_t yk_machine_width(const YkTask *task);
+void yk_machine_pack(const YkTask *task, const YkMachineTry *try, bool is_found, double *numbers);
+bool yk_machine_unpack(const YkTask *task, const double *numbers, YkMachineTry *try);
+
 #endif

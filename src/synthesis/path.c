@@ -4,9 +4,9 @@
 #include <string.h>
 #include "synthesis/path_search.h"
 
-// The search ends after so many batches, or when enough bars pass the points to rounding: where there are more points than
+// The search ends early when enough bars pass the points to rounding: where there are more points than
 // a bar can be made to pass, few do, and all of them soon.
-enum { BATCHES = 600, LAST_STEPS = 1500, EXACT = 60, EXACT_OF_MANY = 2, MORE_BATCHES = 40, HARD_WEIGHT = 100000 };
+enum { EXACT = 60, EXACT_OF_MANY = 2, MORE_BATCHES = 40 };
 
 // --- what a bar does on the way
 
@@ -22,7 +22,7 @@ static bool is_in_order(const YkPathProblem *p, const double *angle)
 // Finds what can be told without the engine.
 static YkDefect first_look(const YkPathSearch *search, const YkPathTry *try, YkDesign *design)
 {
-    const YkPathProblem *p = &search->problem;
+    const YkPathProblem *p = &search->batches.problem;
     const YkTask *task = p->task;
     YkDefect defect = YK_DEFECT_NONE;
     if (!yk_bar_design(&try->bar, try->angle[0], design)) return YK_DEFECT_ASSEMBLY;
@@ -43,7 +43,7 @@ static YkDefect first_look(const YkPathSearch *search, const YkPathTry *try, YkD
 // Gives a machine that is kept its angles.
 static void keep(const YkPathSearch *search, const YkPathTry *try, YkFound *found)
 {
-    size_t n = search->problem.count;
+    size_t n = search->batches.problem.count;
     double *angle = found ? YK_NEW(search->s->arena, double, n) : NULL;
     if (!angle) return;
     memcpy(angle, try->angle, n * sizeof *angle);
@@ -54,7 +54,7 @@ static void keep(const YkPathSearch *search, const YkPathTry *try, YkFound *foun
 static bool judge(YkPathSearch *search, const YkPathTry *try)
 {
     YkSynthesis *s = search->s;
-    const YkPathProblem *p = &search->problem;
+    const YkPathProblem *p = &search->batches.problem;
     YkDesign design;
     YkVerdict verdict = {.defect = YK_DEFECT_NONE};
     YkText text = {0};
@@ -82,7 +82,7 @@ static bool is_known(const YkPathSearch *search, const YkPathTry *try)
 {
     for (size_t k = 0; k < search->pooled; k++) {
         const YkPathTry *other = &search->pool[k];
-        double apart = 0, size = search->problem.size;
+        double apart = 0, size = search->batches.problem.size;
         for (size_t j = 0; j < YK_BAR_SIZE; j++)
             apart = fmax(apart, j == YK_BAR_TURN ? 0 : fabs(other->bar.v[j] - try->bar.v[j]));
         if (other->bar.branch == try->bar.branch && apart < 1e-4 * (size + try->bar.v[YK_BAR_COUPLER])) return true;
@@ -99,19 +99,11 @@ static void reduce(const YkPathProblem *p, YkPathTry *try)
         try->bar.v[YK_BAR_TURN] = yk_remainder(try->bar.v[YK_BAR_TURN], 2 * YK_PI);
 }
 
-// Improves a try to the end, and judges it where it is among the best.
+// Judges a try that was improved to the end, where it is among the best.
 static void finish(YkPathSearch *search, YkPathTry *try)
 {
-    const YkPathProblem *p = &search->problem;
+    const YkPathProblem *p = &search->batches.problem;
     YkDesign design;
-    const double weight = search->work.weight;
-    bool closes = yk_path_improve(p, &search->work, try, LAST_STEPS);
-    if (closes && try->cost > try->error) { // limits that hold the bar back are then kept within their margin
-        search->work.weight = HARD_WEIGHT;
-        yk_path_improve(p, &search->work, try, LAST_STEPS);
-        search->work.weight = weight;
-    }
-    if (!closes) return;
     reduce(p, try);
     YkDefect defect = first_look(search, try, &design);
     if (defect != YK_DEFECT_NONE) {
@@ -126,20 +118,12 @@ static void finish(YkPathSearch *search, YkPathTry *try)
     yk_path_insert(p, search->pool, &search->pooled, search->most, try);
 }
 
-// Returns the work of a batch, microseconds.
-static size_t batch_work(const YkPathProblem *p)
-{
-    return 500 + 20 * p->count;
-}
-
 static bool make_room(YkPathSearch *search)
 {
     YkArena *arena = search->s->arena;
-    size_t n = search->problem.count;
-    bool good = yk_path_thin(search) && yk_path_work(arena, n, &search->work);
-    good &= (search->path = YK_NEW(arena, YkVec, n)) != NULL;
-    good &= (search->whole.angle = YK_NEW(arena, double, n)) != NULL;
-    for (size_t k = 0; k <= YK_PATH_HOPEFUL; k++) good &= (search->try[k].angle = YK_NEW(arena, double, n)) != NULL;
+    size_t n = search->batches.problem.count;
+    bool good = (search->path = YK_NEW(arena, YkVec, n)) != NULL;
+    good &= (search->numbers = YK_NEW(arena, double, yk_path_width(search->s->task))) != NULL;
     for (size_t k = 0; k < search->most; k++) good &= (search->pool[k].angle = YK_NEW(arena, double, n)) != NULL;
     return good;
 }
@@ -147,7 +131,7 @@ static bool make_room(YkPathSearch *search)
 // Returns whether so many bars pass the points to rounding that no other can be better.
 static bool has_enough(const YkPathSearch *search, size_t batches, size_t *first)
 {
-    const YkPathProblem *p = &search->problem;
+    const YkPathProblem *p = &search->batches.problem;
     size_t conditions = p->is_timed ? 2 * p->count : p->count;
     if (conditions <= YK_PATH_UNKNOWNS) return search->exact >= EXACT || search->exact >= search->most;
     if (search->exact == 0) *first = batches;
@@ -155,21 +139,28 @@ static bool has_enough(const YkPathSearch *search, size_t batches, size_t *first
            (search->exact >= EXACT_OF_MANY || 4 * search->exact >= search->most || batches > 2 * *first + MORE_BATCHES);
 }
 
+// Finds what a batch leaves in `whole`, here or wherever its piece comes from. Returns whether there is anything.
+static bool find_batch(YkPathSearch *search, size_t batch)
+{
+    if (!search->s->options.pieces.get) return yk_path_batch(&search->batches, batch);
+    return yk_synthesis_fetch(search->s, search->first_piece + batch, search->numbers) &&
+           yk_path_unpack(&search->batches, search->numbers);
+}
+
 static void search_kind(YkSynthesis *s, YkDesignKind kind, double from, double to)
 {
     YkPathSearch *search = YK_NEW(s->arena, YkPathSearch, 1);
     if (!search) return;
     search->s = s;
-    search->seed = s->options.seed;
     size_t best = s->options.best > 0 ? s->options.best : s->task->best;
     search->most = best < YK_PATH_POOL / 4 ? 4 * best : YK_PATH_POOL;
-    yk_path_pose(s->task, kind, &search->problem);
-    if (!make_room(search)) return;
+    search->first_piece = kind == YK_DESIGN_FOUR_BAR ? 0 : YK_PATH_BATCHES;
+    if (!yk_path_batches_new(s->arena, s->task, kind, s->options.seed, &search->batches) || !make_room(search)) return;
     yk_pace_stage(&s->pace, from, to);
-    for (size_t k = 0, first = 0; k < BATCHES && !has_enough(search, k, &first); k++) {
-        yk_pace_reach(&s->pace, (double)k / BATCHES);
-        if (!yk_synthesis_goes_on(s, batch_work(&search->problem))) break;
-        if (yk_path_batch(search, k)) finish(search, &search->whole);
+    for (size_t k = 0, first = 0; k < YK_PATH_BATCHES && !has_enough(search, k, &first); k++) {
+        yk_pace_reach(&s->pace, (double)k / YK_PATH_BATCHES);
+        if (!yk_synthesis_goes_on(s, yk_path_batch_work(&search->batches))) break;
+        if (find_batch(search, k)) finish(search, &search->batches.whole);
     }
 }
 

@@ -1,9 +1,10 @@
-// A batch of a path's search: starts are drawn, and the best of them improved, with a part of the points where there are many.
+// A batch of a path's search: starts are drawn, and the best of them improved, with a part of the points where there are many;
+// then the best of these to the end, with all points.
 #include <math.h>
 #include <string.h>
 #include "synthesis/path_search.h"
 
-enum { STARTS = 60, FIRST_STEPS = 12, TIED_STEPS = 120 };
+enum { STARTS = 60, FIRST_STEPS = 12, TIED_STEPS = 120, LAST_STEPS = 1500, HARD_WEIGHT = 100000 };
 
 static void copy_try(const YkPathProblem *p, YkPathTry *to, const YkPathTry *from)
 {
@@ -25,17 +26,17 @@ void yk_path_insert(const YkPathProblem *p, YkPathTry *list, size_t *count, size
 }
 
 // Fills in the angles of all points from those of a part: as given, or evenly between neighbours.
-static void fill_angles(const YkPathSearch *search, const YkPathTry *part, YkPathTry *whole)
+static void fill_angles(const YkPathBatches *batches, const YkPathTry *part, YkPathTry *whole)
 {
-    const YkPathProblem *p = &search->problem, *c = &search->coarse;
+    const YkPathProblem *p = &batches->problem, *c = &batches->coarse;
     double last = part->angle[c->count - 1], turn = last < part->angle[0] ? -2 * YK_PI : 2 * YK_PI;
     double *angle = whole->angle;
     *whole = *part;
     whole->angle = angle;
     for (size_t k = 0; k < p->count; k++) {
-        size_t i = k / search->stride, off = k % search->stride;
+        size_t i = k / batches->stride, off = k % batches->stride;
         double from = part->angle[i], to = i + 1 < c->count ? part->angle[i + 1] : part->angle[0] + turn;
-        size_t gap = i + 1 < c->count ? search->stride : p->count - i * search->stride;
+        size_t gap = i + 1 < c->count ? batches->stride : p->count - i * batches->stride;
         angle[k] = from + (to - from) * (double)off / (double)gap;
         if (p->angle) angle[k] = p->angle[k];
         if (p->shifts) angle[k] = part->angle[0] + p->step * (double)k;
@@ -77,45 +78,114 @@ static void match_ways(const YkPathProblem *p, YkPathTry *try)
 }
 
 // Improves a try that keeps pace with the points along its curve.
-static void improve_in_pace(YkPathSearch *search, const YkPathProblem *p, YkPathTry *try, size_t rounds)
+static void improve_in_pace(YkPathBatches *batches, const YkPathProblem *p, YkPathTry *try, size_t rounds)
 {
     enum { STEPS = 4 };
     for (size_t k = 0; k < rounds; k++) {
         match_ways(p, try);
-        yk_path_improve(p, &search->work, try, STEPS);
+        yk_path_improve(p, &batches->work, try, STEPS);
     }
 }
 
 // How a batch treats free angles: each its own, at even steps, or in pace with the points along the curve.
 typedef enum Tie { TIE_NONE, TIE_STEPS, TIE_PACE } Tie;
 
-static void improve_tied(YkPathSearch *search, const YkPathProblem *p, Tie tie, YkPathTry *try, size_t steps)
+static void improve_tied(YkPathBatches *batches, const YkPathProblem *p, Tie tie, YkPathTry *try, size_t steps)
 {
     if (tie == TIE_PACE)
-        improve_in_pace(search, p, try, steps / 4);
+        improve_in_pace(batches, p, try, steps / 4);
     else
-        yk_path_improve(p, &search->work, try, steps);
+        yk_path_improve(p, &batches->work, try, steps);
 }
 
-bool yk_path_batch(YkPathSearch *search, size_t batch)
+// Brings the random numbers to where a batch begins.
+static void go_to(YkPathBatches *batches, size_t batch)
+{
+    if (batch < batches->next) {
+        batches->next = 0;
+        batches->seed = batches->first_seed;
+    }
+    for (; batches->next < batch; batches->next++)
+        for (size_t k = 0; k < STARTS; k++)
+            yk_path_skip(&batches->coarse, &batches->seed, &batches->try[YK_PATH_HOPEFUL]);
+    batches->next++; // the batch itself draws the rest
+}
+
+static bool improve_to_the_end(YkPathBatches *batches)
+{
+    const YkPathProblem *p = &batches->problem;
+    YkPathTry *try = &batches->whole;
+    const double weight = batches->work.weight;
+    bool closes = yk_path_improve(p, &batches->work, try, LAST_STEPS);
+    if (closes && try->cost > try->error) { // limits that hold the bar back are then kept within their margin
+        batches->work.weight = HARD_WEIGHT;
+        yk_path_improve(p, &batches->work, try, LAST_STEPS);
+        batches->work.weight = weight;
+    }
+    return closes;
+}
+
+size_t yk_path_batch_work(const YkPathBatches *batches)
+{
+    return 500 + 20 * batches->problem.count;
+}
+
+bool yk_path_batch(YkPathBatches *batches, size_t batch)
 {
     static const Tie ties[] = {TIE_STEPS, TIE_PACE, TIE_STEPS, TIE_NONE};
-    const YkPathProblem *c = &search->coarse;
-    YkPathTry *fresh = &search->try[YK_PATH_HOPEFUL];
+    const YkPathProblem *c = &batches->coarse;
+    YkPathTry *fresh = &batches->try[YK_PATH_HOPEFUL];
     size_t count = 0, best = 0;
     bool may_tie = !c->is_timed && c->task->path.is_closed && c->count > YK_PATH_UNKNOWNS;
     Tie tie = may_tie ? ties[batch % 4] : TIE_NONE;
     double step = batch % 4 == 0 ? 2 * YK_PI : -2 * YK_PI;
     YkPathProblem tied = tie_angles(*c, step / (double)c->count);
+    go_to(batches, batch);
     for (size_t k = 0; k < STARTS; k++)
-        if (yk_path_draw(tie == TIE_STEPS ? &tied : c, &search->work, &search->seed, fresh))
-            yk_path_insert(c, search->try, &count, YK_PATH_HOPEFUL, fresh);
+        if (yk_path_draw(tie == TIE_STEPS ? &tied : c, &batches->work, &batches->seed, fresh))
+            yk_path_insert(c, batches->try, &count, YK_PATH_HOPEFUL, fresh);
     for (size_t k = 0; k < count; k++) {
-        improve_tied(search, tie == TIE_NONE ? c : &tied, tie, &search->try[k], FIRST_STEPS);
-        if (search->try[k].cost < search->try[best].cost) best = k;
+        improve_tied(batches, tie == TIE_NONE ? c : &tied, tie, &batches->try[k], FIRST_STEPS);
+        if (batches->try[k].cost < batches->try[best].cost) best = k;
     }
     if (count == 0) return false;
-    if (tie != TIE_NONE) improve_tied(search, &tied, tie, &search->try[best], TIED_STEPS);
-    fill_angles(search, &search->try[best], &search->whole);
+    if (tie != TIE_NONE) improve_tied(batches, &tied, tie, &batches->try[best], TIED_STEPS);
+    fill_angles(batches, &batches->try[best], &batches->whole);
+    return improve_to_the_end(batches);
+}
+
+// --- as numbers
+
+size_t yk_path_width(const YkTask *task)
+{
+    return YK_BAR_SIZE + 4 + task->path.count;
+}
+
+void yk_path_pack(const YkPathBatches *batches, bool closes, double *numbers)
+{
+    const YkPathTry *try = &batches->whole;
+    double *at = numbers;
+    memset(numbers, 0, yk_path_width(batches->problem.task) * sizeof *numbers);
+    if (!closes) return;
+    *at++ = 1;
+    *at++ = try->bar.branch;
+    *at++ = try->error;
+    *at++ = try->cost;
+    memcpy(at, try->bar.v, sizeof try->bar.v);
+    memcpy(at + YK_BAR_SIZE, try->angle, batches->problem.count * sizeof *at);
+}
+
+bool yk_path_unpack(YkPathBatches *batches, const double *numbers)
+{
+    const YkPathProblem *p = &batches->problem;
+    YkPathTry *try = &batches->whole;
+    const double *at = numbers;
+    if (*at++ != 1) return false;
+    try->bar = (YkBar){.kind = p->kind, .hangs_at_end = p->hangs_at_end};
+    try->bar.branch = *at++ < 0 ? -1 : 1;
+    try->error = *at++;
+    try->cost = *at++;
+    memcpy(try->bar.v, at, sizeof try->bar.v);
+    memcpy(try->angle, at + YK_BAR_SIZE, p->count * sizeof *at);
     return true;
 }

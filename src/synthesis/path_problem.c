@@ -29,7 +29,7 @@ static void fix_given(YkPathProblem *p, const YkPathTask *path)
     fix_value(p, YK_BAR_TURN, yk_atan2(ground.y, ground.x));
 }
 
-void yk_path_pose(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
+static void pose(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
 {
     static const double least = 1e-3, most = 1e3; // over the size of the points
     const YkPathTask *path = &task->path;
@@ -65,22 +65,32 @@ void yk_path_pose(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
 }
 
 // Takes every so many points, so that some 16 remain. An open path keeps its last point only if it is one of them.
-bool yk_path_thin(YkPathSearch *search)
+static bool thin(YkArena *arena, YkPathBatches *batches)
 {
     enum { COARSE = 16 };
-    const YkPathProblem *p = &search->problem;
-    YkArena *arena = search->s->arena;
+    const YkPathProblem *p = &batches->problem;
     size_t stride = p->count >= 2 * COARSE ? p->count / COARSE : 1, count = (p->count + stride - 1) / stride;
     YkVec *point = YK_NEW(arena, YkVec, count);
     double *angle = p->angle ? YK_NEW(arena, double, count) : NULL;
-    search->coarse = *p;
-    search->stride = stride;
+    batches->coarse = *p;
+    batches->stride = stride;
     if (!point || (p->angle && !angle)) return false;
     for (size_t k = 0; k < count; k++) point[k] = p->point[k * stride];
     for (size_t k = 0; k < count && angle; k++) angle[k] = p->angle[k * stride];
-    search->coarse.point = point;
-    search->coarse.angle = angle;
-    search->coarse.count = count;
-    search->coarse.step = p->step * (double)stride;
+    batches->coarse.point = point;
+    batches->coarse.angle = angle;
+    batches->coarse.count = count;
+    batches->coarse.step = p->step * (double)stride;
     return true;
+}
+
+bool yk_path_batches_new(YkArena *arena, const YkTask *task, YkDesignKind kind, uint64_t seed, YkPathBatches *batches)
+{
+    *batches = (YkPathBatches){.first_seed = seed, .seed = seed};
+    pose(task, kind, &batches->problem);
+    size_t n = batches->problem.count;
+    bool good = thin(arena, batches) && yk_path_work(arena, n, &batches->work);
+    good &= (batches->whole.angle = YK_NEW(arena, double, n)) != NULL;
+    for (size_t k = 0; k <= YK_PATH_HOPEFUL; k++) good &= (batches->try[k].angle = YK_NEW(arena, double, n)) != NULL;
+    return good;
 }

@@ -4,28 +4,42 @@
 #include "synthesis/path_start.h"
 #include "synthesis/synthesis.h"
 
-enum { YK_PATH_HOPEFUL = 6, YK_PATH_POOL = 400 };
+// The search for a kind of bar ends after so many batches, or earlier.
+enum { YK_PATH_HOPEFUL = 6, YK_PATH_POOL = 400, YK_PATH_BATCHES = 600 };
 
-typedef struct YkPathSearch {
-    YkSynthesis *s;
+// What computes batches of starts, each of them by its number alone.
+typedef struct YkPathBatches {
     YkPathProblem problem, coarse; // all points, and every `stride`th
     YkPathWork work;
     YkPathTry try[YK_PATH_HOPEFUL + 1], whole; // of a part of the points, the last one is drawn into; of all
     size_t stride;
+    uint64_t first_seed, seed;
+    size_t next; // the batch to which `seed` belongs
+} YkPathBatches;
+
+typedef struct YkPathSearch {
+    YkSynthesis *s;
+    YkPathBatches batches;
+    size_t first_piece;
+    double *numbers;              // of a piece
     YkPathTry pool[YK_PATH_POOL]; // that passed, best first
     size_t pooled, most, exact;   // `most`: as many are kept
     YkVec *path;                  // [count]
-    uint64_t seed;
 } YkPathSearch;
 
-// path_problem.c: states the problem of a task for one kind of bar; takes every so many points, so that some 16 remain.
-void yk_path_pose(const YkTask *task, YkDesignKind kind, YkPathProblem *problem);
-bool yk_path_thin(YkPathSearch *search);
+// path_problem.c: states the problem of a task for one kind of bar, and takes every so many points, so that some 16 remain.
+bool yk_path_batches_new(YkArena *arena, const YkTask *task, YkDesignKind kind, uint64_t seed, YkPathBatches *batches);
 
-// path_batch.c: draws starts, improves the best of them, and leaves the best of these in `whole`. Returns false if none
-// closes.
-bool yk_path_batch(YkPathSearch *search, size_t batch);
+// path_batch.c: draws starts, improves the best of them, and then the best of these to the end, in `whole`. Returns false
+// if it does not close.
+bool yk_path_batch(YkPathBatches *batches, size_t batch);
+// Counts its work, microseconds.
+size_t yk_path_batch_work(const YkPathBatches *batches);
 // Puts a try among the first `*count` of a list, best first, at most `most`.
 void yk_path_insert(const YkPathProblem *problem, YkPathTry *list, size_t *count, size_t most, const YkPathTry *try);
+// Write what a batch found as numbers, and read it: numbers[yk_path_width].
+size_t yk_path_width(const YkTask *task);
+void yk_path_pack(const YkPathBatches *batches, bool closes, double *numbers);
+bool yk_path_unpack(YkPathBatches *batches, const double *numbers);
 
 #endif

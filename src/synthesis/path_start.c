@@ -82,12 +82,12 @@ static void add_rows(const Columns *c, size_t k, YkVec at, YkVec crank, YkVec co
 }
 
 // Finds pivot, size, direction and coupler point. The angles become absolute.
-static bool place(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try, bool has_turn)
+static bool place(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try, bool is_turned)
 {
     double *v = try->bar.v, x[6], tau[6], shift = 0;
     size_t order[6], n = problem->count;
     bool has_pivot = !(problem->task->path.pivot[0].is_given && !problem->hangs_at_end);
-    Columns c = {work->A, work->b, (size_t)(3 + 2 * has_pivot + has_turn), has_pivot, has_turn};
+    Columns c = {work->A, work->b, (size_t)(3 + 2 * has_pivot + is_turned), has_pivot, is_turned};
     YkVec pivot = has_pivot ? yk_vec(0, 0) : problem->task->path.pivot[0].at, u;
     if (2 * n < c.count) return false;
     for (size_t k = 0; k < n; k++) {
@@ -99,13 +99,13 @@ static bool place(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try
     const double *at = x;
     if (has_pivot) pivot = yk_vec(at[0], at[1]);
     if (has_pivot) at += 2;
-    YkVec S = yk_vec(at[0], has_turn ? at[1] : 0);
-    at += 1 + has_turn;
-    double size = has_turn ? yk_norm(S) : S.x;
+    YkVec S = yk_vec(at[0], is_turned ? at[1] : 0);
+    at += 1 + is_turned;
+    double size = is_turned ? yk_norm(S) : S.x;
     if (!(size > 1e-9 * problem->size)) return false;
-    if (has_turn) shift = yk_atan2(S.y, S.x);
+    if (is_turned) shift = yk_atan2(S.y, S.x);
     YkVec p = yk_mul(yk_unit(-shift), yk_vec(at[0], at[1]));
-    for (size_t k = 0; k < n && has_turn; k++) try->angle[k] += shift;
+    for (size_t k = 0; k < n && is_turned; k++) try->angle[k] += shift;
     v[YK_BAR_TURN] += shift;
     v[YK_BAR_GROUND] *= size;
     v[YK_BAR_INPUT] = size;
@@ -142,21 +142,38 @@ static bool is_near_limits(const YkPathProblem *problem, const YkBar *bar)
     return true;
 }
 
-bool yk_path_draw(const YkPathProblem *problem, YkPathWork *work, uint64_t *seed, YkPathTry *try)
+static bool has_turn(const YkPathProblem *problem)
+{
+    return !problem->angle && !problem->task->path.ground_angle.is_given;
+}
+
+// Draws all numbers of a bar. Returns whether it is drawn within its bounds; otherwise these are ratios.
+static bool draw_numbers(const YkPathProblem *problem, uint64_t *seed, YkPathTry *try)
 {
     const YkPathTask *path = &problem->task->path;
-    bool is_bounded = problem->task->lengths.is_given;
-    bool has_turn = !problem->angle && !path->ground_angle.is_given;
     try->bar = (YkBar){.kind = problem->kind, .hangs_at_end = problem->hangs_at_end};
     draw_angles(problem, seed, try->angle);
-    if (is_bounded && yk_mix_next(seed) & 1) {
+    bool is_in_box = problem->task->lengths.is_given && yk_mix_next(seed) & 1;
+    if (is_in_box) {
         draw_in_box(problem, seed, &try->bar);
-    } else {
-        draw_shape(problem, seed, &try->bar);
-        try->bar.v[YK_BAR_TURN] = path->ground_angle.is_given ? path->ground_angle.value
-                                  : has_turn                  ? 0
-                                                              : between(seed, -YK_PI, YK_PI);
-        if (!is_near_limits(problem, &try->bar) || !place(problem, work, try, has_turn)) return false;
+        return true;
+    }
+    draw_shape(problem, seed, &try->bar);
+    try->bar.v[YK_BAR_TURN] = path->ground_angle.is_given ? path->ground_angle.value
+                              : has_turn(problem)         ? 0
+                                                          : between(seed, -YK_PI, YK_PI);
+    return false;
+}
+
+void yk_path_skip(const YkPathProblem *problem, uint64_t *seed, YkPathTry *scratch)
+{
+    draw_numbers(problem, seed, scratch);
+}
+
+bool yk_path_draw(const YkPathProblem *problem, YkPathWork *work, uint64_t *seed, YkPathTry *try)
+{
+    if (!draw_numbers(problem, seed, try)) {
+        if (!is_near_limits(problem, &try->bar) || !place(problem, work, try, has_turn(problem))) return false;
         clip(problem, &try->bar);
     }
     return is_near_limits(problem, &try->bar) && yk_path_measure(problem, work, try);

@@ -32,6 +32,14 @@ void yk_synthesis_add_dyad(YkSynthesis *s, const YkDyad *dyad, unsigned sides)
     s->dyads[s->dyad_count++] = *dyad;
 }
 
+bool yk_synthesis_fetch(YkSynthesis *s, size_t piece, double *numbers)
+{
+    YkStatus status = s->options.pieces.get(s->options.pieces.context, piece, numbers);
+    if (status == YK_STOPPED) s->pace.is_stopped = true;
+    if (status < 0 && status != YK_STOPPED) s->failed = true;
+    return status >= 0 && !s->pace.is_stopped;
+}
+
 YkDefect yk_synthesis_try(YkSynthesis *s, const YkDesign *design, const YkJourney *journey, YkText *text,
                           YkVerdict *verdict)
 {

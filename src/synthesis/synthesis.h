@@ -48,6 +48,8 @@ static inline bool yk_synthesis_goes_on(YkSynthesis *s, size_t microseconds)
 {
     return !s->failed && yk_pace_spend(&s->pace, 1000 * (uint64_t)microseconds);
 }
+// Gets a piece from the source of the options. Returns false if the search is to end.
+bool yk_synthesis_fetch(YkSynthesis *s, size_t piece, double *numbers);
 // Writes a design, judges it, and returns what became of it; its file's text is in `text`.
 YkDefect yk_synthesis_try(YkSynthesis *s, const YkDesign *design, const YkJourney *journey, YkText *text,
                           YkVerdict *verdict);

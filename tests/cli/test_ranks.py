@@ -1,4 +1,4 @@
-"""yoke study on several ranks of the real mpirun, oversubscribed. Run: YOKE=path/of/yoke python3 tests/cli/test_ranks.py
+"""yoke study and yoke synthesize on several ranks of the real mpirun, oversubscribed. Run: YOKE=path/of/yoke python3 tests/cli/test_ranks.py
 With YOKE_FULL=1 ranks are killed a hundred times. Without Open MPI or the plugin: skipped, exit code 77."""
 import json
 import os
@@ -70,6 +70,42 @@ class Ranks(Case):
             for value, text in zip(line.values(), row):
                 self.assertEqual("" if value is None else str(value) if isinstance(value, str) else float(value),
                                  text if isinstance(value, str) or text == "" else float(text))
+
+    def test_a_search_finds_the_same_machines(self):
+        tasks = os.path.join(ROOT, "examples", "tasks")
+        # paths of two kinds of bars, a machine's parameters, and a task that has no pieces
+        for name, ranks in (("straight-line", 3), ("straight-line-machine", 2), ("four-positions", 2)):
+            words = ["synthesize", os.path.join(tasks, name + ".yaml"), "--seed", "5"]
+            alone, shared = self.path(name), self.path(name + "-shared")
+            whole = self.good(*words, "-o", alone)
+            done = self.mpirun(ranks, *words, "-o", shared)
+            self.assertEqual((done.returncode, done.stdout), (0, whole.out), done.stderr)
+            self.assertEqual(sorted(os.listdir(alone)), sorted(os.listdir(shared)))
+            for file in os.listdir(alone):
+                self.assertEqual(self.read(os.path.join(shared, file)), self.read(os.path.join(alone, file)), file)
+
+    def test_a_search_is_refused_once(self):
+        task = os.path.join(ROOT, "examples", "tasks", "oval.yaml")
+        for words, code in (([self.path("no.yaml")], "[E0130]"), ([task, "-o", ROOT], "[E0846]")):
+            done = self.mpirun(3, "synthesize", *words)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count("error: "), 1, done.stderr)
+            self.assertIn(code, done.stderr)
+
+    def test_ranks_with_different_tasks_are_refused(self):
+        script = self.write("task-of-rank", "#!/bin/sh\nexec " + YOKE + " synthesize " + self.path("task-$OMPI_COMM_WORLD_RANK.yaml") + "\n")
+        os.chmod(script, 0o755)
+        for k in 0, 1:
+            self.write(f"task-{k}.yaml", f"synthesis: path\npoints:\n- [0, 0]\n- [1, {k}]\n- [2, 0.5]\n")
+        done = subprocess.run([MPIRUN, "-n", "2", script], env=ENVIRONMENT, capture_output=True, encoding="utf-8", timeout=300, check=False)
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("has another task, model file or command line than rank 0 [E0853]", done.stderr)
+
+    def test_a_search_without_time_ends_on_all_ranks(self):
+        words = ["synthesize", os.path.join(ROOT, "examples", "tasks", "straight-line.yaml"), "--within", "1e-9s", "--format", "json"]
+        done = self.mpirun(3, *words)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["status"], "time")
 
     def test_other_verbs_are_refused_once(self):
         done = self.mpirun(3, "solve", FOUR_BAR)

@@ -111,6 +111,42 @@ def test_wrong_arrays_are_refused_and_others_copied(crank):
     refused(yoke.RequestError, lambda: crank.study(designs={"r": [0.05], "l": [0.1, 0.2]}, of=["s"]))
 
 
+def test_wrong_arrays_of_many_simulations_are_refused_and_nothing_moves(crank):
+    many = crank.simulations(4, effort=["theta"], of=["theta", "theta.rate"])
+    good = np.arange(4.0)
+    for bad in (np.zeros(3), np.zeros((4, 2)), np.zeros((1, 4)), np.array(["a"] * 4), good + 1j, np.zeros(4, bool), [[1], [2, 3]]):
+        refused(yoke.RequestError, lambda: many.step(0.01, bad))
+    refused(yoke.RequestError, lambda: many.step(0.01, np.array([0, 1, math.nan, 3])), "[2, 0]", "nan")
+    for span in (math.nan, math.inf, -0.01, "1 m", None):
+        refused(yoke.RequestError, lambda: many.step(span))
+    assert np.array_equal(many.time, np.zeros(4))
+    for which in (np.zeros(3, bool), [4], [-1], [0.5], [[0], [1]], "all"):
+        refused(yoke.RequestError, lambda: many.restart(which))
+    other = crank.simulations(4, effort=["theta"], of=["theta", "theta.rate"])
+    want = other.step(0.01, good)
+    assert np.array_equal(many.step(0.01, np.repeat(good, 2)[::2]), want)  # not contiguous: copied
+    assert np.array_equal(many.step(0.01, np.arange(4)), other.step(0.01, good[:, None]))  # integers, a column
+    many.close()
+    other.close()
+
+
+def test_an_environment_refuses_what_its_machine_refuses(crank):
+    def environment(**more):
+        return yoke.Environment(crank, 3, **{"act": ["theta"], "observe": ["theta"], "span": 0.01, **more})
+
+    refused(yoke.UnknownName, lambda: environment(act=["tetha"]), "did you mean")
+    refused(yoke.UnknownName, lambda: environment(observe=["tetha"]))
+    for more in ({"span": math.nan}, {"span": "1 m"}, {"method": "magic"}, {"threads": 0}, {"start": {"theta": (0, math.nan)}}):
+        refused(yoke.RequestError, lambda: environment(**more))
+    for answer in ([True], True, np.zeros((3, 1)), [[1], [2, 3]]):
+        refused(yoke.RequestError, lambda: environment(ended=lambda seen: answer).step(np.zeros(3)), "ended")
+        refused(yoke.RequestError, lambda: environment(reward=lambda seen, actions: answer).step(np.zeros(3)), "reward")
+    closed = environment()
+    closed.close()
+    refused(yoke.ClosedError, lambda: closed.step(np.zeros(3)), "closed")
+    refused(yoke.ClosedError, closed.reset, "closed")
+
+
 def test_names_that_are_no_identifiers_go_through_dictionaries():
     text = """
 parameters: {"crank-length": 1}

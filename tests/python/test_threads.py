@@ -176,6 +176,32 @@ print(os.waitstatus_to_exitcode(status))
     assert run.stdout == "0\n", run.stderr
 
 
+def test_many_simulations_go_on_in_both_processes_after_a_fork():
+    program = f"""
+import os, signal, numpy, yoke
+m = yoke.parse({CRANK!r})
+many, alone = m.simulations(6, threads=3), m.simulations(6, threads=1)
+want = [alone.step(0.01).copy() for _ in range(3)]
+assert numpy.array_equal(many.step(0.01), want[0])
+child = os.fork()
+if child == 0:
+    signal.alarm(60)  # without threads of its own it would wait for ever
+    code = 1
+    try:
+        good = numpy.array_equal(many.step(0.01), want[1])
+        many.close()
+        code = 0 if good else 2
+    finally:
+        os._exit(code)
+_, status = os.waitpid(child, 0)
+assert numpy.array_equal(many.step(0.01), want[1]) and numpy.array_equal(many.step(0.01), want[2])
+many.close()
+print(os.waitstatus_to_exitcode(status))
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert run.stdout == "0\n", run.stderr
+
+
 def test_memory_is_given_back(crank):
     def use():
         for k in range(200):

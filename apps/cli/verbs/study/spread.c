@@ -6,13 +6,12 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include "ranks.h"
 #include "session.h"
+#include "spread.h"
 #include "stop.h"
-#include "verbs/study/spread.h"
 #include "verbs/study/study.h"
 
-static const double block_seconds = 0.2, seconds_per_rank = 5e-4, patience = 10; // s
+static const double block_seconds = 0.2, seconds_per_rank = 5e-4; // s
 enum { FIRST_BLOCK = 64, BLOCK_BYTES = 1 << 23, SMALLEST_BYTES = 1 << 16, HELD_BYTES = 1 << 28 };
 
 typedef struct Early { // rows that have come, in the order of their designs
@@ -57,40 +56,19 @@ static bool run_out(Spread *s)
     return yk_session_refuse(s->a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
 }
 
-static bool check_hello(Spread *s, int rank, const YkSpreadHello *hello)
+static bool hear_lost(Spread *s, int rank)
 {
-    YkProblems *problems = s->a->session->problems;
-    const YkPlace nowhere = {0};
-    if (strcmp(hello->version, yk_version()) != 0) {
-        yk_problem(problems, YK_CODE_RANKS_DIFFER, nowhere, "rank %d on %s is yoke %s, and rank 0 is yoke %s", rank,
-                   hello->place, hello->version, yk_version());
-        return false;
-    }
-    if (!hello->is_read) {
-        size_t length = strlen(hello->said);
-        while (length > 0 && hello->said[length - 1] == '\n') length--;
-        yk_problem(problems, YK_CODE_RANKS_FAILED, nowhere, "rank %d on %s could not read the study", rank,
-                   hello->place);
-        char said[sizeof hello->said];
-        memcpy(said, hello->said, length);
-        said[length] = '\0';
-        yk_problem_hint(problems, "it said: %s", said);
-        return false;
-    }
-    if (hello->signature == yk_study_signature(s->a)) return true;
-    yk_problem(problems, YK_CODE_RANKS_DIFFER, nowhere,
-               "rank %d on %s has another model file, file of tolerances or command line than rank 0", rank,
-               hello->place);
-    return false;
+    s->is_stopped = yk_spread_hear_lost(s->a->session, rank);
+    if (!s->is_stopped) yk_partial_tell(s->a);
+    return s->is_stopped;
 }
 
-static bool tell_lost(Spread *s, int rank, int32_t reason)
+static bool hear_hello(Spread *s, int rank)
 {
-    s->is_stopped = reason == YK_SPREAD_STOPPED;
-    if (s->is_stopped) return true; // an interruption, wherever the signal went
-    yk_problem(s->a->session->problems, YK_CODE_RANKS_FAILED, (YkPlace){0}, "rank %d ran out of memory", rank);
-    yk_partial_tell(s->a);
-    return false;
+    s->peers[rank].is_ready = true;
+    s->peers[rank].wants = YK_SPREAD_AHEAD;
+    return yk_spread_hear_hello(s->a->session, rank, yk_study_signature(s->a), "study",
+                                "model file, file of tolerances");
 }
 
 // --- rows
@@ -176,18 +154,11 @@ static bool take_rows(Spread *s, int rank, size_t bytes)
 // Takes one message. Returns false with a problem added, or stopped.
 static bool hear(Spread *s, int rank, int tag, size_t bytes)
 {
-    int32_t reason = 0;
     if (tag == YK_SPREAD_ROWS) return take_rows(s, rank, bytes);
-    if (tag == YK_SPREAD_HELLO) {
-        YkSpreadHello hello;
-        memset(&hello, 0, sizeof hello);
-        yk_ranks()->receive(rank, tag, &hello, sizeof hello);
-        s->peers[rank].is_ready = true;
-        s->peers[rank].wants = YK_SPREAD_AHEAD;
-        return check_hello(s, rank, &hello);
-    }
-    yk_ranks()->receive(rank, tag, &reason, sizeof reason);
-    return tag != YK_SPREAD_LOST || tell_lost(s, rank, reason);
+    if (tag == YK_SPREAD_HELLO) return hear_hello(s, rank);
+    if (tag == YK_SPREAD_LOST) return hear_lost(s, rank);
+    yk_ranks()->receive(rank, tag, NULL, 0);
+    return true;
 }
 
 // --- rank 0's own blocks
@@ -313,35 +284,6 @@ static bool conduct(Spread *s)
     return good;
 }
 
-// Tells all ranks to stop, and hears them out. Ends them all if one does not answer in time.
-static void dismiss(int count)
-{
-    double start = yk_stop_now(), pause = 0;
-    int gone = 1;
-    for (int rank = 1; rank < count; rank++) yk_ranks()->send(rank, YK_SPREAD_STOP, NULL, 0);
-    while (gone < count) {
-        int rank, tag;
-        size_t bytes;
-        if (!yk_ranks()->poll(&rank, &tag, &bytes)) {
-            if (yk_stop_now() - start > patience) yk_ranks()->abort(YK_EXIT_WRONG);
-            yk_spread_wait(&pause);
-            continue;
-        }
-        char *room = malloc(bytes + 1);
-        if (!room) yk_ranks()->abort(YK_EXIT_WRONG);
-        if (room) yk_ranks()->receive(rank, tag, room, bytes);
-        free(room);
-        gone += tag == YK_SPREAD_BYE;
-        pause = 0;
-    }
-    yk_ranks_end();
-}
-
-void yk_study_dismiss(void)
-{
-    dismiss(yk_ranks()->count());
-}
-
 static size_t most_rows(const YkStudyAnswer *a, size_t most_out)
 {
     size_t bytes = HELD_BYTES / most_out;
@@ -362,7 +304,7 @@ bool yk_study_spread(YkStudyAnswer *a)
         good = conduct(&s);
         end_own(&s);
     }
-    dismiss(count);
+    yk_spread_dismiss();
     while (s.early) {
         Early *next = s.early->next;
         free(s.early->rows);

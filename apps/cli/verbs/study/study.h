@@ -88,8 +88,6 @@ void yk_study_show(YkStudyAnswer *answer, bool is_last);
 bool yk_study_spread(YkStudyAnswer *answer);
 // What ranks other than 0 do, whether the study could be read or not. Returns the exit code.
 int yk_study_serve(YkStudyAnswer *answer, bool is_read);
-// Ends the ranks of a study that rank 0 could not begin.
-void yk_study_dismiss(void);
 
 // why.c: if designs make no machine, says why the first of them does not, as a hint to the last problem.
 void yk_study_tell_why(const YkStudyAnswer *answer);

@@ -1,7 +1,7 @@
 // yoke study: many designs of one machine.
 #include <math.h>
 #include <stdlib.h>
-#include "ranks.h"
+#include "spread.h"
 #include "session.h"
 #include "stop.h"
 #include "verbs/study/study.h"
@@ -102,7 +102,7 @@ static bool begin(YkStudyAnswer *a)
 static int answer_study(YkStudyAnswer *a)
 {
     bool good = begin(a) && find_sensitivities(a);
-    if (!good && yk_ranks_count() > 1) yk_study_dismiss();
+    if (!good && yk_ranks_count() > 1) yk_spread_dismiss();
     if (good) good = yk_ranks_count() > 1 ? yk_study_spread(a) : yk_study_compute(a);
     if (!good) return YK_EXIT_WRONG;
     a->is_interrupted = a->done < a->design_count;
@@ -132,7 +132,7 @@ static int answer_on_ranks(YkStudyAnswer *a)
     bool is_read = yk_study_read(a);
     if (yk_ranks_rank() > 0) return yk_study_serve(a, is_read);
     if (is_read) return answer_study(a);
-    yk_study_dismiss();
+    yk_spread_dismiss();
     return a->start_status < 0 ? yk_status_exit(a->start_status) : YK_EXIT_WRONG;
 }
 

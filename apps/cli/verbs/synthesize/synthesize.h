@@ -19,4 +19,11 @@ void yk_synthesis_json(const YkSynthesisAnswer *answer, YkText *text);
 // Writes the files of -o. Returns false with a problem added.
 bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder);
 
+// spread.c: lets all ranks of mpirun compute pieces of the search. Returns NULL with problems added, or stopped.
+typedef struct YkSynthesisSpread YkSynthesisSpread;
+YkSynthesisSpread *yk_synthesis_spread(YkSynthesisAnswer *answer, YkSynthesisOptions *options, YkProblems *problems);
+void yk_synthesis_gather(YkSynthesisSpread *spread); // ends it
+// What ranks other than 0 do, whether the task could be read or not. Returns the exit code.
+int yk_synthesis_serve(YkSynthesisAnswer *answer, bool is_read);
+
 #endif

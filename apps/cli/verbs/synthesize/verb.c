@@ -5,6 +5,7 @@
 #include "base/number.h"
 #include "base/units/units.h"
 #include "session.h"
+#include "spread.h"
 #include "stop.h"
 #include "write/folder.h"
 
@@ -39,26 +40,59 @@ static bool goes_on(void *context, double part)
     return stop.goes_on(stop.context, part) && !answer->is_late;
 }
 
-static bool find(YkSynthesisAnswer *answer)
+// Reads what the request gives. Returns false with problems added.
+static bool read_request(YkSynthesisAnswer *answer, YkProblems *problems)
 {
     YkSession *session = answer->session;
     const YkRequest *request = session->request;
-    YkSynthesisOptions options = yk_default_synthesis_options();
     size_t seed = 1;
     double within = 0;
-    YkProblems *problems = yk_problems_new();
-    if (!problems) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    answer->task = yk_task_load(request->file, problems);
-    if (answer->task && yk_session_count(session, "--seed", request->seed, 1000000000, 1, &seed) &&
-        (!request->within || read_span(session, request->within, &within))) {
-        options.seed = answer->seed = seed;
-        options.progress = (YkProgress){goes_on, answer};
-        if (within > 0) answer->deadline = yk_stop_now() + within;
-        answer->synthesis = yk_synthesis_run(answer->task, &options, problems);
+    if (request->format == YK_FORMAT_CSV)
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text or json here, not %q", "csv");
+    if (!request->file) {
+        yk_session_refuse(session, YK_CODE_FILE_MISSING, "`yoke %s` needs a task file", "synthesize");
+        yk_problem_hint(session->problems, "`yoke new --task motion > task.yaml` writes one to begin with");
+        return false;
     }
-    yk_tell_problems(session, problems);
+    bool writes = request->output && yk_ranks_rank() == 0;
+    if (writes && !yk_folder_is_free(request->output, session->problems)) return false;
+    answer->task = yk_task_load(request->file, problems);
+    if (!answer->task || !yk_session_count(session, "--seed", request->seed, 1000000000, 1, &seed)) return false;
+    if (request->within && !read_span(session, request->within, &within)) return false;
+    answer->seed = seed;
+    if (within > 0) answer->deadline = yk_stop_now() + within;
+    return true;
+}
+
+// Searches, on all ranks where there are several.
+static void search(YkSynthesisAnswer *answer, YkProblems *problems)
+{
+    YkSynthesisOptions options = yk_default_synthesis_options();
+    YkSynthesisSpread *spread = NULL;
+    options.seed = answer->seed;
+    options.progress = (YkProgress){goes_on, answer};
+    bool has_ranks = yk_ranks() != NULL;
+    if (has_ranks) spread = yk_synthesis_spread(answer, &options, problems);
+    if (!has_ranks || spread) answer->synthesis = yk_synthesis_run(answer->task, &options, problems);
+    yk_synthesis_gather(spread);
+}
+
+// Returns the exit code if there is no answer to finish.
+static int find(YkSynthesisAnswer *answer)
+{
+    YkSession *session = answer->session;
+    YkProblems *problems = yk_problems_new();
+    int exit_code = YK_EXIT_WRONG;
+    bool is_read = problems && read_request(answer, problems);
+    if (!problems) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (is_read && yk_ranks_rank() == 0) search(answer, problems);
+    if (problems) yk_tell_problems(session, problems);
+    if (yk_ranks() && yk_ranks_rank() > 0)
+        exit_code = yk_synthesis_serve(answer, is_read);
+    else if (yk_ranks())
+        yk_spread_dismiss();
     yk_problems_free(problems);
-    return answer->synthesis != NULL;
+    return exit_code;
 }
 
 // Says on standard error why there is none: how many were left out for which reason.
@@ -100,19 +134,13 @@ int yk_run_synthesize(YkSession *session)
 {
     YkSynthesisAnswer answer = {.session = session, .seed = 1};
     const YkRequest *request = session->request;
-    int exit_code = YK_EXIT_WRONG;
     session->keeps_what_is_done = true;
-    if (request->format == YK_FORMAT_CSV) {
-        yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text or json here, not %q", "csv");
+    if (yk_ranks_count() > 1 && !yk_ranks_begin(session)) {
+        if (yk_ranks_is_first_here()) yk_ranks_speak(); // what is missing on a computer is told once there
         return YK_EXIT_WRONG;
     }
-    if (!request->file) {
-        yk_session_refuse(session, YK_CODE_FILE_MISSING, "`yoke %s` needs a task file", "synthesize");
-        yk_problem_hint(session->problems, "`yoke new --task motion > task.yaml` writes one to begin with");
-        return YK_EXIT_WRONG;
-    }
-    if (request->output && !yk_folder_is_free(request->output, session->problems)) return YK_EXIT_WRONG;
-    if (find(&answer)) exit_code = finish(&answer);
+    int exit_code = find(&answer);
+    if (answer.synthesis) exit_code = finish(&answer);
     session->request = request;
     yk_synthesis_free(answer.synthesis);
     yk_task_free(answer.task);
