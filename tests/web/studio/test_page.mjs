@@ -221,6 +221,45 @@ const tests = {
     await check("a*cos(theta2) + b*cos(theta2 + gamma) + c*cos(theta4) - d = 0", "false");
     await close(page);
   },
+  async "on a phone the machine stays in sight as the panel folds and the window turns, and where the hand put it"() {
+    const page = await open(world, { viewport: { width: 390, height: 844 } });
+    await chooseExample(page, "jansen");
+    // How much of the drawing lies beyond the free part of the stage, px, and how much of that it fills.
+    const look = () => page.evaluate(() => {
+      const box = (id) => document.getElementById(id).getBoundingClientRect(), stage = box("stage"), motion = box("motion");
+      const marks = Array.from(document.querySelectorAll("#scene [data-body] circle"), (one) => one.getBoundingClientRect()).map((one) => new DOMRect(one.x + one.width / 2, one.y + one.height / 2));
+      const high = Math.max(...marks.map((one) => one.bottom)) - Math.min(...marks.map((one) => one.top)), wide = Math.max(...marks.map((one) => one.right)) - Math.min(...marks.map((one) => one.left));
+      const out = Math.max(...marks.flatMap((one) => [stage.left - one.left, one.right - stage.right, stage.top - one.top, one.bottom - motion.top]));
+      return { out, fills: Math.max(high / (motion.top - stage.top), wide / stage.width), wide };
+    });
+    const isSeen = async () => {
+      const good = (one) => one.out <= 0 && one.fills > 0.55;
+      for (let k = 0; k < 40 && !good(await look()); k++) await page.waitForTimeout(50);
+      assert.ok(good(await look()), JSON.stringify(await look()));
+    };
+    await isSeen();
+    const before = (await look()).wide;
+    await page.click("#tab-text");
+    await page.locator("#panel-text").waitFor({ state: "hidden" });
+    await isSeen();
+    await page.setViewportSize({ width: 844, height: 390 });
+    await isSeen();
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.click("#tab-text");
+    await page.locator("#panel-text").waitFor();
+    await isSeen();
+    assert.ok(Math.abs((await look()).wide / before - 1) < 0.25); // names of the drawing leave it more or less room
+    const fitted = (await look()).wide;
+    await page.mouse.move(200, 250);
+    await page.mouse.wheel(0, -100);
+    for (let k = 0; k < 40 && (await look()).wide < 1.2 * fitted; k++) await page.waitForTimeout(50);
+    const zoomed = (await look()).wide;
+    await page.click("#tab-text");
+    await page.locator("#panel-text").waitFor({ state: "hidden" });
+    await page.waitForTimeout(300);
+    assert.ok(zoomed > 1.2 * fitted && Math.abs((await look()).wide - zoomed) < 2, "a view zoomed by hand keeps its scale");
+    await close(page);
+  },
   async "axe finds nothing, in light and dark, wide and narrow"() {
     const kinds = [{}, { colorScheme: "dark", viewport: { width: 390, height: 844 } }, ...(isFull ? [{ colorScheme: "dark" }, { viewport: { width: 390, height: 844 } }] : [])];
     for (const kind of kinds) {
