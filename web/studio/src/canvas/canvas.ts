@@ -48,6 +48,7 @@ export class Canvas {
     });
     session.on("pose", () => this.redraw());
     session.on("selection", () => this.redraw());
+    session.on("wanted", () => this.redraw());
   }
 
   // Shows another machine: it is fitted into the canvas once it is there.

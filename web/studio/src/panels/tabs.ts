@@ -3,7 +3,7 @@ import { byId, el, fill } from "../dom";
 import { words } from "../words";
 
 const NARROW = "(max-width: 820px)"; // as in narrow.css
-const IDS = ["text", "parts", "diagrams", "equations", "command"] as const;
+const IDS = ["text", "parts", "diagrams", "equations", "design", "command"] as const;
 type Id = (typeof IDS)[number];
 
 export class Tabs {
