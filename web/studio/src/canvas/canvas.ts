@@ -86,7 +86,8 @@ export class Canvas {
     const { width, height } = this.view, isNarrow = width < 600, least = isNarrow ? 14 : 40;
     const stage = this.root.getBoundingClientRect(), [notes, motion] = ["notes", "motion"].map((id) => byId(id).getBoundingClientRect());
     const above = notes.height ? notes.bottom - stage.top : 0, below = motion.height ? stage.bottom - motion.top : 0;
-    return { left: least, top: Math.min(height / 3, Math.max(least, above + 8)), right: isNarrow && height > width ? least : 60, bottom: Math.max(least, below + 8) };
+    const [top, bottom] = isNarrow ? [20, 58] : [60, 80]; // also where nothing floats yet
+    return { left: least, top: Math.min(height / 3, Math.max(top, above + 8)), right: isNarrow && height > width ? least : 60, bottom: Math.max(bottom, below + 8) };
   }
 
   // The view was moved by hand.
