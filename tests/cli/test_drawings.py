@@ -206,6 +206,8 @@ class Drawings(Case):
         subprocess.run(["sh", script, os.path.abspath(os.environ["YOKE"]), self.path("")], check=True, stdin=subprocess.DEVNULL)
         with open(os.path.join(ROOT, "docs", "pictures", "jansen-leg.svg"), "rb") as kept:
             self.assertEqual(self.read("jansen-leg.svg"), kept.read())
+        self.assertEqual(self.read("jansen-leg.svg").count(b"@keyframes"), 7)  # every body that moves, and no script
+        self.assertNotIn(b"<script", self.read("jansen-leg.svg"))
         # The plot is gnuplot's own drawing, which changes with its versions; of ours are the curves and their names.
         with open(os.path.join(ROOT, "docs", "pictures", "jansen-foot.svg"), encoding="utf-8") as kept:
             words = re.findall(r"<text[^>]*>(.*?)</text>", kept.read(), re.S)

@@ -16,10 +16,10 @@ if (!existsSync(join(bundled, "node_modules", "yaml"))) {
 const require = createRequire(resolve(bundled) + "/");
 const work = mkdtempSync(join(tmpdir(), "yoke-document-"));
 process.on("exit", () => rmSync(work, { recursive: true, force: true }));
-writeFileSync(join(work, "entry.ts"), ["source", "numbers", "gestures", "elements"].map((name) => `export * from "${resolve(bundled)}/src/document/${name}";`).join("\n") +
+writeFileSync(join(work, "entry.ts"), ["document/source", "document/numbers", "document/gestures", "document/elements", "document/task", "canvas/stroke"].map((name) => `export * from "${resolve(bundled)}/src/${name}";`).join("\n") +
   `\nexport { split } from "${resolve(bundled)}/src/panels/command";\nexport { mendOf } from "${resolve(bundled)}/src/editor/problems";`);
 await require("esbuild").build({ entryPoints: [join(work, "entry.ts")], bundle: true, format: "esm", platform: "browser", outfile: join(work, "out.mjs"), logLevel: "error" });
-const { Source, Draft, addBelt, addCam, addDamper, addPolygon, addRack, difference, written, typed, decimal, split, mendOf } = await import(pathToFileURL(join(work, "out.mjs")).href);
+const { Source, Draft, addBelt, addCam, addDamper, addPolygon, addRack, difference, written, typed, decimal, split, mendOf, spaced, meant, extended, taskOf } = await import(pathToFileURL(join(work, "out.mjs")).href);
 const { parse } = require("yaml");
 const examples = readdirSync(folder).filter((name) => name.endsWith(".yaml")).map((name) => [name, readFileSync(join(folder, name), "utf8")]);
 const EMPTY = { name: "", bodies: [], joints: [], coordinates: [], parameters: [], freedom: 0, moves: false };
@@ -172,4 +172,30 @@ test("hints that need no choice are mends", () => {
   assert.equal(mendOf("did you mean `crank`?").apply("pin: [crnak, a]", { from: 6, to: 11 }), "pin: [crank, a]");
   assert.equal(parse(mendOf("add `P: [0, 0]` to the points of `rod`, in its own axes").apply("bodies: {rod: {}}", { from: 0, to: 0 })).bodies.rod.points.P[0], 0);
   assert.equal(mendOf("pin one of them to another point of the body that carries both"), null);
+});
+
+test("a stroke becomes points at equal distances along it; one that comes back goes round", () => {
+  const along = [[0, 0], [1, 0], [1, 3], [5, 3]]; // 8 long
+  assert.deepEqual(spaced(along, 5), [[0, 0], [1, 1], [1, 3], [3, 3], [5, 3]]);
+  assert.deepEqual(spaced(along, 2), [[0, 0], [5, 3]]);
+  const open = meant(along), circle = Array.from({ length: 100 }, (_, k) => [Math.cos(0.0628 * k), Math.sin(0.0628 * k)]), closed = meant(circle);
+  assert.deepEqual([open.isClosed, open.points[0], open.points.at(-1)], [false, [0, 0], [5, 3]]);
+  assert.equal(closed.isClosed, true);
+  const gaps = closed.points.map(([x, y], k) => { const [u, v] = closed.points[(k + 1) % closed.points.length]; return Math.hypot(x - u, y - v); });
+  for (const gap of gaps) assert.ok(Math.abs(gap - 2 * Math.sin(Math.PI / gaps.length)) < 2e-3, `${gap}`); // sides of a regular polygon
+  assert.equal(meant([[1, 1]]), null);
+  assert.equal(meant([[1, 1], [1, 1]]), null);
+  let wanted = null;
+  for (const at of [[0, 0], [1, 0], [1, 1], [0, 0]]) wanted = extended(wanted, at);
+  assert.deepEqual([wanted.points.length, wanted.isClosed], [3, true]);
+  assert.deepEqual(extended(wanted, [2, 2]).points, [[2, 2]]);
+});
+
+test("the task of a curve is in the file's unit, with bounds of the curve's size", () => {
+  const points = [[0, 0], [0.1, 0.02], [0.2, 0.05]], mm = { length: "mm", metre: 1e-3, angle: "deg" };
+  assert.deepEqual(parse(taskOf({ points, isClosed: false, isDone: true }, "four-bar, slider-crank", mm, 1e-4)), {
+    synthesis: "path", points: [[0, 0], [100, 20], [200, 50]], closed: false, mechanisms: ["four-bar", "slider-crank"],
+    bounds: { lengths: [20, 400], coupler_point: [-400, 400], pivots: [[-200, -200], [400, 250]] }, require: { input: "turns", transmission: "20 deg" }, best: 6, units: { length: "mm" },
+  });
+  assert.deepEqual(parse(taskOf({ points, isClosed: true, isDone: true }, "four-bar", { length: "m", metre: 1, angle: "rad" }, 1e-4)).points, points);
 });

@@ -18,6 +18,7 @@ import { Server } from "./keep/server";
 import { Motion } from "./motion";
 import { Command } from "./panels/command";
 import { Diagrams } from "./panels/diagrams";
+import { Design } from "./panels/design";
 import { card, loadExamples, share, showExports, showGallery, showHelp } from "./panels/dialogs";
 import { Equations } from "./panels/equations";
 import { Lacks } from "./panels/lacks";
@@ -29,8 +30,11 @@ import { words } from "./words";
 
 const FEATURED = ["four-bar", "quick-return", "jansen", "gas-engine", "double-pendulum", "epicyclic"];
 
-const session: Session = new Session(startCore({
+const sources = {
   worker: () => new Worker(inline?.worker ?? "worker.js") as unknown as WorkerLike, small: inline?.small ?? "core.wasm", panels: inline?.whole ?? "panels.wasm", whole: inline?.whole ?? "yoke.wasm",
+};
+const session: Session = new Session(startCore({
+  ...sources,
   onRestart: () => session.emit("lost", words.coreLost),
 }));
 const editor = new Editor(byId("panel-text"), session);
@@ -41,6 +45,7 @@ const motion = new Motion(session, canvas, hand);
 const parts = new Parts(session, editor);
 const diagrams = new Diagrams(session, motion);
 const equations = new Equations(session);
+const design = new Design(session, canvas, () => startCore(sources));
 new Command(session);
 new Lacks(session);
 const status = new Status(session, editor);
@@ -55,6 +60,7 @@ function load(text: string, name: string): void {
   session.name = name || words.untitled;
   nameField.value = session.name;
   session.selection = null;
+  session.want(null);
   session.stand = { kind: "start" };
   [session.machine, session.scene, session.start, session.pose] = [null, null, null, null];
   files.forget();
@@ -86,7 +92,13 @@ function build(): void {
     for (const one of TOOLS) byId(`tool-${one.id}`).setAttribute("aria-pressed", String(one === tool));
     canvas.root.dataset.tool = tool.id;
     invite();
+    if (tool.id === "curve") tabs.show("design");
     session.emit("said", words.tools[tool.id][1]);
+  };
+  design.onDraw = () => hand.choose("curve");
+  design.onTake = () => {
+    hand.choose("select");
+    motion.keep("coupler", "P");
   };
   nameField.addEventListener("change", () => { session.name = nameField.value.trim() || words.untitled; nameField.value = session.name; });
 }

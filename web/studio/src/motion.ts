@@ -204,6 +204,11 @@ export class Motion {
     await this.retrace();
   }
 
+  // Traces a point from the next machine on.
+  keep(body: string, point: string): void {
+    this.traced.add(JSON.stringify([body, point]));
+  }
+
   private async retrace(): Promise<void> {
     const paths: { key: string; points: Float64Array }[] = [], { session } = this;
     for (const key of this.traced) {

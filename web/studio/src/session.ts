@@ -1,6 +1,7 @@
 // The session: the text, what the core makes of it, the pose, and what is selected. Everybody else listens.
 import { CoreLost, Overtaken } from "../../core/door";
 import type { Core, Machine, Opened, Pose } from "../../core/door";
+import type { Wanted } from "./canvas/stroke";
 import { Draft } from "./document/gestures";
 import { words } from "./words";
 
@@ -14,6 +15,7 @@ interface Events {
   pose: Pose;
   scene: null; // it was drawn again, for another view
   selection: Selection;
+  wanted: Wanted | null; // the curve that a linkage is to draw
   said: string; // a sentence for the person
   lost: string; // the core died and was started anew
 }
@@ -27,6 +29,7 @@ export class Session {
   start: Pose | null = null;
   pose: Pose | null = null;
   selection: Selection = null;
+  wanted: Wanted | null = null;
   stand: Stand = { kind: "start" };
   isCurrent = false; // the machine is that of the text
   settled: Promise<void> = Promise.resolve();
@@ -77,6 +80,12 @@ export class Session {
     if (!pose || edition !== this.edition) return;
     if (pose.status === "ok") this.show(pose);
     else this.stand = { kind: "start" };
+  }
+
+  // Sets the curve that a linkage is to draw.
+  want(wanted: Wanted | null): void {
+    this.wanted = wanted;
+    this.emit("wanted", wanted);
   }
 
   // Shows a slider's value before it is written.

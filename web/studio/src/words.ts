@@ -25,6 +25,7 @@ export const words = {
     force: ["Force", "Click where it acts"],
     mass: ["Mass", "Click a body to give it mass"],
     shape: ["Reshape", "Drag a point to change the bodies that have it"],
+    curve: ["Curve", "Draw a curve in one stroke, or click its points: linkages that trace it are found"],
     delete: ["Delete", "Click what is to go"],
   } as Record<string, [string, string]>,
   say: {
@@ -86,7 +87,7 @@ export const words = {
     examples: "Examples", new: "New", open: "Open", save: "Save", share: "Share", export: "Export", undo: "Undo", redo: "Redo", help: "Help", name: "Name of the machine",
     theme: "Light or dark", more: "More", close: "Close",
   },
-  tabs: { label: "Panels", text: "File", parts: "Parts", diagrams: "Diagrams", equations: "Equations", command: "Command" },
+  tabs: { label: "Panels", text: "File", parts: "Parts", diagrams: "Diagrams", equations: "Equations", design: "Design", command: "Command" },
   editor: {
     label: "The machine's file",
     replace: (word: string) => `Write ${word}`,
@@ -113,6 +114,14 @@ export const words = {
       ["free-bodies", "Free bodies"], ["newton-euler", "Newton and Euler"], ["energy", "Energies"], ["lagrange", "Lagrange"], ["gears", "Gears"], ["cam", "Cams"],
     ] as [string, string][],
   },
+  design: {
+    how: "Draw a curve on the canvas: the core looks for linkages whose point traces it, and drives each of them through it before it is shown here.",
+    draw: "Draw a curve", clear: "Clear", mechanism: "Mechanism", mechanisms: [["four-bar", "Four-bars"], ["slider-crank", "Slider-cranks"], ["four-bar, slider-crank", "Both"]] as [string, string][],
+    task: "Task file", find: "Find linkages", others: "Find others", stop: "Stop", wait: "Searching …", stopped: "Stopped.", none: "Draw a curve first, or write a task.",
+    found: (n: number) => (n === 1 ? "1 linkage. Click it to take it into the file." : `${n} linkages. Click one to take it into the file.`),
+    nothing: (why: string) => `Nothing new was found${why ? ` (left out: ${why})` : ""}. A smoother curve, other bounds or a smaller transmission angle in the task may help.`,
+    about: (worst: string, angle: string) => `off by ${worst} at most, transmission from ${angle}°`, take: "Take it into the file", taken: "Taken into the file; undo brings back what was there.",
+  },
   command: {
     hint: "Any command, with this machine as FILE", run: "Run", wait: "Running …", label: "Command line", out: "Answer", list: [
       ["What it is", "check FILE"], ["This pose", "solve FILE"], ["Forces", "solve FILE --of energy,shaking.x,shaking.y"], ["A table", "sweep FILE --over t=0:1s --steps 24"],
@@ -131,7 +140,7 @@ export const words = {
   },
   help: {
     title: "Keys",
-    keys: [["V B Y P J G S L M E H U C K D F W R X", "tools"], ["Space", "play, pause"], ["[ and ]", "a step back, a step on"], ["Home", "back to the start"], ["Arrows, Enter", "crosshair on the drawing, click"],
+    keys: [["V B Y P J G S L M E H U C K D F W R Q X", "tools"], ["Space", "play, pause"], ["[ and ]", "a step back, a step on"], ["Home", "back to the start"], ["Arrows, Enter", "crosshair on the drawing, click"],
       ["N, Shift+N", "next, last point"], ["Esc", "ends a gesture"], ["Delete", "removes what is selected"], ["0", "shows all"], ["+ and -", "zoom"], ["T", "traces the selected point"], ["O", "other assemblies"], ["A", "arrows: velocities, accelerations, joint forces"],
       ["Ctrl+Z, Ctrl+Y", "undo, redo"], ["Ctrl+S, Ctrl+O", "save, open"], ["Alt while drawing", "no snapping"]] as [string, string][],
   },

@@ -1,5 +1,5 @@
 // The canvas: the core's drawing between the grid and Studio's marks, in one view.
-import { eachFrame, svg } from "../dom";
+import { byId, eachFrame, svg } from "../dom";
 import { unitsOf } from "../document/numbers";
 import type { Units } from "../document/numbers";
 import { Source } from "../document/source";
@@ -23,6 +23,7 @@ export class Canvas {
   units: Units = { length: "mm", metre: 1e-3, angle: "deg" };
   insets: Insets = { left: 40, top: 60, right: 40, bottom: 90 };
   private isFitted = false;
+  private isMoved = false; // by hand since it was fitted: then it stays where the hand put it
   private looked = 0; // the scale for which the scene was drawn
   private timer = 0;
   readonly redraw = eachFrame(() => this.draw());
@@ -35,7 +36,7 @@ export class Canvas {
     new ResizeObserver(() => {
       const box = root.getBoundingClientRect(), isFirst = this.view.width <= 1;
       this.view.resize(box.width, box.height);
-      if (!this.isFitted || isFirst) this.fit();
+      if (!this.isFitted || isFirst || !this.isMoved) this.fit();
       this.redraw();
     }).observe(root);
     session.on("scene", () => { this.scene.mount(); this.redraw(); });
@@ -47,6 +48,7 @@ export class Canvas {
     });
     session.on("pose", () => this.redraw());
     session.on("selection", () => this.redraw());
+    session.on("wanted", () => this.redraw());
   }
 
   // Shows another machine: it is fitted into the canvas once it is there.
@@ -65,8 +67,8 @@ export class Canvas {
   }
 
   fit(): void {
-    const box = this.box(), isNarrow = this.view.width < 600;
-    this.insets = isNarrow ? { left: 14, top: 20, right: 14, bottom: 58 } : { left: 40, top: 60, right: 60, bottom: 80 };
+    const box = this.box();
+    this.insets = this.covered();
     if (box && this.view.width > 1) {
       this.view.fit(box, this.insets);
       this.isFitted = true;
@@ -75,11 +77,27 @@ export class Canvas {
       this.isFitted = true; // what is drawn from here on does not move the view
     }
     this.redraw();
-    this.onView();
+    this.isMoved = false;
+    this.sharpen();
+  }
+
+  // Returns the border that stays free: what floats over the canvas, and some room.
+  private covered(): Insets {
+    const { width, height } = this.view, isNarrow = width < 600, least = isNarrow ? 14 : 40;
+    const stage = this.root.getBoundingClientRect(), [notes, motion] = ["notes", "motion"].map((id) => byId(id).getBoundingClientRect());
+    const above = notes.height ? notes.bottom - stage.top : 0, below = motion.height ? stage.bottom - motion.top : 0;
+    const [top, bottom] = isNarrow ? [20, 58] : [60, 80]; // also where nothing floats yet
+    return { left: least, top: Math.min(height / 3, Math.max(top, above + 8)), right: isNarrow && height > width ? least : 60, bottom: Math.max(bottom, below + 8) };
+  }
+
+  // The view was moved by hand.
+  onView(): void {
+    this.isMoved = true;
+    this.sharpen();
   }
 
   // After a zoom the core draws the scene anew, so that lines and names have the width of the screen.
-  onView(): void {
+  private sharpen(): void {
     window.clearTimeout(this.timer);
     this.timer = window.setTimeout(() => {
       if (Math.abs(this.view.scale / this.looked - 1) < 0.01) return;

@@ -32,10 +32,10 @@ export class Overlay {
 
   draw(shown: Shown): void {
     fill(this.traces, ...this.paths.map(({ points }, k) => svg("polyline", { points: this.line(points), class: `trace trace-${k % 4}` })));
-    fill(this.marks, ...this.handles(shown.tool), ...this.selected(), ...this.hovered(shown), ...this.sketched(shown), ...this.crossed(shown));
+    fill(this.marks, ...this.handles(shown.tool), ...this.selected(), ...this.hovered(shown), ...this.wanted(), ...this.sketched(shown), ...this.crossed(shown));
   }
 
-  private line(points: Float64Array): string {
+  private line(points: ArrayLike<number>): string {
     const parts: string[] = [];
     for (let k = 0; k + 1 < points.length; k += 2) {
       if (!Number.isFinite(points[k])) continue;
@@ -97,6 +97,14 @@ export class Overlay {
       marks.push(this.circle(held, 7, "held"), this.segment(held, pull.to, "string"));
     }
     return marks;
+  }
+
+  // The curve that a linkage is to draw.
+  private wanted(): SVGElement[] {
+    const { wanted } = this.session;
+    if (!wanted?.points.length) return [];
+    const round = wanted.isClosed ? [...wanted.points, wanted.points[0]] : wanted.points, line = svg("polyline", { points: this.line(round.flat()), class: "wanted" });
+    return [line, ...(wanted.isDone ? wanted.points.map((one) => this.circle(one, 3.5, "wanted-point")) : [])];
   }
 
   private crossed({ crosshair }: Shown): SVGElement[] {

@@ -7,10 +7,11 @@ import type { Canvas } from "./canvas";
 import { bearing, distance } from "./frames";
 import type { Point } from "./frames";
 import { words } from "../words";
-import { grab, middle } from "./grab";
+import { grab, meantBy, middle } from "./grab";
 import type { Drag } from "./grab";
 import { snap } from "./snap";
 import type { Spot } from "./snap";
+import { meant } from "./stroke";
 import { MANY, reshape, TOOLS, toolOf } from "./tools";
 import type { Tool, ToolId } from "./tools";
 
@@ -28,6 +29,7 @@ export class Hand {
   private waiting = 0;
   private line: Promise<void> = Promise.resolve();
   private isFresh = false; // this press began the gesture
+  private stroke: Point[] = []; // of a curve drawn by hand
 
   constructor(private canvas: Canvas, private session: Session) {
     const { root } = canvas;
@@ -57,6 +59,7 @@ export class Hand {
     const had = this.spots.length > 0;
     this.spots = [];
     this.canvas.shown.sketching = null;
+    if (this.session.wanted?.isDone === false) this.session.want(null);
     this.canvas.redraw();
     return had;
   }
@@ -90,6 +93,7 @@ export class Hand {
     else if (this.tool.id === "shape") this.drag = spot.all.length ? { kind: "shape", spot } : { kind: "pan" };
     else {
       this.drag = { kind: "tool" };
+      this.stroke = [spot.world];
       this.isFresh = this.tool.places === 2 && this.spots.length === 0 && this.waiting === 0;
       if (this.isFresh) this.spots = [spot];
       this.preview(spot);
@@ -122,6 +126,7 @@ export class Hand {
       this.canvas.onView();
     } else if (drag.kind === "body") this.pull(drag.body, drag.point, view.toWorld(at));
     else if (drag.kind === "shape") this.canvas.shown.sketching = { from: drag.spot, to: this.target(at, event), label: "" };
+    else if (this.tool.id === "curve") this.draw(view.toWorld(at));
     else this.preview(this.spot(at, event));
     this.fingers.set(event.pointerId, at);
     this.canvas.redraw();
@@ -130,14 +135,18 @@ export class Hand {
   // Reshaping goes to the grid, not to points of its own.
   private target(at: Point, event: PointerEvent): Spot {
     const world = this.canvas.view.toWorld(at), step = this.canvas.step;
-    const to: [number, number] = event.altKey ? world : [Math.round(world[0] / step) * step, Math.round(world[1] / step) * step];
-    return { world: to, all: [], snapped: "grid" };
+    return { world: event.altKey ? world : [Math.round(world[0] / step) * step, Math.round(world[1] / step) * step], all: [], snapped: "grid" };
   }
 
   private pull(body: string, point: [number, number], to: [number, number]): void {
     this.canvas.shown.pull = { body, point, to };
     this.onGrab();
     if (!this.onPull({ body, point, to })) void this.session.drag(body, point, to);
+  }
+
+  private draw(world: Point): void {
+    this.stroke.push(world);
+    this.session.want({ points: this.stroke, isClosed: false, isDone: false });
   }
 
   private endPull(): void {
@@ -148,13 +157,11 @@ export class Hand {
   private async up(event: PointerEvent): Promise<void> {
     const at = this.at(event), drag = this.drag;
     this.fingers.delete(event.pointerId);
-    if (this.fingers.size > 0) {
-      this.drag = { kind: "pan" };
-      return;
-    }
-    this.drag = null;
+    this.drag = this.fingers.size > 0 ? { kind: "pan" } : null;
+    if (this.drag) return;
     this.endPull();
-    if (drag?.kind === "tool") await this.release(() => this.spot(at, event), this.hasMoved && distance(at, this.pressed) > 12);
+    if (drag?.kind === "tool" && this.tool.id === "curve" && this.hasMoved) this.session.want(meant(this.stroke));
+    else if (drag?.kind === "tool") await this.release(() => this.spot(at, event), this.hasMoved && distance(at, this.pressed) > 12);
     else if (drag?.kind === "shape" && this.hasMoved) await this.reshape(drag.spot, this.target(at, event).world);
     else if (!this.hasMoved && drag && drag.kind !== "pinch") this.select(this.spot(at, event));
     this.canvas.redraw();
@@ -168,11 +175,7 @@ export class Hand {
   }
 
   select(spot: Spot): void {
-    const { machine } = this.session;
-    const joint = machine?.joints.find((one) => one.points.some((point, side) => spot.all.some((at) => at.point === point && at.body === one.bodies[side])));
-    if (joint) this.session.select({ kind: "joint", joint: joint.name });
-    else if (spot.all.length) this.session.select({ kind: "point", ...spot.all[0] });
-    else this.session.select(spot.onBody ? { kind: "body", body: spot.onBody } : null);
+    this.session.select(meantBy(this.session, spot));
   }
 
   // A gesture of two places is two clicks, or one drag.

@@ -6,9 +6,10 @@ import { words } from "../words";
 import { distance } from "./frames";
 import type { Point } from "./frames";
 import type { At, Spot } from "./snap";
+import { extended } from "./stroke";
 
 export type ToolId = "select" | "bar" | "polygon" | "point" | "pin" | "slide" | "slot" | "ground" | "motor" | "gear" | "rack" | "belt" | "cam" | "mass"
-  | "spring" | "damper" | "force" | "shape" | "delete";
+  | "spring" | "damper" | "force" | "shape" | "curve" | "delete";
 export const MANY = 1000; // places of a gesture that ends where it began
 
 export interface Tool {
@@ -227,6 +228,13 @@ export const TOOLS: Tool[] = [
     },
   },
   { id: "shape", key: "r", places: 0 },
+  {
+    id: "curve", key: "q", places: 1,
+    async finish(session, [spot]) {
+      session.want(extended(session.wanted, spot.world));
+      return null;
+    },
+  },
   {
     id: "delete", key: "x", places: 1,
     async finish(session, [spot]) {

@@ -2,12 +2,13 @@
 import { byId, el, fill } from "../dom";
 import { words } from "../words";
 
-const IDS = ["text", "parts", "diagrams", "equations", "command"] as const;
+const NARROW = "(max-width: 820px)"; // as in narrow.css
+const IDS = ["text", "parts", "diagrams", "equations", "design", "command"] as const;
 type Id = (typeof IDS)[number];
 
 export class Tabs {
   constructor(private changed: (id: Id) => void) {
-    fill(byId("tabs"), ...IDS.map((id) => el("button", { id: `tab-${id}`, role: "tab", "aria-controls": `panel-${id}`, onclick: () => this.show(id) }, words.tabs[id])));
+    fill(byId("tabs"), ...IDS.map((id) => el("button", { id: `tab-${id}`, role: "tab", "aria-controls": `panel-${id}`, onclick: () => this.press(id) }, words.tabs[id])));
     byId("tabs").addEventListener("keydown", (event) => {
       const now = IDS.findIndex((id) => byId(`tab-${id}`) === event.target), way = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
       if (way === undefined || now < 0) return;
@@ -17,6 +18,33 @@ export class Tabs {
       event.preventDefault();
     });
     this.widen(byId("divider"));
+    matchMedia(NARROW).addEventListener("change", () => this.dress());
+  }
+
+  // On a phone the tab of the panel that is open folds it away, so that the drawing has the window.
+  private press(id: Id): void {
+    const isFolding = matchMedia(NARROW).matches && !this.isFolded && byId(`tab-${id}`).getAttribute("aria-selected") === "true";
+    this.show(id);
+    this.fold(isFolding);
+  }
+
+  private get isFolded(): boolean {
+    return byId("panel").classList.contains("folded");
+  }
+
+  private fold(isFolded: boolean): void {
+    byId("panel").classList.toggle("folded", isFolded);
+    this.dress();
+  }
+
+  // A screen reader hears whether the panel is folded where it can be.
+  private dress(): void {
+    const canFold = matchMedia(NARROW).matches;
+    for (const id of IDS) {
+      const tab = byId(`tab-${id}`);
+      if (canFold && tab.getAttribute("aria-selected") === "true") tab.setAttribute("aria-expanded", String(!this.isFolded));
+      else tab.removeAttribute("aria-expanded");
+    }
   }
 
   show(shown: Id): void {
@@ -26,6 +54,7 @@ export class Tabs {
       tab.tabIndex = isShown ? 0 : -1;
       byId(`panel-${id}`).hidden = !isShown;
     }
+    this.fold(false);
     this.changed(shown);
   }
 
