@@ -12,15 +12,15 @@ static const char *unit_of(const YkPolygon *p)
     return p->kind == YK_POLYGON_VELOCITY ? "m/s" : "m/s^2";
 }
 
-// "From a to b: 0.25 m/s across the line between these points of rod"
+// "From a to b: 0.25 m/s perpendicular to the line between these points of rod"
 static void tell_vector(const YkPolygon *p, const YkPolygonVector *v, bool continues, YkText *text)
 {
     static const char *const along[] = {
-        [YK_POLYGON_TURNING] = "across the line between these points of %s",
+        [YK_POLYGON_TURNING] = "perpendicular to the line between these points of %s",
         [YK_POLYGON_NORMAL] = "along the line between these points of %s, towards the first",
-        [YK_POLYGON_TANGENTIAL] = "across the line between these points of %s",
+        [YK_POLYGON_TANGENTIAL] = "perpendicular to the line between these points of %s",
         [YK_POLYGON_SLIDING] = "along the line on %s",
-        [YK_POLYGON_CORIOLIS] = "across the line on %s (Coriolis)",
+        [YK_POLYGON_CORIOLIS] = "perpendicular to the line on %s (Coriolis)",
     };
     yk_text_format(text, continues ? ", then " : " From %s to %s: ", v->from, v->to);
     yk_text_format(text, "%e %s ", size_of(v), unit_of(p));
@@ -45,7 +45,7 @@ void yk_polygon_tell(YkPolygon *p, const YkPolygonStep *step, const char *block,
     if (block)
         yk_text_format(
             &text,
-            ", which meet at %s: only directions are known; the lines that close give the sizes, and these the %s",
+            ", which meet at %s: the directions are known; closing the polygon gives the sizes, and from them follow the %s",
             block, p->kind == YK_POLYGON_VELOCITY ? "rates " : "angular accelerations ");
     else
         yk_text_puts(&text, ", whose motion is given: ");

@@ -24,8 +24,8 @@ static YkCoordinateInfo input_info(const YkReportPage *report, size_t input)
 
 // --- Drives in time
 
-// The motion of an input's drive: its rate if that is constant; otherwise its period as if it were harmonic, or a time in
-// which it makes a few turns, as steps of the report can follow them.
+// The motion of an input's drive. If its rate is not constant, the period is that of a harmonic motion with the same
+// greatest rate and acceleration, shortened for an angle until it makes few enough turns for the steps of the report.
 typedef struct Course {
     bool moves, is_steady;
     double rate, period;

@@ -223,7 +223,7 @@ static bool sample_energy(YkSimulation *sim)
 
 // --- acting ---------------------------------------------------------------------------------------
 
-// What was found in the last step beyond the time at which the host acts did not happen.
+// Forgets what was found in the last step after the time at which the host acts: it no longer happens.
 static void forget_future(YkSimulation *sim)
 {
     size_t kept = 0;
@@ -287,7 +287,7 @@ static YkStatus go_to(YkSimulation *sim, double to)
     return stand(sim, to, sim->dense) && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
 }
 
-// Calls the control where its sample is due. False: it ends the advance.
+// Calls the control where its sample is due. Returns false if the control ends the advance.
 static bool take_sample(YkSimulation *sim)
 {
     YkSampling *sampling = &sim->sampling;

@@ -10,6 +10,7 @@ import zlib
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 YOKE = os.environ.get("YOKE", "yoke")
+FULL = "YOKE_FULL" in os.environ  # all that the gate takes samples of
 FEW = "YOKE_FEW" in os.environ  # under the sanitizers, whose answers are the same and take long
 SAMPLED = FEW and "YOKE_EVERY" not in os.environ  # then one test of three, chosen by its name; `tools/test full` runs all
 
@@ -50,6 +51,11 @@ def third(examples, first):
     def is_later(path):
         return os.path.basename(path)[:-5] in LATER
     return [path for path in examples if not is_later(path)][first::3] + [path for path in examples if is_later(path)]
+
+
+def sampled(examples, first):
+    """All examples in full, one of four under the sanitizers, in the gate every third one from the one of this number."""
+    return examples if FULL and not FEW else examples[::4] if FEW else third(examples, first)
 
 
 def at_least(count):

@@ -21,7 +21,7 @@ add_test(NAME wasm/problems COMMAND ${YOKE_NODE} ${tests}/test_problems.mjs ${no
 add_test(NAME wasm/client COMMAND ${YOKE_NODE} ${tests}/test_client.mjs ${node} ${scripts}/worker.js ${small} ${panels} ${whole} ${examples})
 add_test(NAME wasm/types COMMAND ${YOKE_NODE} ${YOKE_WEB_DIR}/node_modules/typescript/bin/tsc -p ${CMAKE_SOURCE_DIR}/web/core)
 # Every verb on every example, one process a run: a sample, all of them with YOKE_FULL.
-add_test(NAME wasm/bits COMMAND ${PYTHON3} ${CMAKE_SOURCE_DIR}/tests/bits/golden.py ${CMAKE_BINARY_DIR}/yoke --sample 16)
+add_test(NAME wasm/bits COMMAND ${PYTHON3} ${CMAKE_SOURCE_DIR}/tests/bits/golden.py ${CMAKE_BINARY_DIR}/yoke --sample 48)
 set_tests_properties(wasm/bits PROPERTIES COST 40 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 set_tests_properties(wasm/sizes wasm/door wasm/followers wasm/answers wasm/recorded wasm/problems wasm/client wasm/types wasm/bits PROPERTIES TIMEOUT 36000)
 set_tests_properties(wasm/door wasm/followers wasm/answers wasm/recorded wasm/problems wasm/client PROPERTIES SKIP_RETURN_CODE 77)
