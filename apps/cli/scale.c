@@ -104,6 +104,7 @@ void yk_scale_add_pose(YkSession *session, const YkState *state)
         add_motion(session, yk_state_input(state, i),
                    yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, i)).is_distance);
     if (!yk_state_has_rates(state)) return;
+    if (yk_state_report(state)->status == YK_CHANGE_POINT) session->scale.blur = YK_BLUR_AT_CHANGE_POINT;
     for (size_t i = 0; i < yk_coordinate_count(session->mech); i++)
         add_motion(session, yk_state_coordinate(state, i), yk_coordinate_info(session->mech, i).is_distance);
     yk_scale_add_bodies(session, state);

@@ -14,6 +14,9 @@ typedef struct YkScale {
     bool is_exact; // no loops: angles and their rates are sums and products of the inputs', so small ones are real
 } YkScale;
 
+// The blur at a change point, where rates are limits made of poses beside it.
+#define YK_BLUR_AT_CHANGE_POINT 1e4
+
 // Begins a scale for the session's machine.
 void yk_scale_begin(YkSession *session);
 // Adds a pose with its rates, and its forces if session->dynamics has them.

@@ -153,6 +153,15 @@ class ChangePoints(Case):
                 accel = -40 * (math.pi / 2) ** 2 * math.cos(true[0])
                 self.assertAlmostEqual(float(told[6]), accel, delta=1e-4)
 
+    def test_a_pose_at_a_change_point_is_that_row_of_a_sweep(self):
+        """Solve moves there as a sweep does: the same rates, limits of the motion, and as zeros what is noise."""
+        path = self.write("parallelogram.yaml", PARALLELOGRAM)
+        run = self.good("solve", path, "--at", "theta1=180deg", "--of", "theta2.accel,theta3.accel,coupler.rate,theta3.rate,coupler.P.x.accel")
+        self.assertIn("W0604", run.err)
+        told = [line.split()[1] for line in run.out.split("\n\n")[1].splitlines()[1:]]
+        self.assertEqual(told[:4], ["0", "0", "0", "90"])
+        self.assertAlmostEqual(float(told[4]), 40 * (math.pi / 2) ** 2, delta=1e-4)
+
     def test_what_is_small_and_true_beside_a_change_point_is_told(self):
         """Almost a parallelogram: its cranks differ by a millionth, and the rate of its coupler is 1e-7 of theirs."""
         path = self.write("almost.yaml", PARALLELOGRAM.replace("B: [40, 0]", "B: [40.00004, 0]"))

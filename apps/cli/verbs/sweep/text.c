@@ -35,12 +35,12 @@ static double shown_at(const YkSweepAnswer *answer, double at)
 }
 
 // Beside a change point rates and accelerations lose digits, with the sine of the transmission angle to the third power;
-// at one they are limits made of poses beside it. So there is more noise there, which is at most taken for 1e-8.
+// at one they are limits. So there is more noise there, which is at most taken for 1e-8.
 static double blur_of(const YkSweepAnswer *answer, size_t row)
 {
-    const double at_it = 1e4, most = 1e5;
+    const double most = 1e5;
     double sine = row < answer->row_capacity ? answer->sines[row] : 1;
-    if (yk_sweep_row_status(answer->sweep, row) == YK_CHANGE_POINT) return at_it;
+    if (yk_sweep_row_status(answer->sweep, row) == YK_CHANGE_POINT) return YK_BLUR_AT_CHANGE_POINT;
     return fmin(most, fmax(1, 1e-2 / (sine * sine * sine)));
 }
 
