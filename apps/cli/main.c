@@ -81,6 +81,7 @@ int main(int argc, char **argv)
     bool has_no_reason = exit_code == YK_EXIT_WRONG && !session.has_told_error;
     if (!is_stopped && (has_no_reason || (session.ran_out && !session.has_told_memory)))
         fputs("yoke: error: out of memory [E0100]\n", stderr);
+    if (exit_code == YK_EXIT_WRONG && yk_ranks_rank() > 0 && !yk_ranks()) yk_ranks_linger();
     yk_session_free(&session);
     yk_problems_free(session.problems);
     yk_request_free(&request);

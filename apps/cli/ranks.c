@@ -115,6 +115,13 @@ void yk_ranks_hush(void)
 #endif
 }
 
+void yk_ranks_linger(void)
+{
+#ifdef YOKE_HAS_RANKS
+    sleep(1);
+#endif
+}
+
 void yk_ranks_unhush(char *text, size_t size)
 {
     *text = '\0';

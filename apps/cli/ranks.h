@@ -23,6 +23,8 @@ const char *yk_ranks_plugin(void);
 
 // Ranks other than 0 tell nothing themselves: from now on what is written to standard error is kept back.
 void yk_ranks_hush(void);
+// Waits a second. mpirun ends all ranks when one of them fails: the others wait so that rank 0 can tell why.
+void yk_ranks_linger(void);
 // Returns what was kept back, in text[size]; standard error is itself again.
 void yk_ranks_unhush(char *text, size_t size);
 void yk_ranks_speak(void); // nothing more is kept back
