@@ -2,10 +2,24 @@
 #include <string.h>
 #include "simulate/crossing.h"
 
+static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
+{
+    yk_dynamics_fail(sim->dynamics, status, why, "", "");
+    sim->report = sim->dynamics->report;
+    return sim->status = status;
+}
+
+static const char *const near_rest = "a drive comes to rest, or turns back, so near to a change point that steps in time do "
+                                     "not tell on which side of it the machine goes on; `yoke sweep --over t` does";
+
 // Solves the pose at (t, y) and counts it.
 static bool stand(YkSimulation *sim, double t, const double *y)
 {
     if (!yk_simulation_pose(sim, t, y)) return false;
+    if (!yk_simulation_agrees_with_guide(sim)) {
+        give_up(sim, YK_NOT_CONVERGED, near_rest);
+        return false;
+    }
     sim->is_elsewhere = true;
     memcpy(sim->work, y + 2 * sim->free_count, sim->work_count * sizeof *sim->work);
     yk_simulation_count_energy(sim);
@@ -82,16 +96,6 @@ static void take_step_end(YkSimulation *sim)
     memcpy(sim->y, yk_ode_state(sim->ode), (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
     sim->time = yk_ode_time(sim->ode);
 }
-
-static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
-{
-    yk_dynamics_fail(sim->dynamics, status, why, "", "");
-    sim->report = sim->dynamics->report;
-    return sim->status = status;
-}
-
-static const char *const near_rest = "a drive comes to rest, or turns back, so near to a change point that steps in time do "
-                                     "not tell on which side of it the machine goes on; `yoke sweep --over t` does";
 
 static bool has_run_out(const YkSimulation *sim)
 {
@@ -274,10 +278,6 @@ static YkStatus go_to(YkSimulation *sim, double to)
         }
         sim->report.message[0] = 0;
         sim->is_new_step = true;
-        if (!yk_simulation_agrees_with_guide(sim, yk_ode_time(sim->ode))) {
-            give_up(sim, YK_NOT_CONVERGED, near_rest);
-            return fail(sim, YK_ODE_FAILED);
-        }
         look_back(sim);
         if (!sample_energy(sim)) return fail(sim, YK_ODE_FAILED);
         double reached = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);

@@ -162,16 +162,15 @@ bool yk_simulation_start_guide(YkSimulation *sim)
     return sim->guide != NULL;
 }
 
-bool yk_simulation_agrees_with_guide(YkSimulation *sim, double t)
+bool yk_simulation_agrees_with_guide(YkSimulation *sim)
 {
-    const double CLEAR = 1e-8; // sin^2: nearer to a singular position both signs give the same pose
-    YkState *guide = sim->guide;
-    if (!guide || sim->near_count == 0 || sim->commands) return true;
-    if (yk_state_move_time(guide, t, NULL, NULL, NULL) < 0) return true; // it says no more than the step
-    for (size_t k = 0; k < sim->near_count; k++) {
-        size_t b = sim->near[k].block;
-        int sign = yk_sin(yk_near_angle(&sim->near[k], t - sim->near_time)) < 0 ? -1 : 1;
-        if (guide->space.block_margin[b] > CLEAR && sign != guide->branch[b]) return false;
+    const double SAME = 1e-5; // of directions: near a singular position poses are known to the square root of rounding
+    YkState *s = sim->state, *guide = sim->guide;
+    if (!guide || sim->commands || yk_simulation_margin(sim) > 4 * NEAR_SINE2) return true;
+    if (yk_state_move_time(guide, sim->time, NULL, NULL, NULL) < 0) return false;
+    for (size_t k = 1; k < s->space.slots; k++) {
+        YkTurn one = yk_space_turn(&s->space, (int32_t)k), other = yk_space_turn(&guide->space, (int32_t)k);
+        if (!(fabs(*one.c - *other.c) + fabs(*one.s - *other.s) < SAME)) return false;
     }
     return true;
 }

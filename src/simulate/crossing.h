@@ -29,9 +29,9 @@ static inline double yk_near_angle(const YkNear *near, double ahead) // predicte
 }
 
 // Where drives alone move the machine, they may rest, or turn back, so near to a singular position that no prediction tells
-// on which side of it they go on. There a second state follows the drives as sweeps do: starts it at the start's pose
-// (false when out of memory); returns whether it has the signs predicted for the end of a step.
+// on which side of it they go on. A second state follows the drives there as sweeps do: starts it at the start's pose
+// (false when out of memory); returns whether the pose that stands is the same.
 bool yk_simulation_start_guide(YkSimulation *sim);
-bool yk_simulation_agrees_with_guide(YkSimulation *sim, double t);
+bool yk_simulation_agrees_with_guide(YkSimulation *sim);
 
 #endif

@@ -48,6 +48,8 @@ static YkStatus channels_at(YkWorker *w, const double *values, double *out)
     signed char one = YK_OK;
     for (size_t c = 0; c < w->study->channel_count; c++) w->outputs[c] = out + c;
     if (status >= 0) status = yk_worker_go(w, w->outputs, &one, 1);
+    for (size_t c = 0; status >= 0 && c < w->study->channel_count; c++)
+        if (!yk_study_counts(w->study->channels[c], (YkStatus)one)) out[c] = NAN;
     return status;
 }
 

@@ -1,25 +1,19 @@
 // The limits of the rates at a change point where a walk stands. J is singular there, but the motion is smooth through
 // it, so what has no value at the pose is interpolated from four poses on each side (Lagrange, error O(h^8)).
 #include <stdlib.h>
+#include <string.h>
 #include "sweep/walk.h"
-
-// The poses beside a change point.
-typedef struct Beside {
-    YkWalk *walk;
-    double at, side, step; // the signs hold on that side of the path; the nearest pose, in units of the path
-    int32_t moving;        // over time: the only input that moves, and its way on that side; YK_NONE: along the path
-    double way;
-    bool is_back; // over time: both sides of the path lie on the same side of the change point
-} Beside;
 
 static double input_unit(const YkMechanism *mech, size_t input)
 {
     return mech->coordinates[mech->inputs[input]].is_distance ? mech->size : 1;
 }
 
+// --- poses beside a change point
+
 // Finds which input moves, if it is only one: its drive may rest or turn back at the change point, so that time does
 // not lead to both sides of it, but its way does. The rates are those at the change point.
-static void find_moving(Beside *b)
+static void find_moving(YkBeside *b)
 {
     const YkPath *path = &b->walk->path;
     const YkState *s = path->state;
@@ -38,7 +32,7 @@ static void find_moving(Beside *b)
 }
 
 // Solves the pose that many steps from the change point, on the side of the signs if positive.
-static bool stand_beside(const Beside *b, double steps)
+static bool stand_beside(const YkBeside *b, double steps)
 {
     YkPath *path = &b->walk->path;
     YkState *s = path->state;
@@ -54,38 +48,36 @@ static bool stand_beside(const Beside *b, double steps)
     return true;
 }
 
-static void exchange_signs(const Beside *b, const double *margins)
+static void exchange_signs(const YkBeside *b)
 {
     YkState *s = b->walk->path.state;
     if (b->moving == YK_NONE && b->is_back) return;
     for (size_t k = 0; k < b->walk->margin_count; k++)
-        if (yk_walk_has_margin(b->walk, k) && margins[k] <= YK_SINGULAR_MARGIN)
+        if (yk_walk_has_margin(b->walk, k) && b->margins[k] <= YK_SINGULAR_MARGIN)
             s->branch[k] = (signed char)-s->branch[k];
 }
 
-bool yk_walk_visit_beside(YkWalk *w, double at, double side, const double *margins, YkVisitBeside visit, void *context)
+bool yk_beside_visit(const YkBeside *b, YkVisitBeside visit, void *context)
 {
     enum { SIDE = 4 };
-    Beside b = {.walk = w, .at = at, .side = side, .step = 0.01};
     bool ok = true;
-    find_moving(&b);
     for (int way = 1; way >= -1; way -= 2) {
         for (int k = 1; k <= SIDE; k++) {
             double weight = 0.5;
             for (int j = 1; j <= SIDE; j++)
                 if (j != k) weight *= (double)(j * j) / (double)(j * j - k * k);
-            ok = ok && stand_beside(&b, way * k);
+            ok = ok && stand_beside(b, way * k);
             if (ok) visit(context, weight);
         }
-        exchange_signs(&b, margins);
+        exchange_signs(b);
     }
-    if (ok && stand_beside(&b, 0.125)) visit(context, 0);
-    yk_path_probe(&w->path, at + side * b.step * yk_path_scale(&w->path), true); // from the side of its signs
-    yk_path_probe(&w->path, at, true);
+    if (ok && stand_beside(b, 0.125)) visit(context, 0);
+    yk_path_probe(&b->walk->path, b->at + b->side * b->step * yk_path_scale(&b->walk->path), true); // from that side
+    yk_path_probe(&b->walk->path, b->at, true);
     return ok;
 }
 
-// --- the state's own rates
+// --- the step
 
 typedef struct Sum {
     const YkState *state;
@@ -102,6 +94,73 @@ static void add_pose(void *context, double weight)
     sum->is_known = sum->is_known && sum->state->has_rates;
     for (size_t k = 0; k < count; k++) sum->numbers[k] += weight * space->data[k];
 }
+
+static bool sum_poses(const YkBeside *b, double *numbers)
+{
+    YkState *s = b->walk->path.state;
+    Sum sum = {s, numbers, true};
+    memset(numbers, 0, yk_space_number_count(&s->space) * sizeof *numbers);
+    return yk_beside_visit(b, add_pose, &sum) && sum.is_known;
+}
+
+// The largest rate of a kind in a sum, and how far another sum is off.
+typedef struct Off {
+    double most, off;
+} Off;
+
+static void compare(Off *o, double one, double other)
+{
+    o->most = fmax(o->most, fabs(other));
+    o->off = one - other == one - other ? fmax(o->off, fabs(one - other)) : INFINITY;
+}
+
+// Returns whether two sums have the same rates of all orientations and distances.
+static bool agree(const YkSpace *space, const double *one, const double *other)
+{
+    const double SAME = 1e-7;
+    const double *base = space->data;
+    Off w = {0}, a = {0}, v = {0}, b = {0};
+    for (size_t k = 1; k < space->slots; k++) {
+        ptrdiff_t rate = space->turn[k].w - base, accel = space->turn[k].a - base;
+        compare(&w, one[rate], other[rate]);
+        compare(&a, one[accel], other[accel]);
+    }
+    for (size_t k = 0; k < space->distances; k++) {
+        ptrdiff_t rate = space->slide[k].v - base, accel = space->slide[k].a - base;
+        compare(&v, one[rate], other[rate]);
+        compare(&b, one[accel], other[accel]);
+    }
+    return w.off <= SAME * w.most && a.off <= SAME * fmax(a.most, w.most * w.most) && v.off <= SAME * v.most &&
+           b.off <= SAME * fmax(b.most, w.most * v.most);
+}
+
+// Limits and other change points may be near, and a gear may turn a link much farther than its input: halves the step
+// until the limits no longer depend on it.
+bool yk_beside_begin(YkBeside *b, double *limits)
+{
+    enum { HALVINGS = 10 };
+    const YkSpace *space = &b->walk->path.state->space;
+    size_t count = yk_space_number_count(space);
+    double *sums = malloc((2 * count + 1) * sizeof *sums), *now = sums, *finer = sums + count;
+    b->walk->failed |= !sums;
+    if (!sums) return false;
+    b->step = 0.01;
+    find_moving(b);
+    bool is_known = sum_poses(b, now), is_same = false;
+    for (int k = 0; k < HALVINGS && !is_same; k++) {
+        b->step *= 0.5;
+        bool is_finer_known = sum_poses(b, finer);
+        is_same = is_known && is_finer_known && agree(space, now, finer);
+        if (is_same && limits) memcpy(limits, now, count * sizeof *limits);
+        double *spare = now;
+        now = finer, finer = spare, is_known = is_finer_known;
+    }
+    b->step *= 2;
+    free(sums);
+    return is_same;
+}
+
+// --- the state's own rates
 
 // Takes the rates from the sum; the positions stay.
 static void take_rates(YkState *s, const double *numbers)
@@ -159,21 +218,22 @@ YkStatus yk_walk_take_limits(YkWalk *w, double at, double way)
     if (s->space.margin[0] > YK_SINGULAR_MARGIN || s->mech->has_groups || w->margin_count != s->mech->block_count ||
         !moves_along(&w->path))
         return YK_SINGULAR;
-    Sum sum = {s, calloc(yk_space_number_count(&s->space), sizeof *sum.numbers), true};
-    if (!sum.numbers) return YK_NO_MEMORY;
+    double *limits = malloc((yk_space_number_count(&s->space) + 1) * sizeof *limits);
+    if (!limits) return YK_NO_MEMORY;
     yk_walk_read_margins(w, margins);
     int block = yk_walk_touching_block(w, margins);
-    bool ok = block >= 0 &&
-              yk_walk_visit_beside(w, at, yk_walk_has_passed(w) ? way : -way, margins, add_pose, &sum) && sum.is_known;
+    YkBeside beside = {.walk = w, .at = at, .side = yk_walk_has_passed(w) ? way : -way, .margins = margins};
+    bool ok = block >= 0 && yk_beside_begin(&beside, limits);
     YkStatus status = yk_path_probe(&w->path, at, false);
+    if (w->failed) status = YK_NO_MEMORY;
     if (ok && status == YK_SINGULAR) {
-        take_rates(s, sum.numbers);
+        take_rates(s, limits);
         s->has_rates = true;
         status = yk_state_refuse(s, YK_CHANGE_POINT,
                                  "two configurations meet here; the rates are the limits of the motion that led here, "
                                  "and forces need a sweep past this pose");
         s->report.block = block;
     }
-    free(sum.numbers);
+    free(limits);
     return status;
 }

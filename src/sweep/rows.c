@@ -59,8 +59,8 @@ static size_t drop_singular(YkSweep *w, double at)
 // poses from which a limit was made. Returns whether a channel of forces is so.
 static bool is_unbounded(const YkSweep *w, size_t c)
 {
-    double noise = 1e-9 * w->options.dynamics->largest_force;
-    return yk_channel_needs_forces(w->channels[c]) && fabs(w->beside[c]) > 4 * w->largest[c] + noise;
+    if (!w->options.dynamics || !yk_channel_needs_forces(w->channels[c])) return false;
+    return fabs(w->beside[c]) > 4 * w->largest[c] + 1e-9 * w->options.dynamics->largest_force;
 }
 
 // Adds the channels at a pose beside the change point to its row's sums.
@@ -79,8 +79,9 @@ static void add_channels(void *context, double weight)
 // Fills a row exactly on a change point: rates and forces are the limits from both sides.
 static void fill_change_row(YkSweep *w, size_t row, const double *margins, double side)
 {
+    YkBeside beside = {.walk = &w->walk, .at = *yk_sweep_row(w, row), .side = side, .margins = margins};
     for (size_t c = 0; c < w->channel_count; c++) w->sums[c] = w->largest[c] = 0;
-    if (!yk_walk_visit_beside(&w->walk, *yk_sweep_row(w, row), side, margins, add_channels, w)) return;
+    if (!yk_beside_begin(&beside, NULL) || !yk_beside_visit(&beside, add_channels, w)) return;
     w->row_status[row] = YK_CHANGE_POINT;
     for (size_t c = 0; c < w->channel_count; c++)
         if (w->channels[c].order > 0 || w->channels[c].kind >= YK_CHANNEL_POINT_SPEED)

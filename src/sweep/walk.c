@@ -157,6 +157,20 @@ static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
 
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
 
+// Returns whether a drive turns back between two times. Three samples of a margin tell what it does on a way there or
+// back, not on both.
+static bool turns_back_between(YkWalk *w, double a, double b)
+{
+    YkState *s = w->path.state;
+    bool turns = false;
+    if (w->path.input >= 0 || w->path.is_line || yk_path_set(&w->path, a, true) < 0) return false;
+    double *rate = w->path.others + 6 * s->mech->input_count; // near.c's scratch
+    for (size_t i = 0; i < s->mech->input_count; i++) rate[i] = s->input[3 * i + 1];
+    if (yk_path_set(&w->path, b, true) < 0) return false;
+    for (size_t i = 0; i < s->mech->input_count; i++) turns = turns || rate[i] * s->input[3 * i + 1] < 0;
+    return turns;
+}
+
 // Judges [a, b] from the margins at both ends and in the middle; in the narrowest intervals a touch is a change point.
 static Verdict look(YkWalk *w, double a, double b, size_t depth)
 {
@@ -165,6 +179,8 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
     bool narrow = yk_path_way(&w->path, a, b) < 4e-7 || depth + 1 >= WALK_DEPTH_MAX, touched = false;
     for (size_t k = 0; k < w->margin_count; k++) {
         if (!yk_walk_has_margin(w, k)) continue;
+        bool is_near = fmin(ma[k], fmin(mm[k], mb[k])) < 0.05;
+        if (!narrow && is_near && turns_back_between(w, a, b)) return FINER;
         if (!yk_margin_may_vanish(ma[k], mm[k], mb[k])) {
             touched |= mb[k] <= YK_SINGULAR_MARGIN && flip_at_end(w, k, a, b);
             continue;
@@ -173,7 +189,8 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
         if (!narrow) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
         double way = copysign(1, b - a), at = yk_walk_refine_touch(w, k, yk_walk_touch(a, ma[k], b, mb[k]), 1.2e-6);
-        if ((at - b) * way <= 0) flip(w, k, at, way); // otherwise the next interval passes it
+        bool is_here = (at - b) * way <= 0 && ((at - a) * way >= 0 || yk_path_way(&w->path, at, a) < 2e-8);
+        if (is_here) flip(w, k, at, way); // otherwise the next interval passes it, or the walk began behind it
         touched = true;
     }
     return touched ? TOUCHED : CLEAR;

@@ -57,12 +57,23 @@ double yk_walk_refine_touch(YkWalk *walk, size_t block, double at, double reach)
 bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, double *at);
 // Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from `at`.
 bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
-// limits.c: solves poses beside a change point where the walk stands, on which signs hold on `side` (+1: ahead on the path).
-// Each is visited with its weight in the limit at the change point, where the state then stands again; one that is nearer
-// than the others is visited last with weight 0. Returns false if one of them does not close: it is a limit.
+// limits.c: poses beside a change point where the walk stands.
+typedef struct YkBeside {
+    YkWalk *walk;
+    double at, side;       // the signs hold on that side of the path (+1: ahead)
+    const double *margins; // at the change point: which blocks touch
+    double step;           // the nearest pose, in units of the path
+    int32_t moving;        // over time: the only input that moves, and its way on that side; YK_NONE: along the path
+    double way;
+    bool is_back; // over time: both sides of the path lie on the same side of the change point
+} YkBeside;
 typedef void (*YkVisitBeside)(void *context, double weight);
-bool yk_walk_visit_beside(YkWalk *walk, double at, double side, const double *margins, YkVisitBeside visit,
-                          void *context);
+// Finds a step at which the limits of the rates do not depend on it any more, and the limits themselves, as the data of
+// the state's space (NULL: not needed). Returns false if there is none, or out of memory (walk->failed).
+bool yk_beside_begin(YkBeside *beside, double *limits);
+// Solves the poses and visits each with its weight in the limit at the change point, where the state then stands again; one
+// that is nearer than the others is visited last with weight 0. Returns false if one of them does not close.
+bool yk_beside_visit(const YkBeside *beside, YkVisitBeside visit, void *context);
 // Gives the state at the singular end of a walk the limits of its rates. Returns CHANGE_POINT; SINGULAR if they have none,
 // or depend on more than the way there.
 YkStatus yk_walk_take_limits(YkWalk *walk, double at, double way);
