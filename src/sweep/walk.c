@@ -157,18 +157,32 @@ static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
 
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
 
-// Returns whether a drive turns back between two times. Three samples of a margin tell what it does on a way there or
-// back, not on both.
-static bool turns_back_between(YkWalk *w, double a, double b)
+// Returns whether a block could pass a singular position between two times though three samples of its margin do not show
+// it: a drive may go past it and come back, at any pace, so only how far the inputs go tells.
+static bool is_within_reach(const YkWalk *w, double least, double a, double b)
 {
-    YkState *s = w->path.state;
-    bool turns = false;
-    if (w->path.input >= 0 || w->path.is_line || yk_path_set(&w->path, a, true) < 0) return false;
-    double *rate = w->path.others + 6 * s->mech->input_count; // near.c's scratch
-    for (size_t i = 0; i < s->mech->input_count; i++) rate[i] = s->input[3 * i + 1];
-    if (yk_path_set(&w->path, b, true) < 0) return false;
-    for (size_t i = 0; i < s->mech->input_count; i++) turns = turns || rate[i] * s->input[3 * i + 1] < 0;
-    return turns;
+    const double AHEAD = 2; // how much farther than the inputs the block may turn
+    bool is_time = w->path.input < 0 && !w->path.is_line;
+    return is_time && least < 0.05 && sqrt(fmax(least, 0)) < AHEAD * yk_path_way(&w->path, a, b);
+}
+
+// Returns how much faster than the path its fastest body turns: a gear, or a short link, may turn further than the
+// inputs, and a margin may vanish and recover within a small part of its turn.
+static double fastest_turn(const YkWalk *w)
+{
+    const YkState *s = w->path.state;
+    double fastest = 1, unit = yk_path_scale(&w->path);
+    for (size_t k = 1; s->has_rates && k < s->mech->slot_count; k++) {
+        YkTurn turn = yk_space_turn(&s->space, (int32_t)k);
+        if (turn.w) fastest = fmax(fastest, unit * fabs(turn.w[0]));
+    }
+    return fmin(fastest, FASTEST);
+}
+
+// Returns whether bodies turn much farther than the inputs go in an interval, so that it only seems narrow.
+static bool is_wide_for_bodies(const YkWalk *w, double a, double b, size_t depth)
+{
+    return depth + 1 < WALK_DEPTH_MAX && fastest_turn(w) * yk_path_way(&w->path, a, b) > 4e-6;
 }
 
 // Judges [a, b] from the margins at both ends and in the middle; in the narrowest intervals a touch is a change point.
@@ -179,14 +193,13 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
     bool narrow = yk_path_way(&w->path, a, b) < 4e-7 || depth + 1 >= WALK_DEPTH_MAX, touched = false;
     for (size_t k = 0; k < w->margin_count; k++) {
         if (!yk_walk_has_margin(w, k)) continue;
-        bool is_near = fmin(ma[k], fmin(mm[k], mb[k])) < 0.05;
-        if (!narrow && is_near && turns_back_between(w, a, b)) return FINER;
+        if (!narrow && !is_decided(w, k, b) && is_within_reach(w, fmin(ma[k], fmin(mm[k], mb[k])), a, b)) return FINER;
         if (!yk_margin_may_vanish(ma[k], mm[k], mb[k])) {
             touched |= mb[k] <= YK_SINGULAR_MARGIN && flip_at_end(w, k, a, b);
             continue;
         }
         if (is_decided(w, k, b)) continue;
-        if (!narrow) return FINER;
+        if (!narrow || is_wide_for_bodies(w, a, b, depth)) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
         double way = copysign(1, b - a), at = yk_walk_refine_touch(w, k, yk_walk_touch(a, ma[k], b, mb[k]), 1.2e-6);
         bool is_here = (at - b) * way <= 0 && ((at - a) * way >= 0 || yk_path_way(&w->path, at, a) < 2e-8);
@@ -273,19 +286,6 @@ static bool go_on(YkWalk *w, double from, double to, size_t depth)
     yk_walk_read_margins(w, margins);
     yk_walk_flip_at(w, from, margins);
     return advance(w, from, to, depth + 1);
-}
-
-// Returns how much faster than the path its fastest body turns: a gear, or a short link, may turn further than the
-// inputs, and a margin may vanish and recover within a small part of its turn.
-static double fastest_turn(const YkWalk *w)
-{
-    const YkState *s = w->path.state;
-    double fastest = 1, unit = yk_path_scale(&w->path);
-    for (size_t k = 1; s->has_rates && k < s->mech->slot_count; k++) {
-        YkTurn turn = yk_space_turn(&s->space, (int32_t)k);
-        if (turn.w) fastest = fmax(fastest, unit * fabs(turn.w[0]));
-    }
-    return fmin(fastest, FASTEST);
 }
 
 bool yk_walk_refuses(YkWalk *w, double a, double b)
