@@ -10,10 +10,21 @@ const chooseExample = async (page, id) => {
   await page.click(`dialog [data-example="${id}"]`);
   await bodies(page, 2);
 };
-const pinAt = (page, body, last = true) => page.evaluate(([name, isLast]) => {
+const pinNow = (page, body, last) => page.evaluate(([name, isLast]) => {
   const circles = Array.from(document.querySelectorAll(`#scene [data-body="${name}"] circle`)), box = circles.at(isLast ? -1 : 0).getBoundingClientRect();
   return [box.x + box.width / 2, box.y + box.height / 2];
 }, [body, last]);
+// Where the pin is once the view rests: it is fitted after the machine is drawn.
+async function pinAt(page, body, last = true) {
+  let at = await pinNow(page, body, last);
+  for (let same = 0; same < 3;) {
+    await page.waitForTimeout(100);
+    const now = await pinNow(page, body, last);
+    same = Math.hypot(now[0] - at[0], now[1] - at[1]) < 0.5 ? same + 1 : 0;
+    at = now;
+  }
+  return at;
+}
 
 async function goTo(page, key, point) {
   for (let k = 0; k < 12 && !(await page.textContent("#said")).endsWith(point); k++) await page.keyboard.press(key);
