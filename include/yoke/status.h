@@ -20,7 +20,7 @@ extern "C" {
 typedef enum YkStatus {
     YK_OK = 0,             // the answer is valid
     YK_REDUNDANT = 1,      // the answer is valid; some constraints repeat others
-    YK_CHANGE_POINT = 2,   // two branches meet here; the pose follows the direction of the motion
+    YK_CHANGE_POINT = 2,   // two branches meet here; pose and rates follow the motion, forces are undefined
     YK_SINGULAR = 3,       // dead point: the position is valid, velocities and accelerations are undefined
     YK_LIMIT = -1,         // past a limit position: this configuration cannot be closed here
     YK_NO_ASSEMBLY = -2,   // no configuration can be closed
