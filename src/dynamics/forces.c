@@ -218,6 +218,8 @@ static bool stands_dry(YkDynamics *d, YkState *state)
 
 YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkMethod method)
 {
+    if (yk_state_has_limits(state)) // they stay
+        return yk_dynamics_fail(d, YK_CHANGE_POINT, "a change point: the pose does not determine the forces", "", "");
     YkStatus status =
         stands_dry(d, state) ? yk_holding_find(d->holding, d, state, method) : solve_sliding(d, state, method);
     if (status == YK_SINGULAR && d->report.status != YK_SINGULAR)

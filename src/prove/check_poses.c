@@ -20,7 +20,7 @@ bool yk_check_solve(YkCheck *check)
     if (!yk_ring_spend(check->d->ring, SOLVE * check->d->mech->step_count)) return false;
     YkStatus status = check->dynamics ? yk_dynamics_solve(check->dynamics, check->state, YK_METHOD_REDUCED)
                                       : yk_state_solve(check->state);
-    return status >= 0 && yk_state_has_rates(check->state);
+    return status >= 0 && status != YK_CHANGE_POINT && yk_state_has_rates(check->state);
 }
 
 // Returns the smallest transmission angle of the dyads: at 0 two configurations meet.

@@ -38,10 +38,6 @@ static void make_dynamics(YkReportPage *report, YkProblems *problems)
 static void solve_start(YkReportPage *report)
 {
     if (!report->dynamics || report->status < 0) return;
-    if (yk_state_report(report->start)->status == YK_CHANGE_POINT) { // its rates are limits; a new solution has none
-        report->forces_message = "two configurations meet at this pose, which does not determine the forces";
-        return;
-    }
     YkStatus status = yk_dynamics_solve(report->dynamics, report->start, YK_METHOD_REDUCED);
     yk_report_note(report, status);
     yk_law_watch_look(report->laws, report->start, report->dynamics, yk_report_place(report, report->start));

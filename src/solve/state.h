@@ -2,6 +2,7 @@
 #ifndef SOLVE_STATE_H
 #define SOLVE_STATE_H
 #include <yoke/state.h>
+#include <string.h>
 #include "base/archive.h"
 #include "base/pace.h"
 #include "solve/run.h"
@@ -98,6 +99,15 @@ static inline bool yk_margin_may_vanish(double a, double m, double b)
     double least = fmin(a, fmin(m, b)), most = fmax(a, fmax(m, b));
     if (a <= YK_SINGULAR_MARGIN || b <= YK_SINGULAR_MARGIN) return m < 0.1 * most;
     return least < 0.2 * (most - least);
+}
+
+// Returns whether the rates of the pose are limits of the motion that led there, at a change point (sweep/limits.c). A new
+// solution at the same inputs has none.
+static inline bool yk_state_has_limits(const YkState *state)
+{
+    size_t bytes = 3 * state->mech->input_count * sizeof *state->input;
+    return state->has_rates && state->report.status == YK_CHANGE_POINT &&
+           (bytes == 0 || memcmp(state->input, state->valid_input, bytes) == 0);
 }
 
 // Returns the status of the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a redundant

@@ -17,7 +17,7 @@ static int tell(const YkProblems *problems, const YkDynamics *dynamics, YkStatus
 {
     if (problems && yk_problems_count(problems) > 0)
         yk_text_puts(&yk_core.message, yk_problems_get(problems, 0)->message);
-    else if (dynamics && (status < 0 || status == YK_SINGULAR))
+    else if (dynamics && status != YK_OK && status != YK_REDUNDANT)
         yk_text_puts(&yk_core.message, yk_dynamics_report(dynamics)->message);
     else if (dynamics && !yk_dynamics_has_loads(dynamics))
         yk_text_puts(&yk_core.message, "the machine has neither masses nor loads: all forces are 0");
@@ -34,7 +34,7 @@ static YkStatus solve(YkDynamics *dynamics, YkState *copy)
 
 // Writes the numbers: for each joint x, y, m, the force that its first body exerts on its second, fx, fy, N, in the
 // ground's axes, and 1 if it is determinate (0: one of many, the least). The inputs move as they do in the pose. Returns
-// a status; where it is negative, or at a dead point, there are no numbers, and the message says why.
+// a status; where it is negative, or at a dead point or change point, there are no numbers, and the message says why.
 YK_DOOR(ys_forces) int ys_forces(void)
 {
     yk_core.number_count = 0;

@@ -76,7 +76,7 @@ static int find_pose(YkSession *session, bool *has_forces)
         return yk_status_exit(status);
     }
     const char *message = yk_state_report(session->state)->message;
-    if (session->dynamics && status != YK_CHANGE_POINT) { // there the rates are limits, and forces have no value
+    if (session->dynamics) {
         status = yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED);
         if (status < 0) message = yk_dynamics_report(session->dynamics)->message;
     }

@@ -37,11 +37,6 @@ static YkStatus find_forces(Writer *writer, YkState *state)
     session->forces_message = NULL;
     session->lacks_accelerations = false;
     if (!dynamics || !yk_state_has_rates(state)) return YK_OK;
-    if (yk_state_report(state)->status == YK_CHANGE_POINT) { // its rates are limits, which the pose alone does not give
-        session->forces_message = "a change point: the pose does not determine the forces";
-        session->lacks_accelerations = has_free_inputs(session, dynamics);
-        return YK_CHANGE_POINT;
-    }
     YkStatus status = yk_dynamics_solve(dynamics, state, writer->method);
     if (status == YK_OK || status == YK_REDUNDANT) {
         session->dynamics = dynamics;
