@@ -239,6 +239,11 @@ static inline size_t yk_contact_count(const YkMechanism *mech)
     while (count > 0 && mech->relations[count - 1].kind == YK_RELATION_LAW) count--;
     return count;
 }
+// Returns the unit in which an input's way compares with turns: 1 rad, or the machine's size.
+static inline double yk_input_unit(const YkMechanism *mech, size_t input)
+{
+    return mech->coordinates[mech->inputs[input]].is_distance ? mech->size : 1;
+}
 // Returns the tree's coordinate of a joint, or YK_NONE. O(log coordinates).
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);
 // Writes the way to a body in the tree, in pieces: path[] gets its bodies from depth `from` on (1: next to the root),

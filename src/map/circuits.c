@@ -3,12 +3,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "map/map.h"
-
-static size_t root_of(size_t *parent, size_t k)
-{
-    while (parent[k] != k) k = parent[k] = parent[parent[k]];
-    return k;
-}
+#include "map/roots.h"
 
 static bool goes_on(const YkTie *tie) // as the same branch
 {
@@ -189,14 +184,15 @@ bool yk_map_find_circuits(YkMap *map)
     bool ok = parent && number && ranges && map->circuit_of && map->branch_of;
     for (size_t k = 0; ok && k < n; k++) parent[k] = k;
     for (size_t k = 0; ok && k < ties->count; k++)
-        parent[root_of(parent, ties->items[k].strand[0]->index)] = root_of(parent, ties->items[k].strand[1]->index);
+        parent[yk_root_of(parent, ties->items[k].strand[0]->index)] =
+            yk_root_of(parent, ties->items[k].strand[1]->index);
     for (size_t k = 0; ok && k < n; k++) number[k] = map->branch_of[k] = YK_NOT_FOUND;
     if (ok && map->start_leaf != YK_NOT_FOUND) { // its circuit comes first
-        number[root_of(parent, map->start_leaf)] = map->circuit_count++;
+        number[yk_root_of(parent, map->start_leaf)] = map->circuit_count++;
         map->has_start = true;
     }
     for (size_t k = 0; ok && k < n; k++) {
-        size_t root = root_of(parent, k);
+        size_t root = yk_root_of(parent, k);
         if (number[root] == YK_NOT_FOUND) number[root] = map->circuit_count++;
         map->circuit_of[k] = number[root];
     }

@@ -2,6 +2,7 @@
 #include "map/runs.h"
 #include <stdlib.h>
 #include "base/memory.h"
+#include "map/roots.h"
 
 void yk_runs_end(YkRuns *runs)
 {
@@ -25,16 +26,10 @@ static size_t end_of(const YkRuns *r, size_t row, size_t run)
     return run + 1 < r->first[row + 1] ? r->items[run + 1].from : r->n;
 }
 
-static size_t root_of(size_t *parent, size_t k)
-{
-    while (parent[k] != k) k = parent[k] = parent[parent[k]];
-    return k;
-}
-
 // Joins two runs that touch: the first of them stands for both.
 static void join(size_t *parent, size_t a, size_t b)
 {
-    size_t p = root_of(parent, a), q = root_of(parent, b);
+    size_t p = yk_root_of(parent, a), q = yk_root_of(parent, b);
     parent[p < q ? q : p] = p < q ? p : q;
 }
 
@@ -55,7 +50,7 @@ static void number(YkRuns *r, const YkField *field, size_t *parent)
 {
     for (size_t row = 0; row < r->n; row++)
         for (size_t k = r->first[row]; k < r->first[row + 1]; k++) {
-            size_t root = root_of(parent, k);
+            size_t root = yk_root_of(parent, k);
             if (field->count[row * r->n + r->items[k].from] == 0) continue;
             r->items[k].part = root == k ? (uint32_t)++r->part_count : r->items[root].part;
         }

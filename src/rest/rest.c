@@ -196,7 +196,7 @@ static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *opt
     rest->jacobian = rest->scale + n;
     for (size_t i = 0, k = 0; i < rest->mech->input_count; i++) {
         if (!rest->dynamics->is_free[i]) continue;
-        rest->scale[k] = rest->mech->coordinates[rest->mech->inputs[i]].is_distance ? rest->mech->size : 1;
+        rest->scale[k] = yk_input_unit(rest->mech, i);
         rest->input[k++] = (int32_t)i;
     }
     return true;

@@ -7,7 +7,7 @@
 
 double yk_simulation_input_scale(const YkSimulation *sim, size_t free)
 {
-    return sim->mech->coordinates[sim->mech->inputs[sim->free_input[free]]].is_distance ? sim->mech->size : 1;
+    return yk_input_unit(sim->mech, (size_t)sim->free_input[free]);
 }
 
 double yk_simulation_margin(const YkSimulation *sim)

@@ -36,10 +36,8 @@ static Path path_of(const YkState *s, size_t i)
 static double path_length(const YkState *s)
 {
     double longest = 0;
-    for (size_t i = 0; i < s->mech->input_count; i++) {
-        bool is_distance = s->mech->coordinates[s->mech->inputs[i]].is_distance;
-        longest = fmax(longest, fabs(path_of(s, i).way) / (is_distance ? s->mech->size : 1));
-    }
+    for (size_t i = 0; i < s->mech->input_count; i++)
+        longest = fmax(longest, fabs(path_of(s, i).way) / yk_input_unit(s->mech, i));
     return longest;
 }
 

@@ -28,7 +28,7 @@ static double steps_to(const YkWorker *w, size_t pose)
     for (size_t i = 0; i < w->mech->input_count; i++) {
         double way = fabs(input_at(w, 3 * i, pose) - w->end[3 * i]);
         if (!(way - way == 0)) return INFINITY;
-        longest = fmax(longest, way / (w->mech->coordinates[w->mech->inputs[i]].is_distance ? w->mech->size : 1));
+        longest = fmax(longest, way / yk_input_unit(w->mech, i));
     }
     bool is_second = w->way.lanes == 1; // three lanes at least tell what lies between them
     return fmax(longest <= FINE ? 1 : ceil(longest / STEP), is_second ? 2 : 1);
@@ -122,7 +122,7 @@ bool yk_poses_are_fine(const YkMechanism *mech, const double *const *inputs, siz
     bool is_far = false;
     for (size_t i = 0; mech->block_count > 0 && i < mech->input_count; i++) {
         const double *x = inputs[3 * i];
-        double most = FINE * (mech->coordinates[mech->inputs[i]].is_distance ? mech->size : 1);
+        double most = FINE * yk_input_unit(mech, i);
         for (size_t k = from + 1; x && k < to; k++) is_far |= !(fabs(x[k] - x[k - 1]) <= most);
     }
     return !is_far;

@@ -99,8 +99,7 @@ static double slope_here(const YkDrag *d)
 
 double yk_drag_scale(const YkDrag *d, size_t active)
 {
-    const YkMechanism *mech = d->state->mech;
-    return mech->coordinates[mech->inputs[d->active[active]]].is_distance ? mech->size : 1;
+    return yk_input_unit(d->state->mech, (size_t)d->active[active]);
 }
 
 static double value_of(const YkDrag *d, size_t stop)

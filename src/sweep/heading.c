@@ -8,9 +8,8 @@ static double rate_of(const YkPath *path, size_t i, double side)
 {
     if (path->input < 0 && !path->is_line) return side * yk_path_heads(path, i, path->last, side); // it may rest there
     const YkState *s = path->state;
-    bool is_distance = s->mech->coordinates[s->mech->inputs[i]].is_distance;
     double rate = path->is_line ? path->goal[3 * i] - path->others[3 * i] : (double)((size_t)path->input == i);
-    return is_distance ? rate / s->mech->size : rate;
+    return rate / yk_input_unit(s->mech, i);
 }
 
 double yk_path_heading(const YkPath *path)

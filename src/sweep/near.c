@@ -15,8 +15,7 @@ static bool displacement(const YkPath *path, double at, double to, double *u)
     for (size_t i = 0; i < mech->input_count; i++) u[i] = s->input[3 * i];
     ok = ok && yk_state_set_time(s, to, NULL) >= 0;
     for (size_t i = 0; i < mech->input_count; i++) {
-        double size = mech->coordinates[mech->inputs[i]].is_distance ? mech->size : 1;
-        u[i] = (s->input[3 * i] - u[i]) / size;
+        u[i] = (s->input[3 * i] - u[i]) / yk_input_unit(mech, i);
         ok = ok && isfinite(u[i]);
     }
     s->time = time;

@@ -37,10 +37,8 @@ void yk_path_end(YkPath *path)
 static double fastest(const YkState *s)
 {
     double rate = 0;
-    for (size_t i = 0; i < s->mech->input_count; i++) {
-        bool is_distance = s->mech->coordinates[s->mech->inputs[i]].is_distance;
-        rate = fmax(rate, fabs(s->input[3 * i + 1]) / (is_distance ? s->mech->size : 1));
-    }
+    for (size_t i = 0; i < s->mech->input_count; i++)
+        rate = fmax(rate, fabs(s->input[3 * i + 1]) / yk_input_unit(s->mech, i));
     return rate;
 }
 
@@ -51,7 +49,7 @@ static double length_of_line(const YkPath *path)
     double longest = 0;
     for (size_t i = 0; i < mech->input_count; i++) {
         double way = fabs(path->goal[3 * i] - path->others[3 * i]);
-        longest = fmax(longest, way / (mech->coordinates[mech->inputs[i]].is_distance ? mech->size : 1));
+        longest = fmax(longest, way / yk_input_unit(mech, i));
     }
     return longest;
 }
@@ -60,8 +58,7 @@ double yk_path_scale(const YkPath *path)
 {
     if (path->is_line) return 1 / fmax(length_of_line(path), 1e-300);
     if (path->input < 0) return 1 / fmax(1, fastest(path->state));
-    const YkMechanism *mech = path->state->mech;
-    return mech->coordinates[mech->inputs[path->input]].is_distance ? mech->size : 1;
+    return yk_input_unit(path->state->mech, (size_t)path->input);
 }
 
 // Sets a point on a line: exactly the goal at its end.
