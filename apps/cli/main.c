@@ -17,7 +17,8 @@ static bool refuse_ranks(YkSession *session)
 {
     yk_session_refuse(session, YK_CODE_RANKS_VERB, "mpirun started `yoke %s` on several ranks, which it cannot use",
                       session->request->verb->name);
-    yk_problem_hint(session->problems, "start it without mpirun: `yoke study` and `yoke synthesize` share their work among ranks");
+    yk_problem_hint(session->problems,
+                    "start it without mpirun: `yoke study` and `yoke synthesize` share their work among ranks");
     return false;
 }
 

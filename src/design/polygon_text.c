@@ -43,10 +43,10 @@ void yk_polygon_tell(YkPolygon *p, const YkPolygonStep *step, const char *block,
     const char *unit = p->kind == YK_POLYGON_VELOCITY ? "rad/s" : "rad/s^2";
     tell_bodies(p, step, &text);
     if (block)
-        yk_text_format(
-            &text,
-            ", which meet at %s: the directions are known; closing the polygon gives the sizes, and from them follow the %s",
-            block, p->kind == YK_POLYGON_VELOCITY ? "rates " : "angular accelerations ");
+        yk_text_format(&text,
+                       ", which meet at %s: the directions are known; closing the polygon gives the sizes, and from "
+                       "them follow the %s",
+                       block, p->kind == YK_POLYGON_VELOCITY ? "rates " : "angular accelerations ");
     else
         yk_text_puts(&text, ", whose motion is given: ");
     for (size_t k = 0; k < step->count; k++)

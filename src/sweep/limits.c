@@ -4,11 +4,6 @@
 #include <string.h>
 #include "sweep/walk.h"
 
-static double input_unit(const YkMechanism *mech, size_t input)
-{
-    return mech->coordinates[mech->inputs[input]].is_distance ? mech->size : 1;
-}
-
 // --- poses beside a change point
 
 // Finds which input moves, if it is only one: its drive may rest or turn back at the change point, so that time does
@@ -40,7 +35,7 @@ static bool stand_beside(const YkBeside *b, double steps)
         double off = b->side * steps * b->step * yk_path_scale(path);
         return yk_path_probe(path, b->at + off, false) >= 0;
     }
-    double off = b->way * steps * b->step * input_unit(s->mech, (size_t)b->moving);
+    double off = b->way * steps * b->step * yk_input_unit(s->mech, (size_t)b->moving);
     if (yk_path_set(path, b->at, false) < 0) return false;
     s->input[3 * b->moving] += off;
     if (yk_state_solve(s) < 0) return false;
@@ -71,7 +66,7 @@ bool yk_beside_visit(const YkBeside *b, YkVisitBeside visit, void *context)
         }
         exchange_signs(b);
     }
-    if (ok && stand_beside(b, 0.125)) visit(context, 0);
+    if (ok && b->wants_nearer && stand_beside(b, 0.125)) visit(context, 0);
     yk_path_probe(&b->walk->path, b->at + b->side * b->step * yk_path_scale(&b->walk->path), true); // from that side
     yk_path_probe(&b->walk->path, b->at, true);
     return ok;
@@ -90,7 +85,6 @@ static void add_pose(void *context, double weight)
     Sum *sum = context;
     const YkSpace *space = &sum->state->space;
     size_t count = yk_space_number_count(space);
-    if (weight == 0) return;
     sum->is_known = sum->is_known && sum->state->has_rates;
     for (size_t k = 0; k < count; k++) sum->numbers[k] += weight * space->data[k];
 }
@@ -197,15 +191,15 @@ static bool moves_along(const YkPath *path)
     double ratio[3] = {0}, size = 0;
     if (!path->is_line) return true;
     for (size_t i = 0; i < mech->input_count; i++) {
-        double way = (path->goal[3 * i] - path->others[3 * i]) / input_unit(mech, i);
+        double way = (path->goal[3 * i] - path->others[3 * i]) / yk_input_unit(mech, i);
         if (fabs(way) <= size) continue;
         size = fabs(way);
-        for (size_t k = 1; k < 3; k++) ratio[k] = path->goal[3 * i + k] / input_unit(mech, i) / way;
+        for (size_t k = 1; k < 3; k++) ratio[k] = path->goal[3 * i + k] / yk_input_unit(mech, i) / way;
     }
     for (size_t i = 0; i < mech->input_count; i++)
         for (size_t k = 1; k < 3; k++) {
             double along = ratio[k] * (path->goal[3 * i] - path->others[3 * i]);
-            double off = fabs(path->goal[3 * i + k] - along) / input_unit(mech, i);
+            double off = fabs(path->goal[3 * i + k] - along) / yk_input_unit(mech, i);
             if (off > 1e-12 * fabs(ratio[k]) * size) return false;
         }
     return true;

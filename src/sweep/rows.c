@@ -59,7 +59,7 @@ static size_t drop_singular(YkSweep *w, double at)
 // poses from which a limit was made. Returns whether a channel of forces is so.
 static bool is_unbounded(const YkSweep *w, size_t c)
 {
-    if (!w->options.dynamics || !yk_channel_needs_forces(w->channels[c])) return false;
+    if (!yk_channel_needs_forces(w->channels[c])) return false;
     return fabs(w->beside[c]) > 4 * w->largest[c] + 1e-9 * w->options.dynamics->largest_force;
 }
 
@@ -81,7 +81,9 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
 {
     YkBeside beside = {.walk = &w->walk, .at = *yk_sweep_row(w, row), .side = side, .margins = margins};
     for (size_t c = 0; c < w->channel_count; c++) w->sums[c] = w->largest[c] = 0;
-    if (!yk_beside_begin(&beside, NULL) || !yk_beside_visit(&beside, add_channels, w)) return;
+    if (!yk_beside_begin(&beside, NULL)) return;
+    beside.wants_nearer = wants_forces(w);
+    if (!yk_beside_visit(&beside, add_channels, w)) return;
     w->row_status[row] = YK_CHANGE_POINT;
     for (size_t c = 0; c < w->channel_count; c++)
         if (w->channels[c].order > 0 || w->channels[c].kind >= YK_CHANNEL_POINT_SPEED)
@@ -110,8 +112,9 @@ void yk_sweep_try_change_row(YkSweep *w)
     fill_change_row(w, row, margins, is_passed || row == 0 ? way : -way); // else it goes back to where the signs hold
     if (w->row_status[row] == YK_CHANGE_POINT) {
         w->walk.event_count = drop_singular(w, *yk_sweep_row(w, row));
-        YkEvent touched = {
-            .kind = YK_EVENT_CHANGE_POINT, .at = *yk_sweep_row(w, row), .block = yk_walk_touching_block(&w->walk, margins)};
+        YkEvent touched = {.kind = YK_EVENT_CHANGE_POINT,
+                           .at = *yk_sweep_row(w, row),
+                           .block = yk_walk_touching_block(&w->walk, margins)};
         if (!is_passed) yk_walk_note(&w->walk, touched);
         return;
     }

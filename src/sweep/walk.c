@@ -94,21 +94,41 @@ static bool is_regular(YkWalk *w, double at)
     return s->mech->redundant_count > 0 && yk_path_try(&w->path, at, true) >= 0 && s->is_regular;
 }
 
-// Passes the change point near `at` with the other sign. Returns false if the motion turns back there, which keeps the
-// sign.
-// way: the direction of the motion, +1 or -1.
-static bool flip(YkWalk *w, size_t block, double at, double way)
+// Passes the change point at `at` with the other sign. way: the direction of the motion, +1 or -1.
+static void pass(YkWalk *w, size_t block, double at, double way)
 {
     YkState *s = w->path.state;
-    if (yk_path_turns_back(&w->path, at)) return false;
-    at = yk_walk_refine_touch(w, block, at, 1.2e-6);
     bool is_seen = !is_regular(w, at);
     w->path.passed = at;
     w->path.side = way;
     s->branch[block] = (signed char)-s->branch[block];
     w->flipped_at[block] = at;
-    if (is_seen) yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true});
+    YkEvent event = {.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true};
+    if (is_seen) yk_walk_note(w, event);
+}
+
+static double refine(YkWalk *w, size_t block, double at)
+{
+    return yk_walk_refine_touch(w, block, at, 1.2e-6);
+}
+
+// Passes the change point near `at`. Returns false if the motion turns back there, which keeps the sign.
+static bool flip(YkWalk *w, size_t block, double at, double way)
+{
+    if (yk_path_turns_back(&w->path, at)) return false;
+    pass(w, block, refine(w, block, at), way);
     return true;
+}
+
+// Passes the change point near `at` if it lies in [a, b]. Otherwise the next interval passes it, or the walk began
+// behind it.
+static void flip_between(YkWalk *w, size_t block, double at, double a, double b)
+{
+    double way = copysign(1, b - a);
+    if (yk_path_turns_back(&w->path, at)) return;
+    at = refine(w, block, at);
+    bool is_behind = (at - a) * way < 0 && yk_path_way(&w->path, at, a) >= 2e-8;
+    if ((at - b) * way <= 0 && !is_behind) pass(w, block, at, way);
 }
 
 static bool advance(YkWalk *w, double a, double b, size_t depth);
@@ -201,9 +221,7 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
         if (is_decided(w, k, b)) continue;
         if (!narrow || is_wide_for_bodies(w, a, b, depth)) return FINER;
         if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
-        double way = copysign(1, b - a), at = yk_walk_refine_touch(w, k, yk_walk_touch(a, ma[k], b, mb[k]), 1.2e-6);
-        bool is_here = (at - b) * way <= 0 && ((at - a) * way >= 0 || yk_path_way(&w->path, at, a) < 2e-8);
-        if (is_here) flip(w, k, at, way); // otherwise the next interval passes it, or the walk began behind it
+        flip_between(w, k, yk_walk_touch(a, ma[k], b, mb[k]), a, b);
         touched = true;
     }
     return touched ? TOUCHED : CLEAR;

@@ -65,14 +65,15 @@ typedef struct YkBeside {
     double step;           // the nearest pose, in units of the path
     int32_t moving;        // over time: the only input that moves, and its way on that side; YK_NONE: along the path
     double way;
-    bool is_back; // over time: both sides of the path lie on the same side of the change point
+    bool is_back;      // over time: both sides of the path lie on the same side of the change point
+    bool wants_nearer; // a last visit at a pose nearer than the others, with weight 0
 } YkBeside;
 typedef void (*YkVisitBeside)(void *context, double weight);
 // Finds a step at which the limits of the rates do not depend on it any more, and the limits themselves, as the data of
 // the state's space (NULL: not needed). Returns false if there is none, or out of memory (walk->failed).
 bool yk_beside_begin(YkBeside *beside, double *limits);
-// Solves the poses and visits each with its weight in the limit at the change point, where the state then stands again; one
-// that is nearer than the others is visited last with weight 0. Returns false if one of them does not close.
+// Solves the poses and visits each with its weight in the limit at the change point, where the state then stands again.
+// Returns false if one of them does not close.
 bool yk_beside_visit(const YkBeside *beside, YkVisitBeside visit, void *context);
 // Gives the state at the singular end of a walk the limits of its rates. Returns CHANGE_POINT; SINGULAR if they have none,
 // or depend on more than the way there.
