@@ -9,8 +9,9 @@ static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
     return sim->status = status;
 }
 
-static const char *const near_rest = "a drive comes to rest, or turns back, so near to a change point that steps in time do "
-                                     "not tell on which side of it the machine goes on; `yoke sweep --over t` does";
+static const char *const near_rest =
+    "a drive comes to rest, or turns back, so near to a change point that steps in time do "
+    "not tell on which side of it the machine goes on; `yoke sweep --over t` does";
 
 // Solves the pose at (t, y) and counts it.
 static bool stand(YkSimulation *sim, double t, const double *y)
@@ -79,7 +80,6 @@ static bool start_moving(YkSimulation *sim)
     sim->has_begun = true;
     sim->has_acted = false;
     yk_simulation_contacts_start(sim);
-    if (!yk_simulation_start_guide(sim)) yk_arena_fail(sim->arena);
     yk_simulation_look_near(sim, sim->time);
     if (!settle_contacts(sim) || !stand(sim, sim->time, sim->y)) return false;
     if (!sim->is_flat) sim->near_count = 0; // with accelerations they are known better
@@ -255,6 +255,7 @@ static bool take_acts(YkSimulation *sim)
 static YkStatus go_to(YkSimulation *sim, double to)
 {
     sim->target = to;
+    if (!yk_simulation_start_guide(sim)) yk_arena_fail(sim->arena); // where it begins, and where a saved one goes on
     if (!sim->has_begun && !start_moving(sim)) return fail(sim, YK_ODE_FAILED);
     if (sim->has_acted && !take_acts(sim)) return fail(sim, YK_ODE_FAILED);
     if (to == sim->options.start && yk_ode_time(sim->ode) == to) // the first row

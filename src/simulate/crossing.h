@@ -29,8 +29,8 @@ static inline double yk_near_angle(const YkNear *near, double ahead) // predicte
 }
 
 // Where drives alone move the machine, they may rest, or turn back, so near to a singular position that no prediction tells
-// on which side of it they go on. A second state follows the drives there as sweeps do: starts it at the start's pose
-// (false when out of memory); returns whether the pose that stands is the same.
+// on which side of it they go on. A second state follows the drives there as sweeps do: starts it at the
+// state's pose, unless it has begun (false when out of memory); returns whether the pose that stands is the same.
 bool yk_simulation_start_guide(YkSimulation *sim);
 bool yk_simulation_agrees_with_guide(YkSimulation *sim);
 

@@ -34,7 +34,7 @@ static void a_dead_point_that_stops_the_motion_is_named(void **unused)
     double q = run_value(&run, "q"), p = run_value(&run, "p"); // the angle at B's dyad, by hand
     assert_true(fabs(sin(q)) < 0.02 && fabs(0.1 * sin(q) + 0.3 * sin(q + p)) < 1e-12);
     assert_true(yk_simulation_time(run.sim) > 0.85 && yk_simulation_time(run.sim) < 1);
-    assert_true(yk_simulation_summary(run.sim).energy_error < 1e-5); // what was told until there holds
+    assert_true(yk_simulation_summary(run.sim).energy_error < 1e-5);       // what was told until there holds
     assert_int_equal(yk_simulation_advance(run.sim, 2), YK_NOT_CONVERGED); // and stays there
     run_free(&run);
 }
