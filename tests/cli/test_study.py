@@ -156,6 +156,30 @@ class Study(Case):
         self.assertLessEqual(spread["largest"] - 0.03, found["worst"])
         self.assertLess(abs(spread["deviation"] / found["root"] - 1), 0.06)
 
+    def test_sensitivities_of_what_has_no_value_are_not_told(self):
+        """Where a parallelogram is flat, its torque has no value: neither a number nor "nan" stands in its place."""
+        path = self.write("flat.yaml", """\
+parameters: {r: 2 m}
+bodies:
+  ground:  {points: {O: [0, 0], C: [4, 0]}}
+  crank:   {points: {O: [0, 0], A: [r, 0]}, mass: 1 kg, center: [1, 0]}
+  coupler: {points: {A: [0, 0], B: [4, 0]}}
+  rocker:  {points: {C: [0, 0], B: [r, 0]}}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  A: {pin: [crank, coupler], angle: alpha}
+  C: {pin: [ground, rocker], angle: psi}
+  B: {pin: [coupler, rocker]}
+gravity: [0, -10 m/s^2]
+drives: {theta: 60 deg + 60 deg/s * t}
+start: {alpha: -60 deg, psi: 60 deg}
+""")
+        words = ("study", path, "--vary", "r=1.9m:2.1m:3", "--time", "2s", "--of", "theta.effort", "--sensitivities")
+        self.assertIn("theta.effort at the file's values and pose: not determined", self.good(*words).out)
+        self.assertNotIn("nan", self.good(*words).out)
+        near = self.good(*words[:5], "1.9s", *words[6:]).out
+        self.assertRegex(near, r"theta.effort at the file's values and pose: worst case \+- \d")
+
     def test_designs_that_do_not_stand_are_rows_with_a_status(self):
         head, rows = self.table("--vary", "a=20:300:7", "--of", "theta3,theta3.rate", file=self.four_bar)
         statuses = [row[2] for row in rows]

@@ -84,8 +84,12 @@ static void add_sensitivities(const YkStudyAnswer *a, size_t column)
         yk_table_number(table, fabs(S) * tolerance / size, YK_DIGITS);
     }
     YkTolerance t = yk_study_tolerance(a, column);
-    yk_text_format(out, "\n%s at the file's values and pose: worst case +- %e %s, standard deviation %e %s\n",
-                   a->columns[column].name, t.worst / size, unit, t.root / size, unit);
+    yk_text_format(out, "\n%s at the file's values and pose: ", a->columns[column].name);
+    if (isnan(t.worst))
+        yk_text_puts(out, "not determined, nor are its derivatives\n");
+    else
+        yk_text_format(out, "worst case +- %e %s, standard deviation %e %s\n", t.worst / size, unit, t.root / size,
+                       unit);
     write_table(out, table);
 }
 
