@@ -429,7 +429,7 @@ static void test_what_cannot_be_mapped_is_refused(void **unused)
 
 // --- cams
 
-// A cam lifts a table on which a rod stands, whose other end hangs on a crank of length 1 at (1.2, y).
+// A cam lifts a table. A rod joins the table to the end of a crank of length 1 that turns about (1.2, y).
 static Machine cam_machine(double lift, double y, double rod)
 {
     char text[2000];

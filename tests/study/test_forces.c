@@ -1,6 +1,7 @@
 // Forces in studies and batches of variants, against the dynamics of the same machine made anew: time, friction that
 // varies, forces without a value, values set later.
 #include "study_check.h"
+#include "parallelogram.h"
 
 enum { POSES = 60, DESIGNS = 3 };
 static double out[4][DESIGNS * POSES];
@@ -123,20 +124,16 @@ static void test_forces_do_not_count_at_change_points(void **unused)
 {
     (void)unused;
     static const char *const name = "r", *const asked_for[] = {"theta2.effort", "theta4.rate"};
-    Machine m = machine_parse("parameters: {r: 2 m}\n"
-                              "bodies:\n"
-                              "  ground: {points: {O2: [0, 0], O4: [4, 0]}}\n"
-                              "  crank: {points: {O2: [0, 0], A: [r, 0]}, mass: 1, center: [1, 0]}\n"
-                              "  coupler: {points: {A: [0, 0], B: [4, 0]}, mass: 2, center: [2, 0]}\n"
-                              "  rocker: {points: {O4: [0, 0], B: [r, 0]}, mass: 1, center: [1, 0]}\n"
-                              "joints:\n"
-                              "  O2: {pin: [ground, crank], angle: theta2}\n"
-                              "  A: {pin: [crank, coupler], angle: theta3}\n"
-                              "  O4: {pin: [ground, rocker], angle: theta4}\n"
-                              "  B: {pin: [coupler, rocker]}\n"
-                              "gravity: [0, -10]\n"
-                              "drives: {theta2: 2.5 + 0.2/(1 s) * t}\nstart: {theta3: -2.5, theta4: 2.5}\n",
-                              true);
+    Machine m =
+        machine_parse("parameters: {r: 2 m}\n"
+                      "bodies:\n"
+                      "  ground: {points: {O2: [0, 0], O4: [4, 0]}}\n"
+                      "  crank: {points: {O2: [0, 0], A: [r, 0]}, mass: 1, center: [1, 0]}\n"
+                      "  coupler: {points: {A: [0, 0], B: [4, 0]}, mass: 2, center: [2, 0]}\n"
+                      "  rocker: {points: {O4: [0, 0], B: [r, 0]}, mass: 1, center: [1, 0]}\n" PARALLELOGRAM_JOINTS
+                      "gravity: [0, -10]\n"
+                      "drives: {theta2: 2.5 + 0.2/(1 s) * t}\nstart: {theta3: -2.5, theta4: 2.5}\n",
+                      true);
     enum { AT = 4, ALL = 9 };
     double theta[ALL], rate[ALL], r = 2;
     for (int k = 0; k < ALL; k++) theta[k] = YK_PI + 0.1 * (k - AT), rate[k] = 0.2;

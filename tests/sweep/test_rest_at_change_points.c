@@ -1,6 +1,7 @@
 // Drives that come to rest exactly at a change point, dwell there, go on or turn back: the motion is decided by where the
 // inputs go, never by the steps in time. A parallelogram stays one, theta4 = theta2.
 #include "../solve/machine.h"
+#include "parallelogram.h"
 #include <yoke/move.h>
 
 typedef struct Drive {
@@ -36,12 +37,7 @@ static Machine parallelogram(const Drive *d)
              "  ground:  {points: {O2: [0, 0], O4: [4, 0]}}\n"
              "  crank:   {points: {O2: [0, 0], A: [2, 0]}}\n"
              "  coupler: {points: {A: [0, 0], B: [4, 0]}}\n"
-             "  rocker:  {points: {O4: [0, 0], B: [2, 0]}}\n"
-             "joints:\n"
-             "  O2: {pin: [ground, crank], angle: theta2}\n"
-             "  A:  {pin: [crank, coupler], angle: theta3}\n"
-             "  O4: {pin: [ground, rocker], angle: theta4}\n"
-             "  B:  {pin: [coupler, rocker]}\n"
+             "  rocker:  {points: {O4: [0, 0], B: [2, 0]}}\n" PARALLELOGRAM_JOINTS
              "drives: {theta2: '180 deg + 60 deg*(%s)'}\nstart: {theta3: %.17g deg, theta4: %.17g deg}\n",
              d->law, -start, start);
     return machine_parse(text, true);
@@ -81,8 +77,7 @@ static void check_extremes(const YkSweep *sweep, const char *law)
 static void test_sweeps_over_time(void **unused)
 {
     (void)unused;
-    static const char *const of[] = {"theta2",       "theta4",       "theta2.rate",
-                                     "theta4.rate",  "theta2.accel", "theta4.accel"};
+    static const char *const of[] = {"theta2", "theta4", "theta2.rate", "theta4.rate", "theta2.accel", "theta4.accel"};
     static const size_t steps[] = {1, 2, 3, 4, 5, 7, 12, 30, 101};
     for (size_t k = 0; k < DRIVES; k++)
         for (size_t n = 0; n < sizeof steps / sizeof *steps; n++) {
