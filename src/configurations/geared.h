@@ -15,7 +15,7 @@ typedef struct YkGeared {
     double phase;             // C, rad
 } YkGeared;
 
-// Reads block `index` at the pose of `run`, in which earlier blocks are solved. Returns false if it is no such group.
+// Reads block `index` of a run whose earlier blocks are solved. Returns false unless it is a group of this kind.
 bool yk_geared_read(YkGeared *geared, const YkRun *run, size_t index);
 // Adds whole turns to the angles of a pose until the relation is met, as few as possible. Returns false if it takes too many.
 bool yk_geared_turn(const YkGeared *geared, double *x);

@@ -3,8 +3,8 @@
 #include "law/law.h"
 #include "map/piece.h"
 
-// Returns the lowest order of a derivative in which a law jumps, 0: its value; 3 if neither slope nor curvature does. So many
-// jumps that not all are read count as those of the value.
+// Returns the lowest order at which a law is discontinuous: 0 for its value, 1 for its slope, 2 for its curvature; 3 if none of
+// them jumps. A law with too many jumps to read them all is taken to jump in its value.
 static int first_jump(const YkLaw *law)
 {
     enum { JUMPS_MAX = 64 };

@@ -49,7 +49,7 @@ bool yk_tracer_read(YkTracer *t, YkProblems *problems)
     return true;
 }
 
-// Returns whether the argument of a relation's law moves by whole periods in so many turns of the inputs.
+// Returns whether the argument of a relation's law moves by a whole number of periods when the inputs make this many turns.
 static bool law_repeats(const YkMechanism *mech, const YkRelation *r, int turns)
 {
     bool repeats = true;

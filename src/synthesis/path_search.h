@@ -4,7 +4,7 @@
 #include "synthesis/path_start.h"
 #include "synthesis/synthesis.h"
 
-// The search for a kind of bar ends after so many batches, or earlier.
+// The most batches that the search runs for one kind of bar.
 enum { YK_PATH_HOPEFUL = 6, YK_PATH_POOL = 400, YK_PATH_BATCHES = 600 };
 
 // What computes batches of starts, each of them by its number alone.
@@ -27,7 +27,8 @@ typedef struct YkPathSearch {
     YkVec *path;                  // [count]
 } YkPathSearch;
 
-// path_problem.c: states the problem of a task for one kind of bar, and takes every so many points, so that some 16 remain.
+// path_problem.c: states the problem of a task for one kind of bar, and a coarse version of it with about 16 of the points,
+// evenly spaced.
 bool yk_path_batches_new(YkArena *arena, const YkTask *task, YkDesignKind kind, uint64_t seed, YkPathBatches *batches);
 
 // path_batch.c: draws starts, improves the best of them, and then the best of these to the end, in `whole`. Returns false

@@ -178,7 +178,8 @@ void yk_task_check_function(YkTaskReader *reader)
     if (f->evened && (!f->of || reader->samples < 5)) {
         yk_problem(reader->loader->problems, YK_CODE_TASK_EVENED, yk_node_get(reader->loader->root, "evened")->place,
                    "errors are evened out between five points of a formula");
-        yk_problem_hint(reader->loader->problems, f->of ? "write `samples: 5`" : "give `of` and `x` in place of `pairs`");
+        yk_problem_hint(reader->loader->problems,
+                        f->of ? "write `samples: 5`" : "give `of` and `x` in place of `pairs`");
     }
     if (f->of) check_ranges(reader);
     if (!f->of && f->count > 0) check_pairs(reader);

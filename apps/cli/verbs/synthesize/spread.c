@@ -87,7 +87,7 @@ static bool hear(YkSynthesisSpread *s)
     return true;
 }
 
-// Computes the next piece that nobody has. Returns YK_SINGULAR if there is none within reach.
+// Computes the next piece that no rank has started. Returns YK_SINGULAR if all pieces near the next one wanted are taken.
 static YkStatus compute_own(YkSynthesisSpread *s)
 {
     if (!may_give(s)) return YK_SINGULAR;

@@ -77,7 +77,7 @@ static void search(YkSynthesisAnswer *answer, YkProblems *problems)
     yk_synthesis_gather(spread);
 }
 
-// Returns the exit code if there is no answer to finish.
+// Searches for machines. Returns the exit code of a run that ends without an answer.
 static int find(YkSynthesisAnswer *answer)
 {
     YkSession *session = answer->session;
