@@ -39,7 +39,7 @@ static YkStatus judge_lane(YkBatch *b, size_t k)
 {
     double *margin = &b->now->margin[k];
     bool closes = *margin >= YK_LIMIT_MARGIN && b->now->gap[k] <= yk_gap_tolerance(b->mech, *margin);
-    bool is_close = closes ? *margin <= YK_BLUR_MARGIN : !b->is_along && yk_may_coincide(*margin);
+    bool is_close = closes ? *margin <= yk_state_close_margin(b->state) : !b->is_along && yk_may_coincide(*margin);
     if (is_close && !b->is_along) return judge_by_state(b, k, closes);
     if (is_close)
         *margin = fmin(*margin, YK_SINGULAR_MARGIN);
@@ -66,7 +66,7 @@ YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
     YkStatus worst = YK_OK;
     bool well;
     b->has_settled = false;
-    yk_lanes_well(&well, b->now->margin, b->now->gap, YK_BLUR_MARGIN, b->mech->size * YK_CLOSING_TOLERANCE, n);
+    yk_lanes_well(&well, b->now->margin, b->now->gap, yk_state_close_margin(b->state), b->mech->size * YK_CLOSING_TOLERANCE, n);
     if (well) {
         if (status) memset(status, YK_OK, n);
         return YK_OK;

@@ -21,10 +21,10 @@ static size_t gear_count(const YkMechanism *mech)
     return mech->relation_count; // sums of several stand behind them
 }
 
-// Only where equations repeat each other, all blocks are dyads, and gears are linear: a law's argument counts turns.
+// Only where equations repeat each other and gears are linear: a law's argument counts turns.
 static bool applies(const YkMechanism *mech)
 {
-    if (mech->redundant_count == 0 || mech->has_groups || yk_variable_count(mech) > YK_CLOSURE_MAX) return false;
+    if (mech->redundant_count == 0 || yk_variable_count(mech) > YK_CLOSURE_MAX) return false;
     for (size_t k = 0; k < gear_count(mech); k++)
         if (mech->relations[k].law) return false;
     return true;
@@ -175,14 +175,31 @@ static void solve_rates(Equations *e, int order)
     write_pose(e, order);
 }
 
+static Equations equations_of(YkState *s, YkSpace *space)
+{
+    Equations e = {
+        .s = s, .run = yk_state_run(s, space), .rows = row_count(s->mech), .columns = yk_variable_count(s->mech)};
+    share_room(&e);
+    read_pose(&e);
+    return e;
+}
+
+const double *yk_all_loops_ahead(YkState *s, YkSpace *space, double h)
+{
+    if (!s->all_loops) return NULL;
+    Equations e = equations_of(s, space);
+    if (!polish(&e) || !factor(&e)) return NULL;
+    solve_rates(&e, 1);
+    for (size_t c = 0; c < e.columns; c++) e.x[c] += h * e.step[c];
+    return polish(&e) ? e.x : NULL;
+}
+
 YkStatus yk_state_by_all_loops(YkState *s, YkSpace *space, YkStatus status)
 {
     const YkMechanism *mech = s->mech;
     s->is_regular = false;
-    if (status != YK_SINGULAR || !s->all_loops) return status;
-    Equations e = {.s = s, .run = yk_state_run(s, space), .rows = row_count(mech), .columns = yk_variable_count(mech)};
-    share_room(&e);
-    read_pose(&e);
+    if (status < 0 || !(space->margin[0] <= YK_NEAR_MARGIN) || !s->all_loops) return status;
+    Equations e = equations_of(s, space);
     if (polish(&e) && factor(&e) && closes(&e)) {
         solve_rates(&e, 1);
         solve_rates(&e, 2);

@@ -115,6 +115,7 @@ YkSearch *yk_search_new(const YkMechanism *mech)
     search->levels = calloc(choices + 1, sizeof *search->levels);
     search->coordinates = calloc(mech->coordinate_count + 1, sizeof *search->coordinates);
     search->best_branch = calloc(mech->block_count + 1, sizeof *search->best_branch);
+    search->kept_branch = calloc(2 * mech->block_count + 1, sizeof *search->kept_branch);
     search->best_x = calloc(mech->column_count + 1, sizeof(double));
     search->kept_x = calloc(mech->column_count + 1, sizeof(double));
     search->kept_reference = calloc(mech->reference_count + 1, sizeof(double));
@@ -122,7 +123,7 @@ YkSearch *yk_search_new(const YkMechanism *mech)
     search->variables = calloc(yk_variable_count(mech) + 1, sizeof(double));
     search->wanted = calloc(3 * mech->input_count + 1, sizeof(double));
     bool ok = known.slot && known.distance && search->levels && search->coordinates && search->best_branch &&
-              search->best_x && search->kept_x && search->kept_reference && search->path && search->variables &&
+              search->kept_branch && search->best_x && search->kept_x && search->kept_reference && search->path && search->variables &&
               search->wanted && yk_space_start(&search->kept, mech, 1, true);
     if (ok) {
         cut_levels(search, mech, &known);
@@ -142,6 +143,7 @@ void yk_search_free(YkSearch *search)
     free(search->levels);
     free(search->coordinates);
     free(search->best_branch);
+    free(search->kept_branch);
     free(search->best_x);
     free(search->kept_x);
     free(search->kept_reference);

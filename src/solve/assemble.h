@@ -34,7 +34,7 @@ typedef struct YkSearch {
     int gave_up_at;    // the block at which the last search gave up: a cap was reached, or a group found nothing; or -1
     size_t first_step; // of level 0: the steps before it involve no choice
     int32_t *coordinates; // sorted by the level after which they are known
-    signed char *best_branch;
+    signed char *best_branch, *kept_branch;
     double *best_x, *kept_x, *kept_reference, *path, *wanted;
     double *variables;         // scratch: the unknowns of the closure from the guesses
     double *solutions, *costs; // those of the levels, in one block each

@@ -172,11 +172,12 @@ static bool is_block_blurred(const YkMechanism *mech, const YkSpace *space, size
 {
     const double rounding = 1e-16, most = 1e-2; // share of the accelerations, or of the rates squared if these are more
     const YkBlock *b = &mech->blocks[index];
+    const YkColumn *column = b->kind == YK_BLOCK_GROUP ? mech->group_columns + b->first_column : b->column;
     double m = space->block_margin[index], rate = 0, accel = 0;
-    if (b->kind > YK_BLOCK_PP || m > YK_BLUR_MARGIN) return false;
+    if ((b->kind > YK_BLOCK_PP && b->kind != YK_BLOCK_GROUP) || m > YK_BLUR_MARGIN) return false;
     for (uint32_t k = 0; k < b->column_count; k++) {
-        rate = fmax(rate, rate_of(mech, space, b->column[k], 1));
-        accel = fmax(accel, rate_of(mech, space, b->column[k], 2));
+        rate = fmax(rate, rate_of(mech, space, column[k], 1));
+        accel = fmax(accel, rate_of(mech, space, column[k], 2));
     }
     return rounding * rate * rate > most * m * sqrt(fmax(m, 0)) * fmax(accel, rate * rate);
 }
@@ -268,7 +269,8 @@ static YkStatus solve(YkState *s)
     YkStatus status = yk_state_judge(s, &s->spare);
     s->is_kept = false;
     s->is_regular = false;
-    if (status < 0 || status == YK_SINGULAR) status = yk_state_by_all_loops(s, &s->spare, settle(s, status));
+    if (status < 0 || status == YK_SINGULAR) status = settle(s, status);
+    if (s->spare.margin[0] <= YK_NEAR_MARGIN) status = yk_state_by_all_loops(s, &s->spare, status);
     yk_state_tell(s, &s->spare, status);
     if (status >= 0) yk_state_accept(s);
     if (status < 0 && s->mech->reference_count > 0) yk_state_walk_back(s);

@@ -32,7 +32,7 @@ struct YkState {
     double *arrival, *heading; // [input]: the inputs there, and the direction in which they moved; 0: unknown
     double time;
     bool has_pose, has_rates;
-    bool is_regular;   // only the kept equations are singular: the pose and its rates come from all loops (all_loops.c)
+    bool is_regular;   // only the kept equations are singular, or nearly: pose and rates come from all loops (all_loops.c)
     double *all_loops; // room for that; NULL where it cannot be
     bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it
     YkReport report;
@@ -79,6 +79,7 @@ static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 #define YK_LIMIT_MARGIN (-1e-13)   // a smaller sin^2 does not close; between this and 0 it is rounding at a limit
 #define YK_SINGULAR_MARGIN                                                                                             \
     1e-14                   // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
+#define YK_NEAR_MARGIN 4e-6 // sin^2 below which rounding costs accelerations more than half their digits
 #define YK_BLUR_MARGIN 1e-9 // sin^2 below which accelerations may be blurred, see yk_is_blurred
 
 // Returns how far a redundant loop may miss, m: near a dead point the dyads before it are known only to rounding /
@@ -108,6 +109,12 @@ static inline bool yk_state_has_limits(const YkState *state)
     size_t bytes = 3 * state->mech->input_count * sizeof *state->input;
     return state->has_rates && state->report.status == YK_CHANGE_POINT &&
            (bytes == 0 || memcmp(state->input, state->valid_input, bytes) == 0);
+}
+
+// Returns sin^2 below which a single state does more about a pose than run its blocks.
+static inline double yk_state_close_margin(const YkState *state)
+{
+    return state->all_loops ? YK_NEAR_MARGIN : YK_BLUR_MARGIN;
 }
 
 // Returns the status of the space: OK, REDUNDANT, SINGULAR, LIMIT (a block does not close) or NO_ASSEMBLY (a redundant

@@ -1,6 +1,7 @@
 // Follows a pose along a path of the inputs by prediction and Newton's method.
 #include "solve/track.h"
 #include <string.h>
+#include "solve/passing.h"
 #include "solve/relations.h"
 
 #define DEAD_MARGIN 1e-11  // sin^2: below this rounding moves the unknowns by more than a correction may
@@ -10,8 +11,7 @@
 #define TRIALS_SPARE 512 // in addition to those of a smooth path: 46 halvings to the floor and back, a few trials each
 #define WORK_MAX 2e9     // multiplications on one path: some seconds
 
-// Runs everything at the present inputs, from the guess in groups.x.
-static YkStatus run_here(YkState *s)
+YkStatus yk_state_run_here(YkState *s)
 {
     YkRun run = yk_state_run(s, &s->spare);
     if (!yk_state_spend(s, s->mech->step_count)) return YK_STOPPED;
@@ -91,8 +91,7 @@ static bool kick(YkState *s, double way)
     return true;
 }
 
-// Sets the inputs at `at` of the path from `base` (its inputs at 0), with the path itself as rate.
-static void set_path(YkState *s, const double *ends, double at)
+void yk_set_path(YkState *s, const double *ends, double at)
 {
     for (size_t i = 0; i < s->mech->input_count; i++) {
         double from = ends[2 * i], way = ends[2 * i + 1];
@@ -158,8 +157,8 @@ static bool advance(YkState *s, Tracker *t, const double *ends)
         if (t->trials_left == 0) return false;
         t->trials_left--;
         double h = fmin(t->h, 1 - t->at), way = predict(s, h);
-        set_path(s, ends, t->at + h);
-        if (way < 0.5 && run_here(s) >= 0 && s->groups.moved <= correction_max(s, way)) {
+        yk_set_path(s, ends, t->at + h);
+        if (way < 0.5 && yk_state_run_here(s) >= 0 && s->groups.moved <= correction_max(s, way)) {
             accept_along(s);
             t->at += h;
             t->h = fmin(2 * t->h, STRIDE / fmax(t->longest, 1e-300));
@@ -178,12 +177,23 @@ static void depart(YkState *s, Tracker *t, const double *ends)
     for (int k = -14; k < 16; k++) {
         double way = ldexp(k % 2 ? -base : base, k / 2);
         if (!kick(s, way)) return;
-        set_path(s, ends, h);
-        if (run_here(s) < 0 || !(s->groups.moved <= 0.4 * fabs(way))) continue;
+        yk_set_path(s, ends, h);
+        if (yk_state_run_here(s) < 0 || !(s->groups.moved <= 0.4 * fabs(way))) continue;
         accept_along(s);
         t->at = h;
         return;
     }
+}
+
+// Goes past a pose at which only the kept equations of a machine with redundant constraints are singular.
+static bool pass(YkState *s, Tracker *t, const double *ends)
+{
+    double h = yk_state_pass(s, ends, t->at, 1 - t->at);
+    if (h == 0) return false;
+    accept_along(s);
+    t->at = h < 1 - t->at ? t->at + h : 1;
+    t->h = h;
+    return true;
 }
 
 static void find_ends(const YkState *s, double *ends)
@@ -220,17 +230,19 @@ YkStatus yk_state_track(YkState *s)
     memcpy(s->groups.x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
     yk_space_copy(&s->search->kept, &s->space); // to return to on failure
     memcpy(s->search->kept_x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
-    set_path(s, ends, 0);
-    YkStatus status =
-        run_here(s); // rates along the path at its start; at a dead point rounding may give the other sign there
+    signed char *kept_branch = s->search->kept_branch + s->mech->block_count;
+    memcpy(kept_branch, s->branch, s->mech->block_count);
+    yk_set_path(s, ends, 0);
+    YkStatus status = yk_state_run_here(
+        s); // rates along the path at its start; at a dead point rounding may give the other sign there
     bool ok = status >= 0 || at_dead_point(s);
     if (ok) accept_along(s);
-    if (ok && at_dead_point(s) && t.longest > STEP_FLOOR) depart(s, &t, ends);
-    while (ok && t.at < 1) ok = advance(s, &t, ends);
+    if (ok && at_dead_point(s) && t.longest > STEP_FLOOR && !pass(s, &t, ends)) depart(s, &t, ends);
+    while (ok && t.at < 1) ok = advance(s, &t, ends) || pass(s, &t, ends);
     memcpy(s->input, wanted, 3 * n * sizeof *wanted);
     if (ok) {
         memcpy(s->groups.x, s->valid_x, s->mech->column_count * sizeof *s->valid_x);
-        status = run_here(s);
+        status = yk_state_stand_here(s);
         yk_state_tell(s, &s->spare, status);
         if (status >= 0) yk_state_accept(s);
     }
@@ -242,6 +254,7 @@ YkStatus yk_state_track(YkState *s)
             yk_state_refuse(s, status, way_too_hard);
         yk_space_copy(&s->space, &s->search->kept);
         memcpy(s->valid_x, s->search->kept_x, s->mech->column_count * sizeof *s->valid_x);
+        memcpy(s->branch, kept_branch, s->mech->block_count);
         yk_state_walk_back(s);
     }
     return status;
@@ -258,8 +271,8 @@ void yk_state_walk(YkState *s)
     find_ends(s, ends);
     int steps = (int)ceil(length / stride);
     for (int k = 1; k < steps; k++) {
-        set_path(s, ends, (double)k / steps);
-        if (run_here(s) >= 0) yk_relations_refer(s, &s->spare);
+        yk_set_path(s, ends, (double)k / steps);
+        if (yk_state_run_here(s) >= 0) yk_relations_refer(s, &s->spare);
     }
     memcpy(s->input, wanted, 3 * s->mech->input_count * sizeof *wanted);
 }
@@ -268,7 +281,7 @@ YkStatus yk_state_settle(YkState *s, double most)
 {
     size_t bytes = s->mech->column_count * sizeof *s->valid_x;
     if (bytes > 0) memcpy(s->groups.x, s->valid_x, bytes);
-    YkStatus status = run_here(s);
+    YkStatus status = yk_state_run_here(s);
     if (status >= 0 && s->groups.moved > most) status = YK_LIMIT;
     yk_state_tell(s, &s->spare, status);
     if (status >= 0) yk_state_accept(s);

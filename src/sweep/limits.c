@@ -156,8 +156,7 @@ bool yk_beside_begin(YkBeside *b, double *limits)
 
 // --- the state's own rates
 
-// Takes the rates from the sum; the positions stay.
-static void take_rates(YkState *s, const double *numbers)
+void yk_state_take_rates(YkState *s, const double *numbers)
 {
     YkSpace *space = &s->space;
     const double *base = space->data;
@@ -184,8 +183,7 @@ int yk_walk_touching_block(const YkWalk *w, const double *margins)
     return -1;
 }
 
-// Returns whether the rates at the end of the path are along it: elsewhere the limits depend on the way there.
-static bool moves_along(const YkPath *path)
+bool yk_path_moves_along(const YkPath *path)
 {
     const YkMechanism *mech = path->state->mech;
     double ratio[3] = {0}, size = 0;
@@ -210,7 +208,7 @@ YkStatus yk_walk_take_limits(YkWalk *w, double at, double way)
     YkState *s = w->path.state;
     double *margins = yk_walk_margins(w, 0, 0);
     if (s->space.margin[0] > YK_SINGULAR_MARGIN || s->mech->has_groups || w->margin_count != s->mech->block_count ||
-        !moves_along(&w->path))
+        !yk_path_moves_along(&w->path))
         return YK_SINGULAR;
     double *limits = malloc((yk_space_number_count(&s->space) + 1) * sizeof *limits);
     if (!limits) return YK_NO_MEMORY;
@@ -221,7 +219,7 @@ YkStatus yk_walk_take_limits(YkWalk *w, double at, double way)
     YkStatus status = yk_path_probe(&w->path, at, false);
     if (w->failed) status = YK_NO_MEMORY;
     if (ok && status == YK_SINGULAR) {
-        take_rates(s, limits);
+        yk_state_take_rates(s, limits);
         s->has_rates = true;
         status = yk_state_refuse(s, YK_CHANGE_POINT,
                                  "two configurations meet here; the rates are the limits of the motion that led here, "

@@ -49,6 +49,7 @@ static YkStatus arrive(YkWalk *w, double to, double way)
 {
     yk_walk_arrive(w, way);
     YkStatus status = yk_path_probe(&w->path, to, false);
+    status = yk_walk_clear_rates(w, to, way, status);
     return status == YK_SINGULAR ? yk_walk_take_limits(w, to, way) : status;
 }
 

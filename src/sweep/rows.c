@@ -34,6 +34,9 @@ bool yk_sweep_record(YkSweep *w, double at)
         yk_walk_end_at(&w->walk, w->row_count > 0 ? *yk_sweep_row(w, w->row_count - 1) : at, at);
         return false;
     }
+    double way = w->options.to > w->options.from ? 1 : -1;
+    if (status >= 0) status = yk_walk_clear_rates(&w->walk, at, way, status);
+    w->walk.failed |= status == YK_NO_MEMORY;
     size_t row = w->row_count++;
     *yk_sweep_row(w, row) = at;
     w->row_status[row] = (signed char)status;

@@ -78,6 +78,13 @@ bool yk_beside_visit(const YkBeside *beside, YkVisitBeside visit, void *context)
 // Gives the state at the singular end of a walk the limits of its rates. Returns CHANGE_POINT; SINGULAR if they have none,
 // or depend on more than the way there.
 YkStatus yk_walk_take_limits(YkWalk *walk, double at, double way);
+// Takes the rates from numbers like the data of the state's space; the positions stay.
+void yk_state_take_rates(YkState *state, const double *numbers);
+// Returns whether the rates at the end of the path are along it: elsewhere the limits depend on the way there.
+bool yk_path_moves_along(const YkPath *path);
+// blur.c: gives the state, which has come to `at` with that status, rates without rounding where a change point is close.
+// Returns the status that it has then; NO_MEMORY if memory ran out.
+YkStatus yk_walk_clear_rates(YkWalk *walk, double at, double way, YkStatus status);
 int yk_walk_touching_block(const YkWalk *walk, const double *margins); // the first one, or -1
 // heading.c: returns whether the signs of a block are already those beyond the change point at which the walk has stopped.
 bool yk_walk_has_passed(const YkWalk *walk);
