@@ -109,6 +109,17 @@ double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry)
     return entry ? yk_ring_value(printing->ring, entry, printing->values).x : 0;
 }
 
+// Returns whether a quotient is a number in spite of rounding. Where its denominator vanishes, as at a dead point or a change
+// point, the pose is known to rounding over the sine, its accelerations to the third power of that.
+static bool is_determined(const YkPrinting *printing, const YkLine *line, double value, double under)
+{
+    const double rounding = 4e-16, most = 1e-6;
+    double over_size = yk_ring_magnitude(printing->ring, line->value, printing->values);
+    double under_size = yk_ring_magnitude(printing->ring, line->value_under, printing->values);
+    double ratio = fabs(under) / under_size, error = rounding * over_size / (fabs(under) * ratio * ratio);
+    return error <= most * fmax(fabs(value), over_size / under_size);
+}
+
 bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value)
 {
     if (!printing->values || !line->value) return false;
@@ -118,6 +129,7 @@ bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value
     if (line->value_under) {
         double under = yk_ring_value(printing->ring, line->value_under, printing->values).x;
         *value = yk_scale(1 / under, *value);
+        if (!is_determined(printing, line, value->x, under)) return false;
     }
     return isfinite(value->x) && isfinite(value->y);
 }

@@ -3,9 +3,10 @@ angle of the lever would close, and the machine keeps the one that it comes with
 import math
 import os
 import random
+import re
 import unittest
 
-from harness import Case, Run
+from harness import ROOT, Case, Run
 
 FULL = "YOKE_FULL" in os.environ
 FLIP = """\
@@ -24,6 +25,31 @@ start: {th: 40 deg, ps: 110 deg, th.rate: -1}
 def lever(th):
     """The lever's angle and its end's place: a base of two equal sides, so ps = 90 deg + th/2."""
     return math.pi / 2 + th / 2, 1 - 2 * math.sin(th / 2), 2 * math.cos(th / 2)
+
+
+class DerivedNumbers(Case):
+    """Beside a formula stands the number that it has at the pose: the engine's own, or none where the formula is 0/0."""
+
+    def numbers(self, file, at):
+        text = self.good("derive", file, "--numbers", "--what", "velocity,acceleration", "--at", at).out
+        found = re.findall(r"^  (theta[34]'+) = .* = (\S+)$", text, re.M)
+        self.assertIn("theta4'' = ", text)
+        return [(name, float(value)) for name, value in found]
+
+    def test_a_quotient_that_is_0_over_0_has_no_number(self):
+        file = os.path.join(ROOT, "examples", "parallelogram.yaml")
+        counts = {}
+        for at in ("theta2=0", "theta2=180deg", "theta2=180.0001deg", "theta2=179.99deg", "theta2=1e-7deg", "theta2=40deg", "theta2=-1deg"):
+            pose = self.good("solve", file, "--at", at, "--format", "json").json()["configurations"][0]["coordinates"]
+            numbers = self.numbers(file, at)
+            counts[at] = len(numbers)
+            for name, value in numbers:
+                key = "acceleration" if name.endswith("''") else "velocity"
+                should = pose[name.rstrip("'")][key]
+                self.assertLessEqual(abs(value - should), 1e-5 * max(1, abs(should)), (at, name))
+        self.assertEqual(counts["theta2=180deg"], 0)
+        self.assertEqual(counts["theta2=40deg"], 4)
+        self.assertEqual(counts["theta2=-1deg"], 4)
 
 
 class Coincidence(Case):
