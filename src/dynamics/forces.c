@@ -98,7 +98,7 @@ static YkStatus set_accelerations(YkDynamics *d, YkState *state)
 {
     for (size_t i = 0; i < d->mech->input_count; i++)
         if (d->is_free[i]) state->input[3 * i + 2] = d->acceleration[i];
-    YkStatus status = yk_state_solve(state);
+    YkStatus status = yk_state_solve_unless_clear(state);
     d->report = state->report;
     return status >= 0 && !state->has_rates ? YK_SINGULAR : status;
 }
@@ -194,7 +194,8 @@ YkStatus yk_dynamics_fail_at_dry(YkDynamics *d)
 
 YkStatus yk_dynamics_solve_once(YkDynamics *d, YkState *state, YkMethod method)
 {
-    return method == YK_METHOD_REDUCED ? solve_reduced(d, state) : solve_bodies(d, state);
+    bool is_clear = state->is_clear && yk_state_is_up_to_date(state); // the bodies' own equations would blur it again
+    return method == YK_METHOD_REDUCED || is_clear ? solve_reduced(d, state) : solve_bodies(d, state);
 }
 
 // Solves with all joints with dry friction sliding, repeatedly until the friction settles.
@@ -213,7 +214,7 @@ static bool stands_dry(YkDynamics *d, YkState *state)
 {
     if (!d->holding) return false;
     yk_holding_clear(d->holding);
-    return yk_state_solve(state) >= 0 && state->has_rates && yk_holding_is_needed(d->holding, d, state);
+    return yk_state_solve_unless_clear(state) >= 0 && state->has_rates && yk_holding_is_needed(d->holding, d, state);
 }
 
 YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkMethod method)

@@ -65,9 +65,9 @@ static size_t level_of(const YkMechanism *mech, const Known *known, size_t coord
 }
 
 // Sorts coordinates by level (counting sort).
-static bool share_coordinates(YkSearch *search, const YkMechanism *mech, const Known *known)
+static bool share_coordinates(YkSearch *search, const YkMechanism *mech, const Known *known, YkArena *arena)
 {
-    uint32_t *first = calloc(search->level_count + 2, sizeof *first);
+    uint32_t *first = YK_NEW(arena, uint32_t, search->level_count + 2);
     if (!first) return false;
     for (size_t k = 0; k < mech->coordinate_count; k++) first[level_of(mech, known, k) + 1]++;
     for (size_t l = 0; l <= search->level_count; l++) first[l + 1] += first[l];
@@ -77,7 +77,6 @@ static bool share_coordinates(YkSearch *search, const YkMechanism *mech, const K
     }
     for (size_t k = 0; k < mech->coordinate_count; k++)
         search->coordinates[first[level_of(mech, known, k)]++] = (int32_t)k;
-    free(first);
     return true;
 }
 
@@ -86,13 +85,13 @@ static size_t options_max(const YkMechanism *mech, const YkLevel *level)
     return mech->blocks[level->block].kind == YK_BLOCK_GROUP ? YK_GROUP_SOLUTIONS_MAX : 2;
 }
 
-static bool share_options(YkSearch *search, const YkMechanism *mech)
+static bool share_options(YkSearch *search, const YkMechanism *mech, YkArena *arena)
 {
     size_t total = 0;
     for (size_t l = 0; l < search->level_count; l++) total += options_max(mech, &search->levels[l]);
-    double *solutions = search->solutions = calloc(mech->column_count * YK_GROUP_SOLUTIONS_MAX + 1, sizeof *solutions);
-    double *costs = search->costs = calloc(total + 1, sizeof *costs);
-    uint16_t *orders = search->orders = calloc(total + 1, sizeof *orders);
+    double *solutions = YK_NEW(arena, double, mech->column_count *YK_GROUP_SOLUTIONS_MAX);
+    double *costs = YK_NEW(arena, double, total);
+    uint16_t *orders = YK_NEW(arena, uint16_t, total);
     if (!solutions || !costs || !orders) return false;
     for (size_t l = 0; l < search->level_count; l++) {
         YkLevel *level = &search->levels[l];
@@ -105,55 +104,33 @@ static bool share_options(YkSearch *search, const YkMechanism *mech)
     return true;
 }
 
-YkSearch *yk_search_new(const YkMechanism *mech)
+YkSearch *yk_search_new(const YkMechanism *mech, YkArena *arena)
 {
-    YkSearch *search = calloc(1, sizeof *search);
+    YkSearch *search = YK_NEW(arena, YkSearch, 1);
     if (!search) return NULL;
-    Known known = {calloc(mech->slot_count + 1, sizeof(size_t)), calloc(mech->distance_count + 1, sizeof(size_t))};
+    Known known = {YK_NEW(arena, size_t, mech->slot_count), YK_NEW(arena, size_t, mech->distance_count)};
     size_t choices = 0;
     for (size_t b = 0; b < mech->block_count; b++) choices += has_branches(&mech->blocks[b]);
-    search->levels = calloc(choices + 1, sizeof *search->levels);
-    search->coordinates = calloc(mech->coordinate_count + 1, sizeof *search->coordinates);
-    search->best_branch = calloc(mech->block_count + 1, sizeof *search->best_branch);
-    search->kept_branch = calloc(2 * mech->block_count + 1, sizeof *search->kept_branch);
-    search->best_x = calloc(mech->column_count + 1, sizeof(double));
-    search->kept_x = calloc(mech->column_count + 1, sizeof(double));
-    search->kept_reference = calloc(mech->reference_count + 1, sizeof(double));
-    search->path = calloc(2 * mech->input_count + 1, sizeof(double));
-    search->variables = calloc(yk_variable_count(mech) + 1, sizeof(double));
-    search->wanted = calloc(3 * mech->input_count + 1, sizeof(double));
-    bool ok = known.slot && known.distance && search->levels && search->coordinates && search->best_branch &&
-              search->kept_branch && search->best_x && search->kept_x && search->kept_reference && search->path && search->variables &&
-              search->wanted && yk_space_start(&search->kept, mech, 1, true);
-    if (ok) {
-        cut_levels(search, mech, &known);
-        ok = share_coordinates(search, mech, &known) && share_options(search, mech);
-    }
-    free(known.slot);
-    free(known.distance);
-    if (ok) return search;
-    yk_search_free(search);
+    search->levels = YK_NEW(arena, YkLevel, choices);
+    search->coordinates = YK_NEW(arena, int32_t, mech->coordinate_count);
+    search->best_branch = YK_NEW(arena, signed char, mech->block_count);
+    search->kept_branch = YK_NEW(arena, signed char, 2 * mech->block_count);
+    search->best_x = YK_NEW(arena, double, mech->column_count);
+    search->kept_x = YK_NEW(arena, double, mech->column_count);
+    search->kept_reference = YK_NEW(arena, double, mech->reference_count);
+    search->path = YK_NEW(arena, double, 2 * mech->input_count);
+    search->variables = YK_NEW(arena, double, yk_variable_count(mech));
+    search->wanted = YK_NEW(arena, double, 3 * mech->input_count);
+    if (yk_arena_failed(arena) || !yk_space_start(&search->kept, mech, 1, true)) return NULL;
+    cut_levels(search, mech, &known);
+    if (share_coordinates(search, mech, &known, arena) && share_options(search, mech, arena)) return search;
+    yk_search_end(search);
     return NULL;
 }
 
-void yk_search_free(YkSearch *search)
+void yk_search_end(YkSearch *search)
 {
-    if (!search) return;
-    yk_space_end(&search->kept);
-    free(search->levels);
-    free(search->coordinates);
-    free(search->best_branch);
-    free(search->kept_branch);
-    free(search->best_x);
-    free(search->kept_x);
-    free(search->kept_reference);
-    free(search->path);
-    free(search->variables);
-    free(search->wanted);
-    free(search->solutions);
-    free(search->costs);
-    free(search->orders);
-    free(search);
+    if (search) yk_space_end(&search->kept);
 }
 
 // --- searching

@@ -36,15 +36,14 @@ typedef struct YkSearch {
     int32_t *coordinates; // sorted by the level after which they are known
     signed char *best_branch, *kept_branch;
     double *best_x, *kept_x, *kept_reference, *path, *wanted;
-    double *variables;         // scratch: the unknowns of the closure from the guesses
-    double *solutions, *costs; // those of the levels, in one block each
-    uint16_t *orders;
+    double *variables; // scratch: the unknowns of the closure from the guesses
     YkLister *lister; // or NULL
     YkSpace kept;
 } YkSearch;
 
-YkSearch *yk_search_new(const YkMechanism *mech);
-void yk_search_free(YkSearch *search);
+// Makes the room for a search in an arena, except its space, which yk_search_end frees. Returns NULL if memory ran out.
+YkSearch *yk_search_new(const YkMechanism *mech, YkArena *arena);
+void yk_search_end(YkSearch *search);
 // As yk_state_each, with the groups' solutions from a lister (or NULL). *whole: all combinations were visited.
 YkStatus yk_search_each(YkState *state, YkLister *lister, bool (*visit)(void *, YkState *), void *context, bool *whole);
 

@@ -35,17 +35,18 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
                        .blocks = mech->block_count,
                        .relations = mech->relation_count + mech->derived_count,
                        .block_margin = with_margins ? &dummy : NULL};
-    size_t size = yk_space_number_count(space) * sizeof(double);
-    space->memory = calloc(1, size + 64);
-    space->turn = calloc(space->slots + 1, sizeof *space->turn);
-    space->slide = calloc(space->distances + 1, sizeof *space->slide);
-    space->plane = calloc(plane_count(space), sizeof *space->plane);
-    if (!space->memory || !space->turn || !space->slide || !space->plane) {
-        yk_space_end(space);
-        space->block_margin = NULL;
+    size_t numbers = yk_space_number_count(space) * sizeof(double), turns = space->slots * sizeof *space->turn;
+    size_t slides = space->distances * sizeof *space->slide, planes = plane_count(space) * sizeof *space->plane;
+    space->memory = calloc(1, 64 + numbers + turns + slides + planes);
+    if (!space->memory) {
+        *space = (YkSpace){0};
         return false;
     }
     space->data = (double *)(((uintptr_t)space->memory + 63) & ~(uintptr_t)63);
+    unsigned char *behind = (unsigned char *)space->data + numbers;
+    space->turn = (YkTurn *)(void *)behind;
+    space->slide = (YkSlide *)(void *)(behind + turns);
+    space->plane = (YkPlane *)(void *)(behind + turns + slides);
     space->slides = space->data + stride * 4 * space->slots;
     space->planes = space->slides + stride * 3 * space->distances;
     space->margin = space->planes + stride * 6 * (space->nodes + YK_SCRATCH_COUNT);
@@ -60,9 +61,6 @@ bool yk_space_start(YkSpace *space, const YkMechanism *mech, size_t stride, bool
 void yk_space_end(YkSpace *space)
 {
     free(space->memory);
-    free(space->turn);
-    free(space->slide);
-    free(space->plane);
     *space = (YkSpace){0};
 }
 

@@ -14,25 +14,24 @@ static bool allocate(YkState *s)
 {
     const YkMechanism *mech = s->mech;
     size_t inputs = mech->input_count, n = mech->coordinate_count;
-    s->input = calloc(3 * inputs + 1, sizeof *s->input);
-    s->valid_input = calloc(3 * inputs + 1, sizeof *s->valid_input);
-    s->held = calloc(3 * inputs + 1, sizeof *s->held);
-    s->is_held = calloc(3 * inputs + 1, sizeof *s->is_held);
-    s->input_lanes = calloc(3 * inputs + 1, sizeof *s->input_lanes);
-    s->phases = calloc(inputs + 1, sizeof *s->phases);
-    s->reference = calloc(n + 1, sizeof *s->reference);
-    s->guess = calloc(n + 1, sizeof *s->guess);
-    s->slot_reference = calloc(mech->reference_count + 1, sizeof *s->slot_reference);
-    s->is_guessed = calloc(n + 1, sizeof *s->is_guessed);
-    s->branch = calloc(mech->block_count + 1, sizeof *s->branch);
-    s->valid_x = calloc(mech->column_count + 1, sizeof *s->valid_x);
-    s->arrival = calloc(inputs + 1, sizeof *s->arrival);
-    s->heading = calloc(inputs + 1, sizeof *s->heading);
-    s->search = yk_search_new(mech);
-    return s->input && s->valid_input && s->held && s->is_held && s->input_lanes && s->phases && s->reference &&
-           s->guess && s->slot_reference && s->is_guessed && s->branch && s->valid_x && s->arrival && s->heading &&
-           s->search && yk_space_start(&s->space, mech, 1, true) && yk_space_start(&s->spare, mech, 1, true) &&
-           yk_group_start(&s->groups, mech) && yk_all_loops_start(s);
+    YkArena *a = s->arena = yk_arena_new();
+    s->input = YK_NEW(a, double, 3 * inputs);
+    s->valid_input = YK_NEW(a, double, 3 * inputs);
+    s->held = YK_NEW(a, double, 3 * inputs);
+    s->is_held = YK_NEW(a, bool, 3 * inputs);
+    s->input_lanes = YK_NEW(a, const double *, 3 * inputs);
+    s->phases = YK_NEW(a, YkPhase, inputs);
+    s->reference = YK_NEW(a, double, n);
+    s->guess = YK_NEW(a, double, n);
+    s->slot_reference = YK_NEW(a, double, mech->reference_count);
+    s->is_guessed = YK_NEW(a, bool, n);
+    s->branch = YK_NEW(a, signed char, mech->block_count);
+    s->valid_x = YK_NEW(a, double, mech->column_count);
+    s->arrival = YK_NEW(a, double, inputs);
+    s->heading = YK_NEW(a, double, inputs);
+    s->search = yk_search_new(mech, a);
+    return s->search && !yk_arena_failed(a) && yk_space_start(&s->space, mech, 1, true) &&
+           yk_space_start(&s->spare, mech, 1, true) && yk_group_start(&s->groups, mech) && yk_all_loops_start(s);
 }
 
 static void mark_guesses(YkState *s)
@@ -69,23 +68,10 @@ void yk_state_free(YkState *s)
     yk_space_end(&s->space);
     yk_space_end(&s->spare);
     yk_group_end(&s->groups);
-    yk_search_free(s->search);
+    yk_search_end(s->search);
     yk_state_free(s->before);
-    free(s->input);
-    free(s->valid_input);
-    free(s->held);
-    free(s->is_held);
-    free(s->input_lanes);
-    free(s->phases);
-    free(s->reference);
-    free(s->guess);
-    free(s->slot_reference);
-    free(s->is_guessed);
-    free(s->branch);
-    free(s->valid_x);
-    free(s->arrival);
-    free(s->heading);
     free(s->all_loops);
+    yk_arena_free(s->arena);
     free(s);
 }
 
@@ -113,6 +99,7 @@ void yk_state_take(YkState *to, const YkState *from)
     to->has_pose = same && from->has_pose;
     to->has_rates = same && from->has_rates;
     to->is_regular = same && from->is_regular;
+    to->is_clear = same && from->is_clear;
     to->is_kept = same && from->is_kept;
     to->report = from->report;
 }
@@ -226,6 +213,7 @@ void yk_state_accept(YkState *s)
     memcpy(s->valid_input, s->input, 3 * s->mech->input_count * sizeof *s->input);
     if (s->mech->column_count > 0) memcpy(s->valid_x, s->groups.x, s->mech->column_count * sizeof *s->valid_x);
     s->has_pose = true;
+    s->is_clear = false;
     s->has_rates = s->is_regular || s->space.margin[0] > YK_BLUR_MARGIN || !yk_is_blurred(s->mech, &s->space);
 }
 

@@ -4,6 +4,7 @@
 #include <yoke/state.h>
 #include <string.h>
 #include "base/archive.h"
+#include "base/memory.h"
 #include "base/pace.h"
 #include "solve/run.h"
 
@@ -13,6 +14,7 @@ typedef struct YkPhase { // of an input that has made many turns: stands for `an
 
 struct YkState {
     const YkMechanism *mech;
+    YkArena *arena;             // holds what follows, and the search
     YkSpace space, spare;       // the last valid pose; the trial pose
     double *input;              // [3 * input + k]
     const double **input_lanes; // pointers to the same, for the runner
@@ -32,8 +34,10 @@ struct YkState {
     double *arrival, *heading; // [input]: the inputs there, and the direction in which they moved; 0: unknown
     double time;
     bool has_pose, has_rates;
-    bool is_regular;   // only the kept equations are singular, or nearly: pose and rates come from all loops (all_loops.c)
+    bool
+        is_regular; // only the kept equations are singular, or nearly: pose and rates come from all loops (all_loops.c)
     double *all_loops; // room for that; NULL where it cannot be
+    bool is_clear; // a change point is close, and rates that rounding would spoil come from poses beside it (sweep/blur.c)
     bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it
     YkReport report;
     // assembling: see assemble.c
@@ -102,13 +106,24 @@ static inline bool yk_margin_may_vanish(double a, double m, double b)
     return least < 0.2 * (most - least);
 }
 
+// Returns whether the pose has the present inputs, with their rates.
+static inline bool yk_state_is_up_to_date(const YkState *state)
+{
+    size_t bytes = 3 * state->mech->input_count * sizeof *state->input;
+    return bytes == 0 || memcmp(state->input, state->valid_input, bytes) == 0;
+}
+
 // Returns whether the rates of the pose are limits of the motion that led there, at a change point (sweep/limits.c). A new
 // solution at the same inputs has none.
 static inline bool yk_state_has_limits(const YkState *state)
 {
-    size_t bytes = 3 * state->mech->input_count * sizeof *state->input;
-    return state->has_rates && state->report.status == YK_CHANGE_POINT &&
-           (bytes == 0 || memcmp(state->input, state->valid_input, bytes) == 0);
+    return state->has_rates && state->report.status == YK_CHANGE_POINT && yk_state_is_up_to_date(state);
+}
+
+// Solves at the present inputs, unless the pose has them and clearer rates than a solution would give.
+static inline YkStatus yk_state_solve_unless_clear(YkState *state)
+{
+    return state->is_clear && yk_state_is_up_to_date(state) ? state->report.status : yk_state_solve(state);
 }
 
 // Returns sin^2 below which a single state does more about a pose than run its blocks.

@@ -48,6 +48,7 @@ void yk_state_archive(YkState *s, YkArchive *a)
     yk_archive_flags(a, &s->has_pose, 1);
     yk_archive_flags(a, &s->has_rates, 1);
     yk_archive_flags(a, &s->is_regular, 1);
+    yk_archive_flags(a, &s->is_clear, 1);
     yk_archive_flags(a, &s->is_kept, 1);
     yk_report_archive(&s->report, mech, a);
 }

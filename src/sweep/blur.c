@@ -60,7 +60,7 @@ YkStatus yk_walk_clear_rates(YkWalk *w, double at, double way, YkStatus status)
     }
     if (is_found) {
         yk_state_take_rates(s, rates);
-        s->has_rates = true;
+        s->has_rates = s->is_clear = true;
         status = s->mech->redundant_count + s->mech->redundant_relation_count > 0 ? YK_REDUNDANT : YK_OK;
         yk_state_tell(s, &s->space, status);
     }

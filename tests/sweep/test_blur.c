@@ -1,6 +1,7 @@
 // Poses so near to a change point that rounding shows in the solution of J q' = 0: their rates and accelerations are as good
 // as elsewhere, in rows of sweeps and at the ends of moves, on both sides, whatever the change point's two branches are.
 #include "../solve/machine.h"
+#include <yoke/dynamics.h>
 #include <yoke/move.h>
 
 // A value and its first two derivatives by the crank's angle.
@@ -157,11 +158,49 @@ static void rows_have_clear_rates(void **unused)
         }
 }
 
+// The coupler of a parallelogram moves on a circle without turning: each of its pins carries half of its 2 kg.
+static void forces_are_clear(void **unused)
+{
+    (void)unused;
+    static const char *const of[] = {"B.force.x", "B.force.y", "A.force.x", "theta2.effort"};
+    Machine m = machine_parse("bodies:\n"
+                              "  ground: {points: {O2: [0, 0], O4: [4, 0]}}\n"
+                              "  crank: {points: {O2: [0, 0], A: [2, 0]}, mass: 1}\n"
+                              "  coupler: {points: {A: [0, 0], B: [4, 0]}, mass: 2, rod: [A, B]}\n"
+                              "  rocker: {points: {O4: [0, 0], B: [2, 0]}, mass: 1, rod: [O4, B]}\n"
+                              "joints:\n"
+                              "  O2: {pin: [ground, crank], angle: theta2}\n"
+                              "  O4: {pin: [ground, rocker], angle: theta4}\n"
+                              "  A: {pin: [crank, coupler], angle: alpha}\n"
+                              "  B: {pin: [coupler, rocker]}\n"
+                              "drives: {theta2: 3 + 2 rad/s * t}\n"
+                              "start: {alpha: -3, theta4: 3}\n",
+                              true);
+    YkDynamics *d = yk_dynamics_new(m.mech, m.problems);
+    assert_non_null(d);
+    YkChannel channel[4];
+    for (size_t k = 0; k < 4; k++) channel[k] = machine_channel(&m, of[k]);
+    for (size_t k = 0; k < 2 * TIMES; k++) {
+        double off = time_of(k / 2) - 1, theta = YK_PI + 2 * off;
+        if (off == 0) continue; // there, only a sweep past the pose tells the forces
+        assert_true(yk_state_move_time(m.state, (theta - 3) / 2, NULL, NULL, m.problems) >= 0);
+        assert_int_equal(yk_dynamics_solve(d, m.state, k % 2 ? YK_METHOD_NEWTON_EULER : YK_METHOD_REDUCED), YK_OK);
+        double allowed = 1e-4 + 2e-9 / fabs(off); // errors of accelerations over the sine
+        CHECK_NEAR(yk_dynamics_channel(d, m.state, channel[0]), 8 * cos(theta), allowed);
+        CHECK_NEAR(yk_dynamics_channel(d, m.state, channel[1]), 8 * sin(theta), allowed);
+        CHECK_NEAR(yk_dynamics_channel(d, m.state, channel[2]), -8 * cos(theta), allowed);
+        CHECK_NEAR(yk_dynamics_channel(d, m.state, channel[3]), 0, allowed);
+    }
+    yk_dynamics_free(d);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(moves_have_clear_rates),
         cmocka_unit_test(rows_have_clear_rates),
+        cmocka_unit_test(forces_are_clear),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -206,7 +206,8 @@ static bool write_movie(Drawer *drawer, YkReportPage *motion, YkMovieKind kind)
     YkDrawing *drawing = yk_report_drawing(motion);
     bool good = drawing && yk_movie_write(drawing, kind, yk_report_seconds(motion), yk_report_goes_back(motion), &movie,
                                           session->problems);
-    good = good && yk_file_write(session->request->animate, yk_text_get(&movie), movie.length, session->problems);
+    good = good && yk_session_has_memory(session) &&
+           yk_file_write(session->request->animate, yk_text_get(&movie), movie.length, session->problems);
     if (!drawing) yk_session_refuse(session, YK_CODE_OUTPUT_FAILED, "the motion cannot be drawn%s", "");
     yk_text_free(&movie);
     return good;
