@@ -98,7 +98,7 @@ static YkStatus move_straight(Mover *m, const double *goal)
     YkState *s = m->state;
     if (s->mech->block_count == 0 || is_there(s, goal)) {
         memcpy(s->input, goal, goal_size(s));
-        YkStatus status = yk_state_solve(s);
+        YkStatus status = yk_state_solve_unless_clear(s);
         if (status >= 0) yk_state_refer(s);
         return status;
     }
@@ -284,7 +284,7 @@ static YkStatus move_in_time(Mover *m, double time)
     YkPath path;
     if (from == time || s->mech->block_count == 0) {
         YkStatus status = yk_state_set_time(s, time, m->problems);
-        if (status >= 0) status = yk_state_solve(s);
+        if (status >= 0) status = yk_state_solve_unless_clear(s);
         return finish(s, m->move, status);
     }
     if (!is_steady(s)) {

@@ -8,12 +8,23 @@ double yk_walk_touch(double a, double ma, double b, double mb)
     return ra + rb > 0 ? a + (b - a) * ra / (ra + rb) : 0.5 * (a + b);
 }
 
-static double sine_at(YkWalk *w, size_t block, double at)
+static double margin_at(YkWalk *w, size_t block, double at)
 {
     const YkState *s = w->path.state; // not a reference: on one side of the change point this is the other branch
     const YkSpace *space =
         yk_path_try(&w->path, at, true) >= 0 ? &s->space : &s->spare; // the block itself closes on both sides
-    return sqrt(fmax(0, space->block_margin[block]));
+    return space->block_margin[block];
+}
+
+static double sine_at(YkWalk *w, size_t block, double at)
+{
+    return sqrt(fmax(0, margin_at(w, block, at)));
+}
+
+bool yk_walk_closes_beyond(YkWalk *w, size_t block, double at, double way)
+{
+    double beyond = yk_path_off(&w->path, at, way, 2e-5);
+    return !isfinite(beyond) || margin_at(w, block, beyond) > 0;
 }
 
 // Refines a double zero of the margin by secants from both sides: near it the root is a straight line through zero.
@@ -37,5 +48,5 @@ double yk_walk_refine_touch(YkWalk *w, size_t block, double at, double reach)
 bool yk_walk_has_just_passed(YkWalk *w, size_t block, double b, double way, double *at)
 {
     *at = yk_walk_refine_touch(w, block, b, 4e-5);
-    return (b - *at) * way > 0 && sine_at(w, block, *at) < 3e-7;
+    return (b - *at) * way > 0 && sine_at(w, block, *at) < 3e-7 && yk_walk_closes_beyond(w, block, b, way);
 }

@@ -125,7 +125,7 @@ static bool flip(YkWalk *w, size_t block, double at, double way)
 static void flip_between(YkWalk *w, size_t block, double at, double a, double b)
 {
     double way = copysign(1, b - a);
-    if (yk_path_turns_back(&w->path, at)) return;
+    if (yk_path_turns_back(&w->path, at) || !yk_walk_closes_beyond(w, block, at, way)) return;
     at = refine(w, block, at);
     bool is_behind = (at - a) * way < 0 && yk_path_way(&w->path, at, a) >= 2e-8;
     if ((at - b) * way <= 0 && !is_behind) pass(w, block, at, way);

@@ -53,6 +53,9 @@ double yk_walk_touch(double a, double ma, double b, double mb); // a double zero
 // Returns a double zero at `at` precisely, searched up to `reach` from there, in radians or sizes. If there is none,
 // `at`.
 double yk_walk_refine_touch(YkWalk *walk, size_t block, double at, double reach);
+// Returns whether a block closes a little beyond a place where its margin is almost zero: at a limit it does not. The blocks
+// before it, on which it depends, have the signs that they have there.
+bool yk_walk_closes_beyond(YkWalk *walk, size_t block, double at, double way);
 // Returns whether b, where the margin is almost zero, lies a little beyond a double zero, and puts that in `at`.
 bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, double *at);
 // Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from `at`.
