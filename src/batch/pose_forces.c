@@ -131,7 +131,7 @@ static YkStatus by_dynamics(YkPoseForces *f, YkState *state, double *const *outp
 YkStatus yk_pose_forces_at(YkPoseForces *f, YkState *state, double *const *outputs, size_t pose)
 {
     yk_pose_forces_follow(f);
-    if (f->lanes && state->has_rates) {
+    if (f->lanes && state->has_rates && !yk_state_blurs_forces(state)) {
         run_lane(f, state, outputs, pose);
         if (yk_pose_forces_are_finite(f, outputs, pose)) return YK_OK;
     }

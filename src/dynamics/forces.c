@@ -100,6 +100,8 @@ static YkStatus set_accelerations(YkDynamics *d, YkState *state)
         if (d->is_free[i]) state->input[3 * i + 2] = d->acceleration[i];
     YkStatus status = yk_state_solve_unless_clear(state);
     d->report = state->report;
+    if (status >= 0 && state->has_rates && yk_state_blurs_forces(state))
+        return yk_dynamics_fail(d, YK_SINGULAR, "a change point is so close that rounding decides the forces", "", "");
     return status >= 0 && !state->has_rates ? YK_SINGULAR : status;
 }
 

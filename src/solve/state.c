@@ -154,27 +154,39 @@ static double rate_of(const YkMechanism *mech, const YkSpace *space, YkColumn co
     return fabs(order == 1 ? *t.w : *t.a);
 }
 
-// With rates w, an error of rounding / sine in the position grows to w^2 * rounding / sine^3 in the accelerations.
-static bool is_block_blurred(const YkMechanism *mech, const YkSpace *space, size_t index)
+// With rates w, an error of rounding / sine in the position grows to w^2 * rounding / sine^3 in the accelerations, and
+// forces have their errors over the sine.
+static bool is_block_blurred(const YkMechanism *mech, const YkSpace *space, size_t index, bool has_forces)
 {
     const double rounding = 1e-16, most = 1e-2; // share of the accelerations, or of the rates squared if these are more
     const YkBlock *b = &mech->blocks[index];
     const YkColumn *column = b->kind == YK_BLOCK_GROUP ? mech->group_columns + b->first_column : b->column;
     double m = space->block_margin[index], rate = 0, accel = 0;
-    if ((b->kind > YK_BLOCK_PP && b->kind != YK_BLOCK_GROUP) || m > YK_BLUR_MARGIN) return false;
+    if ((b->kind > YK_BLOCK_PP && b->kind != YK_BLOCK_GROUP) || m > YK_FORCE_MARGIN) return false;
     for (uint32_t k = 0; k < b->column_count; k++) {
         rate = fmax(rate, rate_of(mech, space, column[k], 1));
         accel = fmax(accel, rate_of(mech, space, column[k], 2));
     }
-    return rounding * rate * rate > most * m * sqrt(fmax(m, 0)) * fmax(accel, rate * rate);
+    double sine = sqrt(fmax(m, 0));
+    return rounding * rate * rate > most * m * sine * (has_forces ? sine : 1) * fmax(accel, rate * rate);
+}
+
+static bool has_blurred_block(const YkMechanism *mech, const YkSpace *space, bool has_forces)
+{
+    for (size_t b = 0; b < mech->block_count; b++)
+        if (is_block_blurred(mech, space, b, has_forces)) return true;
+    return false;
 }
 
 bool yk_is_blurred(const YkMechanism *mech, const YkSpace *space)
 {
-    if (space->margin[0] <= YK_SINGULAR_MARGIN) return true;
-    for (size_t b = 0; b < mech->block_count; b++)
-        if (is_block_blurred(mech, space, b)) return true;
-    return false;
+    return space->margin[0] <= YK_SINGULAR_MARGIN || has_blurred_block(mech, space, false);
+}
+
+bool yk_state_blurs_forces(const YkState *s)
+{
+    if (s->space.margin[0] > YK_FORCE_MARGIN || s->is_clear || s->is_regular) return false;
+    return has_blurred_block(s->mech, &s->space, true);
 }
 
 YkStatus yk_state_judge(const YkState *s, const YkSpace *space)

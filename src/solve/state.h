@@ -84,7 +84,8 @@ static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 #define YK_SINGULAR_MARGIN                                                                                             \
     1e-14                   // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
 #define YK_NEAR_MARGIN 4e-6 // sin^2 below which rounding costs accelerations more than half their digits
-#define YK_BLUR_MARGIN 1e-9 // sin^2 below which accelerations may be blurred, see yk_is_blurred
+#define YK_FORCE_MARGIN 1e-7 // sin^2 below which forces may be blurred
+#define YK_BLUR_MARGIN 1e-9 // the same for accelerations, see yk_is_blurred
 
 // Returns how far a redundant loop may miss, m: near a dead point the dyads before it are known only to rounding /
 // sine.
@@ -97,6 +98,8 @@ static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
 // errors do; near a change point, or where a base vanishes, they stay bounded, and errors exceed them long before the
 // margin shows it.
 bool yk_is_blurred(const YkMechanism *mech, const YkSpace *space);
+// Returns whether rounding spoils the forces at the pose: of its accelerations they have the errors over the sine once more.
+bool yk_state_blurs_forces(const YkState *state);
 // Returns whether a margin could reach zero between its three samples. It cannot if it stays well above its own
 // variation, nor if it is zero at an end and rises from there like a parabola or a line.
 static inline bool yk_margin_may_vanish(double a, double m, double b)
