@@ -64,6 +64,7 @@ static YkStatus go(Mover *m, YkWalk *w, double from, double to)
     w->from = from;
     if (period == 0 && yk_walk_refuses(w, from, to)) return w->status;
     YkStatus status = yk_path_probe(&w->path, from, true);
+    if (status == YK_LIMIT && w->path.is_line && from == 0) status = YK_SINGULAR; // the state stands there, to rounding
     bool ok = status >= 0;
     if (ok && period > 0) at = yk_turns_skip(w, period);
     ok = ok && at >= 0 && yk_walk_go(w, at, to);

@@ -317,16 +317,27 @@ bool yk_walk_refuses(YkWalk *w, double a, double b)
     return true;
 }
 
+// Returns the end of the next stride from `last`. From a singular pose it is a short one, which tells a limit from a change
+// point: farther on the machine may close again, on the other side of a gap.
+static double next_place(const YkWalk *w, double last, double b)
+{
+    double way = b > last ? 1 : -1, stride = w->turn_max * yk_path_scale(&w->path) / fastest_turn(w),
+           left = fabs(b - last);
+    double next = left <= stride * (1 + 1e-9) ? b : last + way * left / ceil(left / stride);
+    if (w->path.state->space.margin[0] <= YK_SINGULAR_MARGIN) {
+        double ahead = yk_path_off(&w->path, last, way, 2e-5);
+        if ((next - ahead) * way > 0) next = ahead;
+    }
+    return next == last ? b : next;
+}
+
 bool yk_walk_go(YkWalk *w, double a, double b)
 {
     double last = a, way = b > a ? 1 : -1;
     bool is_singular = w->path.state->space.margin[0] <= YK_SINGULAR_MARGIN;
     if (a == w->from && (w->path.way == way || !is_singular)) w->from = NAN; // it goes on as it came: it passes there
     while (last != b) {
-        double stride = w->turn_max * yk_path_scale(&w->path) / fastest_turn(w), left = fabs(b - last);
-        double next = left <= stride * (1 + 1e-9) ? b : last + way * left / ceil(left / stride);
-        if (next == last) next = b;
-        double *margins = yk_walk_margins(w, 0, 0);
+        double next = next_place(w, last, b), *margins = yk_walk_margins(w, 0, 0);
         yk_walk_read_margins(w, margins);
         yk_walk_flip_at(w, last, margins);
         if (!advance(w, last, next, 0) || yk_walk_is_stopped(w)) return false;
