@@ -126,16 +126,31 @@ static bool is_going_on(YkSimulation *sim)
     return false;
 }
 
+// Changes rates or contacts at the pose of a happening.
+static bool change(YkSimulation *sim, YkPendingKind kind)
+{
+    switch (kind) {
+    case YK_PENDING_STOP:
+    case YK_PENDING_STICK:
+        return yk_simulation_hit(sim, sim->pending_item);
+    case YK_PENDING_LIFT_OFF:
+        return yk_simulation_lift_off(sim, sim->pending_item);
+    case YK_PENDING_LANDING:
+        return yk_simulation_land(sim, sim->pending_item);
+    default:
+        return true; // the restart releases what cannot hold
+    }
+}
+
 // Handles a happening that ends a step: puts the state there, changes it, and restarts the stepper.
 static bool take_pending(YkSimulation *sim)
 {
     size_t all = 2 * sim->free_count + sim->work_count;
     if (!is_going_on(sim) || yk_ode_dense(sim->ode, sim->pending_time, sim->dense) != YK_ODE_OK) return false;
     memcpy(sim->y, sim->dense, all * sizeof *sim->y);
-    bool is_hit = sim->pending != YK_PENDING_RELEASE; // otherwise the restart releases what cannot hold
+    YkPendingKind kind = sim->pending;
     sim->pending = YK_PENDING_NONE;
-    if (!yk_simulation_pose(sim, sim->pending_time, sim->y)) return false;
-    if (is_hit && !yk_simulation_hit(sim, sim->pending_item)) return false;
+    if (!yk_simulation_pose(sim, sim->pending_time, sim->y) || !change(sim, kind)) return false;
     sim->near_count = 0; // its rates have changed
     sim->first_rate = 0;
     return restart(sim) && stand(sim, sim->time, sim->y) && look_round(sim);

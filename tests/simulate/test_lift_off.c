@@ -29,19 +29,28 @@ static double first_angle(void)
     return acos(-(c * (h / 2 + p) + m * g) / (h / 2 * (m * w * w - c)));
 }
 
+// Lists the lift-offs, and returns how many there are.
+static size_t lift_offs(const Run *run, YkHappening *lift)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < yk_simulation_happening_count(run->sim); k++)
+        if (yk_simulation_happening(run->sim, k).kind == YK_HAPPENING_LIFT_OFF)
+            lift[count++] = yk_simulation_happening(run->sim, k);
+    return count;
+}
+
 static void every_turn_has_its_lift_off(void **unused)
 {
     (void)unused;
+    YkHappening lift[20];
     Run run = run_of("", c, "0 rad");
     assert_int_equal(yk_simulation_advance(run.sim, 0.1), YK_OK);
-    assert_int_equal(yk_simulation_happening_count(run.sim), 5); // 30 rad: theta + 2 pi n for n = 0 ... 4
+    assert_int_equal(lift_offs(&run, lift), 5); // 30 rad: theta + 2 pi n for n = 0 ... 4
     for (size_t k = 0; k < 5; k++) {
         double angle = first_angle() + 2 * acos(-1) * (double)k;
-        YkHappening lift = yk_simulation_happening(run.sim, k);
-        assert_int_equal(lift.kind, YK_HAPPENING_LIFT_OFF);
-        assert_string_equal(lift.name, "heart");
-        CHECK_NEAR(lift.time, angle / w, 1e-10);
-        CHECK_NEAR(lift.value, angle, 1e-8);
+        assert_string_equal(lift[k].name, "heart");
+        CHECK_NEAR(lift[k].time, angle / w, 1e-10);
+        CHECK_NEAR(lift[k].value, angle, 1e-8);
     }
     run_free(&run);
 }
@@ -51,7 +60,7 @@ static void a_start_without_contact_is_told(void **unused)
     (void)unused;
     Run run = run_of("", c, "200 deg");
     assert_int_equal(yk_simulation_advance(run.sim, 0.004), YK_OK);
-    assert_int_equal(yk_simulation_happening_count(run.sim), 1);
+    assert_int_equal(yk_simulation_happening(run.sim, 0).kind, YK_HAPPENING_LIFT_OFF);
     assert_true(yk_simulation_happening(run.sim, 0).time == 0);
     run_free(&run);
 }
@@ -80,9 +89,9 @@ static void rows_and_saving_change_nothing(void **unused)
     assert_int_equal(yk_simulation_restore(other.sim, bytes, count), YK_OK);
     assert_int_equal(yk_simulation_advance(run.sim, 0.05), YK_OK);
     assert_int_equal(yk_simulation_advance(other.sim, 0.05), YK_OK);
-    assert_int_equal(yk_simulation_happening_count(run.sim), 2);
-    assert_int_equal(yk_simulation_happening_count(other.sim), 2);
-    for (size_t k = 0; k < 2; k++)
+    assert_true(yk_simulation_happening_count(run.sim) >= 2);
+    assert_int_equal(yk_simulation_happening_count(other.sim), yk_simulation_happening_count(run.sim));
+    for (size_t k = 0; k < yk_simulation_happening_count(run.sim); k++)
         assert_true(yk_simulation_happening(run.sim, k).time == yk_simulation_happening(other.sim, k).time);
     run_free(&run);
     run_free(&other);
