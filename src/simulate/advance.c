@@ -74,6 +74,18 @@ static bool look_round(YkSimulation *sim)
     return !changed || restart(sim);
 }
 
+// Lets followers go that their cams would have to pull at the start.
+static bool part_cams(YkSimulation *sim)
+{
+    for (size_t k = 0; k < sim->model->cam_count; k++) {
+        if (sim->open[k] || sim->flights[k].is_held || !(yk_simulation_pull(sim, k) > 0)) continue;
+        if (!yk_simulation_lift_off(sim, k) || !restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y))
+            return false;
+        k = SIZE_MAX; // others may have to pull now
+    }
+    return true;
+}
+
 // Prepares the first step, when efforts are set and watches known.
 static bool start_moving(YkSimulation *sim)
 {
@@ -84,7 +96,8 @@ static bool start_moving(YkSimulation *sim)
     if (!settle_contacts(sim) || !stand(sim, sim->time, sim->y)) return false;
     if (!sim->is_flat) sim->near_count = 0; // with accelerations they are known better
     yk_simulation_look_near(sim, sim->time);
-    if (!restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y) || !look_round(sim)) return false;
+    if (!restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y)) return false;
+    if (!part_cams(sim) || !look_round(sim)) return false;
     yk_simulation_watch_start(sim);
     return true;
 }

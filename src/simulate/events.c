@@ -27,13 +27,6 @@ typedef struct Event {
     const YkLawUse *use; // or, if given, a law whose range is left
 } Event;
 
-// Returns how strongly a cam would have to pull, above 0 if it would; 0 where forces are not known.
-static double pull_here(YkSimulation *sim, size_t cam)
-{
-    const YkDynamics *dynamics = yk_simulation_dynamics(sim);
-    return sim->forces_are_known ? yk_dynamics_contact_pull(dynamics, yk_contact_of_cam(sim->mech, cam)) : 0;
-}
-
 // Returns how deep a follower in flight is in its cam, less what is rounding.
 static double depth_here(const YkSimulation *sim, size_t cam)
 {
@@ -59,7 +52,7 @@ static double event_here(const Event *e)
     const YkLoadItem *item = e->item;
     if (e->use) return excess_here(sim, e->use);
     if (e->is_landing) return depth_here(sim, e->cam);
-    if (!item && !e->watch) return pull_here(sim, e->cam);
+    if (!item && !e->watch) return yk_simulation_pull(sim, e->cam);
     if (!item) return e->way * (yk_simulation_channel(sim, e->watch->channel) - e->watch->level);
     if (item->kind == YK_LOAD_COULOMB)
         return -item->direction * yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);

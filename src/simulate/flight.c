@@ -51,6 +51,12 @@ bool yk_simulation_is_loose(const YkSimulation *sim, size_t cam)
     return yk_dynamics_loose_cam(sim->dynamics, yk_contact_of_cam(sim->mech, cam)) != NULL;
 }
 
+double yk_simulation_pull(YkSimulation *sim, size_t cam)
+{
+    const YkDynamics *dynamics = yk_simulation_dynamics(sim);
+    return sim->forces_are_known ? yk_dynamics_contact_pull(dynamics, yk_contact_of_cam(sim->mech, cam)) : 0;
+}
+
 // Finds the way in which the follower's coordinate goes as the follower leaves, from the place of contact.
 static double way_of(YkSimulation *sim, size_t index)
 {

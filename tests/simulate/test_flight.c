@@ -1,5 +1,5 @@
 // Followers that leave their cams, fly, and land: against the closed forms of the flight and of the impact.
-#include "run.h"
+#include "tappet.h"
 
 // A harmonic lift h (1 - cos theta)/2.
 static const double h = 0.012, m = 0.3, g = 9.81;
@@ -11,20 +11,7 @@ static double lift(double angle)
 
 static Run run_of(const char *shaft, const char *rest)
 {
-    char text[1200];
-    snprintf(text, sizeof text,
-             "gravity: [0, -9.81]\n"
-             "laws:\n"
-             "  lift: {period: 360 deg, segments: [{formula: {to: 360 deg, s: 12 mm*(1 - cos(x))/2}}]}\n"
-             "cams:\n"
-             "  heart: {cam: shaft, follower: tappet, law: lift, roller: 6 mm, base: 30 mm}\n"
-             "bodies: {shaft: {%s}, tappet: {mass: 0.3 kg}}\n"
-             "joints:\n"
-             "  K: {pin: [ground, shaft], angle: theta}\n"
-             "  T: {slide: [ground, tappet], along: y, distance: s}\n"
-             "%s",
-             shaft, rest);
-    return run_of_text(text, run_options(1e-11));
+    return run_of_tappet("", shaft, rest, 1e-11);
 }
 
 static const char *const sprung = "drives: {theta: 300 rad/s * t}\n"
