@@ -133,6 +133,7 @@ typedef struct YkColumn { // an unknown
 // turning, that of an RPR fixed in the body that turns.
 typedef enum YkBlockForm {
     YK_FORM_RARE,
+    YK_FORM_RRR_SHORT, // an arm is short beside the machine's size
     YK_FORM_RRR,
     YK_FORM_RRR_AXIAL, // both arms point along x
     YK_FORM_RRP,
