@@ -33,9 +33,9 @@ static void solve_block(Block *b, const double *theta1, double *const *out, size
     for (size_t i = 0; i < n; i++) b->margin[i] = 1;
     yk_lanes_turn(crank, ground, theta1, b->rate, b->accel, 0, 1, n);
     yk_lanes_start_turn(K1, yk_vec(0, a1), crank, yk_vec(l1, 0), n);
-    yk_lanes_rpr_all(K1, none, ground, yk_vec(-1, 0), 1, lever, d3, b->margin, NULL, n);
+    yk_lanes_rpr(K1, none, ground, yk_vec(-1, 0), 1, lever, d3, b->margin, NULL, n);
     yk_lanes_start_turn(K2, yk_vec(0, -(a1 + a2)), lever, yk_vec(l2, 0), n);
-    yk_lanes_rrp_all(K2, rod, ground, yk_vec(-1, 0), -1, coupler, d5, b->margin, NULL, n);
+    yk_lanes_rrp(K2, rod, ground, yk_vec(-1, 0), -1, coupler, d5, b->margin, NULL, n);
     yk_lanes_angle(out[0] + at, ground, lever, 0, reference2, n);
     yk_lanes_angle(out[2] + at, lever, coupler, 0, reference4, n);
     yk_lanes_difference(out[6] + at, coupler.w, lever.w, n);

@@ -17,6 +17,9 @@ typedef struct YkCompileOptions {
     const char *const *inputs;
     size_t input_count;
     YkProgress progress; // watches the compilation; {NULL}: not watched
+    // One flag a cam of the model: whether its follower is off it, which then moves as if the cam were not there.
+    // NULL: all are in contact.
+    const bool *open_cams;
 } YkCompileOptions;
 
 YK_API YkCompileOptions yk_default_compile_options(void);

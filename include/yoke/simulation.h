@@ -125,15 +125,18 @@ typedef enum YkHappeningKind {
     YK_HAPPENING_CHANGE_POINT, // of a block: two branches meet, and momentum carries through
     YK_HAPPENING_DEAD_POINT,   // of the coordinate that started the machine: it reverses while the others continue
     YK_HAPPENING_CROSSING,
-    YK_HAPPENING_LIFT_OFF, // of a cam: from here on it would have to pull its follower, which leaves it instead
-    YK_HAPPENING_LAW_LEFT  // for the first time the argument of a law leaves its range (yoke/laws.h)
+    YK_HAPPENING_LIFT_OFF, // of a cam: its follower leaves it and flies free
+    YK_HAPPENING_LAW_LEFT, // for the first time the argument of a law leaves its range (yoke/laws.h)
+    YK_HAPPENING_LANDING,  // of a cam: its follower meets it again, and stays (a plastic impact)
+    YK_HAPPENING_PULL      // of a cam: from here on it would have to pull its follower, which cannot fly, since no mass
+                           // determines how; the motion goes on as if they stayed in contact
 } YkHappeningKind;
 typedef struct YkHappening {
     YkHappeningKind kind;
     double time;
     const char *name; // of the coordinate, joint, force, spring or watched expression
-    double value;     // STOP: rate before; CROSSING: the value watched; LIFT_OFF: angle of the cam's joint, rad;
-                      // LAW_LEFT: the argument, SI
+    double value;     // STOP: rate before; CROSSING: the value watched; LIFT_OFF and PULL: angle of the cam's
+                      // joint, rad; LANDING: rate at which it closes in on the cam, below 0; LAW_LEFT: the argument, SI
 } YkHappening;
 YK_API size_t yk_simulation_happening_count(const YkSimulation *simulation);
 YK_API YkHappening yk_simulation_happening(const YkSimulation *simulation, size_t index);
@@ -146,7 +149,7 @@ typedef struct YkSimulationSummary {
     double energy_start, energy_end;
 } YkSimulationSummary;
 YK_API YkSimulationSummary yk_simulation_summary(const YkSimulation *simulation);
-// Work done so far by every load without a potential (efforts, forces, dampers, friction, drives, pulls, stops): the
+// Work done so far by every load without a potential (efforts, forces, dampers, friction, drives, pulls, stops and landings on cams): the
 // name of the load, and the work in J.
 YK_API size_t yk_simulation_work_count(const YkSimulation *simulation);
 YK_API const char *yk_simulation_work_name(const YkSimulation *simulation, size_t index);

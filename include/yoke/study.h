@@ -79,7 +79,9 @@ YK_API YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inpu
                                        double *by_difference);
 
 // Forward dynamics of many states, each with its own parameters: finds the accelerations of all inputs. Open trees
-// of pins under gravity and efforts are solved in SIMD lanes; other machines state by state, with equations made anew.
+// of pins under gravity and efforts are solved in SIMD lanes. So are machines of closed forms with at most four free
+// inputs and no dry friction, where no parameter varies; where some do, state by state. All others are solved state by
+// state, with equations made anew for new parameters.
 typedef struct YkMotionBatch YkMotionBatch;
 // Makes a batch. Its free and driven inputs are those of yk_dynamics_new, its branches those of the state. Groups
 // are carried along from the file's values, then tracked straight to the positions. Whether the machine could get to
@@ -97,7 +99,8 @@ typedef struct YkMotionCase {
 // Solves accelerations[input][state]. status[state] (may be NULL): YK_OK; YK_BAD_MODEL if the values make no valid
 // machine; YK_SINGULAR if a freedom has no inertia; or that of yk_dynamics_accelerate. Accelerations are 0 if the
 // status is not YK_OK. Returns the worst status; YK_BAD_ARGUMENT for efforts where they cannot be given. The bits are
-// the same for any number of threads. It has no progress callback; the states may be split over several calls.
+// the same for any number of threads and of states. It has no progress callback; the states may be split over several
+// calls.
 YK_API YkStatus yk_motion_batch_run(YkMotionBatch *batch, const YkMotionCase *asked, double *const *accelerations,
                                     signed char *status);
 

@@ -24,6 +24,7 @@ _KINDS = {
     lib.YK_HAPPENING_SLIP: "slip", lib.YK_HAPPENING_CHANGE_POINT: "change-point",
     lib.YK_HAPPENING_DEAD_POINT: "dead-point", lib.YK_HAPPENING_CROSSING: "crossing",
     lib.YK_HAPPENING_LIFT_OFF: "lift-off", lib.YK_HAPPENING_LAW_LEFT: "law-left",
+    lib.YK_HAPPENING_LANDING: "landing", lib.YK_HAPPENING_PULL: "pull",
 }
 
 

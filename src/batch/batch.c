@@ -231,6 +231,11 @@ bool yk_batch_has_slow_forces(const YkBatch *b)
     return b->forces && !b->forces->lanes;
 }
 
+bool yk_batch_has_lanes(const YkBatch *b)
+{
+    return !b->needs_state;
+}
+
 YkPoseForces *yk_batch_forces(YkBatch *b)
 {
     return b->forces;

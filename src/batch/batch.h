@@ -8,6 +8,8 @@
 YkBatch *yk_batch_new_along(const YkState *state, const YkChannel *channels, size_t channel_count);
 // Returns whether its channels of forces cannot be computed in lanes.
 bool yk_batch_has_slow_forces(const YkBatch *batch);
+// Returns whether all its channels are computed in lanes, with no pose solved by a state of its own.
+bool yk_batch_has_lanes(const YkBatch *batch);
 struct YkPoseForces *yk_batch_forces(YkBatch *batch); // NULL: no channel needs any
 // Returns whether poses can be followed so: closed forms only, without gears, belts, cams and channels that only a
 // state knows.

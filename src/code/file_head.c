@@ -49,6 +49,10 @@ void yk_file_write_head(YkFile *file)
         yk_text_puts(out, "\n   Stops are not part of it: coordinates go on beyond them.\n");
     if (file->has_forces && file->forces.why_no_reactions)
         yk_text_format(out, "\n   Reactions are not part of it: %s.\n", file->forces.why_no_reactions);
+    if (file->has_forces && file->forces.is_least)
+        yk_text_puts(out, "\n   Constraints repeat others: of all reactions that balance the machine, those of least "
+                          "norm are found,\n"
+                          "   with couples over the machine's size.\n");
     if (file->is_of_file)
         yk_text_puts(out, "\n   The parameters' values are special: near them the machine has other "
                           "constraints. What is 0 or\n"

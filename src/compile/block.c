@@ -173,17 +173,17 @@ static double share_of(const YkBlock *block, int k, double per_enough2)
     return yk_arm_share(yk_dot(block->arm[k].constant, block->arm[k].constant), per_enough2);
 }
 
-// Finds the form. per_enough2 is that of the arms, as for yk_arm_share; short arms are rare.
+// Finds the form. per_enough2 is that of the arms, as for yk_arm_share. In long machines all arms are short.
 static YkBlockForm form_of(const YkBlock *block, double per_enough2)
 {
     YkVec arm = block->arm[0].constant;
     bool is_axial = yk_is_axial(block->line[0]), is_fixed = block->line_slot[0] == 0;
     if (!block->arm_is_constant[0]) return YK_FORM_RARE;
-    if (block->kind != YK_BLOCK_RPR && share_of(block, 0, per_enough2) < 1) return YK_FORM_RARE;
     if (block->kind == YK_BLOCK_RRR && block->arm_is_constant[1]) {
-        if (share_of(block, 1, per_enough2) < 1) return YK_FORM_RARE;
+        if (share_of(block, 0, per_enough2) < 1 || share_of(block, 1, per_enough2) < 1) return YK_FORM_RRR_SHORT;
         return yk_is_axial(arm) && yk_is_axial(block->arm[1].constant) ? YK_FORM_RRR_AXIAL : YK_FORM_RRR;
     }
+    if (block->kind != YK_BLOCK_RPR && share_of(block, 0, per_enough2) < 1) return YK_FORM_RARE;
     if (block->kind == YK_BLOCK_RRP && !is_fixed) return YK_FORM_RRP_TURNING;
     if (block->kind == YK_BLOCK_RRP) return is_axial && yk_is_axial(arm) ? YK_FORM_RRP_AXIAL : YK_FORM_RRP;
     if (block->kind != YK_BLOCK_RPR || !is_fixed) return YK_FORM_RARE;
@@ -195,7 +195,7 @@ void yk_block_measure(YkBlock *block, double size)
     double per_size2 = 1 / (size * size), per_enough2 = YK_PER_ARM_ENOUGH2 * per_size2;
     block->per_size2 = per_size2;
     block->form = form_of(block, per_enough2);
-    if (block->form == YK_FORM_RRR || block->form == YK_FORM_RRR_AXIAL)
+    if (block->form == YK_FORM_RRR || block->form == YK_FORM_RRR_AXIAL || block->form == YK_FORM_RRR_SHORT)
         block->arms.pair = yk_arm_pair(block->arm[0].constant, block->arm[1].constant, per_enough2, per_enough2);
     else if (block->kind == YK_BLOCK_RRP)
         block->arms.circle = yk_arm_circle(block->arm[0].constant, per_enough2);

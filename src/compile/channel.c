@@ -23,7 +23,7 @@ static int find_contact(const YkMechanism *mech, const char *name)
 {
     int joint = find_joint(mech, name);
     for (size_t k = 0; joint < 0 && k < yk_contact_count(mech); k++)
-        if (strcmp(mech->relations[k].name, name) == 0) return (int)(mech->model->joint_count + k);
+        if (strcmp(yk_contact_name(mech, k), name) == 0) return (int)(mech->model->joint_count + k);
     return joint;
 }
 static int find_body(const YkMechanism *mech, const char *name)

@@ -1,5 +1,6 @@
 // Compiles a model into a mechanism.
 #include <stdlib.h>
+#include <string.h>
 #include "base/problems.h"
 #include "compile/closure.h"
 #include "compile/inputs.h"
@@ -36,6 +37,11 @@ static bool build(YkMechanism *mech, const YkCompileOptions *options, YkPace *pa
     mech->arena = yk_arena_new();
     if (mech->arena) mech->arena->pace = pace;
     if (!YK_ROOM(mech->terms, 0, mech->term_capacity)) return false; // never NULL: sums may be empty
+    if (mech->arena && options->open_cams && mech->model->cam_count > 0) {
+        bool *open = YK_NEW(mech->arena, bool, mech->model->cam_count);
+        if (open) memcpy(open, options->open_cams, mech->model->cam_count * sizeof *open);
+        mech->open_cams = open;
+    }
     if (!mech->arena || !yk_incidence_build(&incidence, mech->arena, mech->model)) return false;
     if (!yk_pace_ask(pace) || !yk_topology_orientations(mech, &incidence, problems)) return false;
     if (!yk_pace_ask(pace) || !yk_topology_tree(mech, &incidence, problems)) return false;

@@ -133,6 +133,7 @@ typedef struct YkColumn { // an unknown
 // turning, that of an RPR fixed in the body that turns.
 typedef enum YkBlockForm {
     YK_FORM_RARE,
+    YK_FORM_RRR_SHORT, // an arm is short beside the machine's size
     YK_FORM_RRR,
     YK_FORM_RRR_AXIAL, // both arms point along x
     YK_FORM_RRP,
@@ -225,20 +226,19 @@ struct YkMechanism {
     YkRelationSource *sources;
     size_t source_count, source_capacity, reference_count;
     int gruebler;
+    const bool *open_cams;           // per cam of the model; NULL: none is open
     struct YkRecipe *recipe;         // only while compiling for a variant; otherwise NULL
     const struct YkVariant *variant; // whose mechanism it is, or NULL
 };
 
 // Returns the angle of any joint.
 YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint);
-// Returns the number of gears, racks, belts and cams, which transmit forces: they come first among the relations, laws
-// after them.
-static inline size_t yk_contact_count(const YkMechanism *mech)
-{
-    size_t count = mech->relation_count;
-    while (count > 0 && mech->relations[count - 1].kind == YK_RELATION_LAW) count--;
-    return count;
-}
+// Contacts: gears, belts, racks and cams, which transmit forces, counted in this order over the whole model. Their
+// relations come first, laws after them; an open cam has none.
+size_t yk_contact_count(const YkMechanism *mech);
+const char *yk_contact_name(const YkMechanism *mech, size_t contact);
+int32_t yk_contact_relation(const YkMechanism *mech, size_t contact); // YK_NONE: an open cam
+size_t yk_contact_of_cam(const YkMechanism *mech, size_t cam);
 // Returns the unit in which an input's way compares with turns: 1 rad, or the machine's size.
 static inline double yk_input_unit(const YkMechanism *mech, size_t input)
 {

@@ -151,6 +151,7 @@ static void add_cams(Build *b)
     const YkModel *model = b->mech->model;
     for (size_t k = 0; k < model->cam_count; k++) {
         const YkCam *cam = &model->cams[k];
+        if (b->mech->open_cams && b->mech->open_cams[k]) continue;
         YkRelation *r = begin(b, YK_RELATION_CAM, k, cam->name);
         if (cam->oscillates)
             r->constant = -add_pin(b, cam->follower_joint, 1);
@@ -201,6 +202,33 @@ static void mark_given(Build *b)
     }
 }
 
+size_t yk_contact_of_cam(const YkMechanism *mech, size_t cam)
+{
+    const YkModel *model = mech->model;
+    return model->gear_count + model->belt_count + model->rack_count + cam;
+}
+
+size_t yk_contact_count(const YkMechanism *mech)
+{
+    return yk_contact_of_cam(mech, mech->model->cam_count);
+}
+
+const char *yk_contact_name(const YkMechanism *mech, size_t contact)
+{
+    int32_t relation = yk_contact_relation(mech, contact);
+    if (relation != YK_NONE) return mech->relations[relation].name;
+    return mech->model->cams[contact - yk_contact_of_cam(mech, 0)].name;
+}
+
+int32_t yk_contact_relation(const YkMechanism *mech, size_t contact)
+{
+    size_t first = yk_contact_of_cam(mech, 0), relation = contact;
+    if (!mech->open_cams || contact < first) return (int32_t)contact;
+    if (mech->open_cams[contact - first]) return YK_NONE;
+    for (size_t k = 0; k < contact - first; k++) relation -= mech->open_cams[k];
+    return (int32_t)relation;
+}
+
 double yk_relation_weight(const YkMechanism *mech, const YkRelation *r)
 {
     double most = 0;
@@ -227,7 +255,7 @@ bool yk_relations_build(YkMechanism *mech)
     add_gears(&b);
     add_cams(&b);
     add_follows(&b);
-    mech->gruebler -= (int)count;
+    mech->gruebler -= (int)mech->relation_count;
     mech->own_term_count = mech->relation_term_count;
     return !b.failed;
 }

@@ -118,17 +118,30 @@ static bool make_elimination(YkDynamics *d, size_t free_count)
     return d->influence != NULL;
 }
 
+// Prepares for efforts that may act along free inputs, and between cams and followers that meet.
+static void expect_loads(YkDynamics *d)
+{
+    const YkModel *model = d->mech->model;
+    bool *is_loaded = d->loads->is_loaded;
+    for (size_t i = 0; i < d->mech->input_count; i++) {
+        const YkJoint *j = &model->joints[d->mech->coordinates[d->mech->inputs[i]].joint];
+        if (d->is_free[i]) is_loaded[j->body[0]] = is_loaded[j->body[1]] = true;
+    }
+    for (size_t k = 0; d->mech->open_cams && k < model->cam_count; k++) {
+        const YkCam *cam = &model->cams[k];
+        if (d->mech->open_cams[k]) is_loaded[cam->cam] = is_loaded[cam->follower] = is_loaded[cam->carrier] = true;
+    }
+}
+
 bool yk_dynamics_prepare(YkDynamics *d)
 {
     if (!d->is_stale) return true;
     size_t free_count = count_free(d);
-    bool fits = free_count == d->mech->input_count && d->loads->handle_count == 0;
+    // Impacts need the elimination.
+    bool fits = free_count == d->mech->input_count && d->loads->handle_count == 0 && !d->mech->open_cams;
     forget_equations(d);
     d->tree = fits ? yk_tree_dynamics_new(d->mech, &fits) : NULL;
-    for (size_t i = 0; i < d->mech->input_count; i++) { // prepares for efforts that may act there
-        const YkJoint *j = &d->mech->model->joints[d->mech->coordinates[d->mech->inputs[i]].joint];
-        if (d->is_free[i]) d->loads->is_loaded[j->body[0]] = d->loads->is_loaded[j->body[1]] = true;
-    }
+    expect_loads(d);
     bool ran_out = fits && !d->tree; // the elimination would give other bits
     d->is_stale = ran_out || (!d->tree && !make_elimination(d, free_count));
     return !d->is_stale;

@@ -244,19 +244,20 @@ size_t yk_dynamics_contact_count(const YkDynamics *d)
 
 const char *yk_dynamics_contact_name(const YkDynamics *d, size_t contact)
 {
-    return d->mech->relations[contact].name;
+    return yk_contact_name(d->mech, contact);
 }
 
 YkReaction yk_dynamics_contact(const YkDynamics *d, size_t contact)
 {
-    return d->contact[contact];
+    int32_t relation = yk_contact_relation(d->mech, contact);
+    return relation == YK_NONE ? (YkReaction){0} : d->contact[relation];
 }
 
 const YkCam *yk_dynamics_loose_cam(const YkDynamics *d, size_t contact)
 {
-    const YkRelation *relation = &d->mech->relations[contact];
-    if (relation->kind != YK_RELATION_CAM) return NULL;
-    const YkCam *cam = &d->mech->model->cams[relation->index];
+    size_t first = yk_contact_of_cam(d->mech, 0);
+    if (contact < first || yk_contact_relation(d->mech, contact) == YK_NONE) return NULL;
+    const YkCam *cam = &d->mech->model->cams[contact - first];
     return cam->is_groove || cam->is_conjugate ? NULL : cam;
 }
 
@@ -264,8 +265,8 @@ double yk_dynamics_contact_pull(const YkDynamics *d, size_t contact)
 {
     const YkCam *cam = yk_dynamics_loose_cam(d, contact);
     if (!cam) return 0;
-    const YkReaction *r = &d->contact[contact], *shaft = &d->joint[cam->cam_joint];
-    YkVec outwards = {r->at[0] - shaft->at[0], r->at[1] - shaft->at[1]}, force = {r->force[0], r->force[1]};
+    YkReaction r = yk_dynamics_contact(d, contact), shaft = d->joint[cam->cam_joint];
+    YkVec outwards = {r.at[0] - shaft.at[0], r.at[1] - shaft.at[1]}, force = {r.force[0], r.force[1]};
     // A flat face is pushed along its line, and the force's place on that line tells nothing.
     if (!cam->oscillates) outwards = yk_mul(d->motion[cam->carrier].e, cam->along);
     return -yk_dot(outwards, force) - 1e-9 * yk_norm(outwards) * d->largest_force;
@@ -364,9 +365,10 @@ double yk_dynamics_channel(const YkDynamics *d, const YkState *state, YkChannel 
 {
     size_t index = (size_t)c.index;
     size_t joints = d->mech->model->joint_count;
-    const YkReaction *r = c.kind > YK_CHANNEL_MOMENT || !yk_channel_needs_forces(c) ? NULL
-                          : index < joints                                          ? &d->joint[index]
-                                                                                    : &d->contact[index - joints];
+    YkReaction reaction = c.kind > YK_CHANNEL_MOMENT || !yk_channel_needs_forces(c) ? (YkReaction){0}
+                          : index < joints                                          ? d->joint[index]
+                                           : yk_dynamics_contact(d, index - joints);
+    const YkReaction *r = &reaction;
     YkEnergy energy;
     YkWrench shaking;
     YkEffortRange range;

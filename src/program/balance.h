@@ -19,21 +19,24 @@ typedef struct YkBalanceSystem {
     double unit; // of length, m
     YkUnknown *columns;
     size_t count;
-    size_t n, sides;  // right sides: 1 and the radial forces of gears, N for each newton across the teeth
-    YkRef *system;    // [n][n + sides]
+    size_t n, sides;  // unknowns, those of least_norm.c after the columns; right sides: 1 and the radial forces of gears, N for each newton across the teeth
+    YkRef *system;    // [n][n + sides]; while it is made, [3 for each moving body][n + sides]
     YkRef *solution;  // [n][sides], once it is solved
     YkRefVec *radial; // [sides]: what a gear's radial force is on its second wheel
     bool ran_out;     // of memory, where making or solving it failed
 } YkBalanceSystem;
 
 // reactions.c: makes the unknowns, then the equations for a pose with these rates, with this unit of length. Returns
-// false when out of memory, or if the unknowns are not as many as the equations (f->why_no_reactions is then set).
+// false when out of memory, or if the unknowns are fewer than the equations, or more unless f->takes_least
+// (f->why_no_reactions is then set).
 bool yk_balance_make(YkBalanceSystem *balance, YkForces *f, const YkRates *velocities, const YkRates *accelerations,
                      double unit);
 // Returns an unknown: that of the balance, less what the radial forces of the teeth add to the loads.
 YkRef yk_balance_value(const YkBalanceSystem *balance, size_t k);
 // Reads what joints transmit from the solution: force x, y, moment of each, into f->reaction.
 bool yk_balance_read(YkBalanceSystem *balance);
+// least_norm.c: widens the equations by those of the solution of least norm, where constraints repeat others.
+bool yk_balance_widen(YkBalanceSystem *balance);
 // balance_solve.c: solves it in symbols. Returns false when out of memory, or if it has no solution whatever the pose.
 bool yk_balance_solve(YkBalanceSystem *balance);
 

@@ -30,6 +30,8 @@ typedef struct YkForces {
     YkRef *reaction;   // per joint: force x, y, moment; NULL: not printed
     YkRef determinant; // of the reactions' equations
     const char *why_no_reactions;
+    bool takes_least; // where constraints repeat others, the reactions are those of least norm;
+    bool is_least;    // some are
 } YkForces;
 
 typedef struct YkEquations { // M q'' + rest = efforts

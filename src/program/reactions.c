@@ -107,7 +107,7 @@ static void make_system(YkBalanceSystem *w)
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
     YkRef zero = yk_graph_number(g, 0);
-    for (size_t k = 0; k < w->n * (w->n + w->sides); k++) w->system[k] = zero;
+    for (size_t k = 0; k < 3 * (p->model->body_count - 1) * (w->n + w->sides); k++) w->system[k] = zero;
     for (size_t k = 0; k < w->count; k++) {
         if (w->columns[k].relation != YK_NONE) {
             yk_meshes_enter(w, k);
@@ -179,8 +179,8 @@ bool yk_balance_read(YkBalanceSystem *w)
 bool yk_balance_make(YkBalanceSystem *w, YkForces *f, const YkRates *r, const YkRates *s, double unit)
 {
     YkProgram *p = f->program;
-    *w = (YkBalanceSystem){
-        .f = f, .velocities = *r, .accelerations = *s, .unit = unit, .n = 3 * (p->model->body_count - 1), .sides = 1};
+    *w = (YkBalanceSystem){.f = f, .velocities = *r, .accelerations = *s, .unit = unit, .sides = 1};
+    size_t rows = 3 * (p->model->body_count - 1);
     size_t most = 3 * p->model->joint_count + p->mech->input_count + p->mech->relation_count;
     w->columns = YK_NEW(p->arena, YkUnknown, most + 1);
     w->radial = YK_NEW(p->arena, YkRefVec, p->mech->relation_count + 1);
@@ -188,20 +188,24 @@ bool yk_balance_make(YkBalanceSystem *w, YkForces *f, const YkRates *r, const Yk
     yk_graph_section(&p->graph, "Free bodies: three equations each, their reactions and efforts unknown.");
     make_columns(w);
     yk_meshes_columns(w);
-    if (w->count != w->n) {
+    w->n = w->count;
+    if (w->count < rows || (w->count > rows && !f->takes_least)) {
         f->why_no_reactions = "constraints repeat others, so that they are not determined";
         return false;
     }
-    w->system = YK_NEW(p->arena, YkRef, w->n * (w->n + w->sides) + 1);
-    w->solution = YK_NEW(p->arena, YkRef, w->n * w->sides + 1);
+    w->system = YK_NEW(p->arena, YkRef, rows * (w->n + w->sides) + 1);
     if (yk_arena_failed(p->arena)) return false;
     make_system(w);
-    return true;
+    f->is_least = w->count > rows;
+    if (f->is_least && !yk_balance_widen(w)) return false;
+    w->solution = YK_NEW(p->arena, YkRef, w->n * w->sides + 1);
+    return w->solution != NULL;
 }
 
 void yk_forces_reactions(YkForces *f, const YkRates *r, const YkRates *s)
 {
     YkBalanceSystem w;
+    f->takes_least = true;
     bool made = yk_balance_make(&w, f, r, s, yk_program_size(f->program));
     if (made && !yk_balance_solve(&w)) {
         f->program->failed |= w.ran_out;

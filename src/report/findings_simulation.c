@@ -16,6 +16,8 @@ static const char *word_of(YkHappeningKind kind)
                                         [YK_HAPPENING_DEAD_POINT] = "passes a dead point",
                                         [YK_HAPPENING_CROSSING] = "crosses a value",
                                         [YK_HAPPENING_LIFT_OFF] = "loses its follower",
+                                        [YK_HAPPENING_LANDING] = "meets its follower again",
+                                        [YK_HAPPENING_PULL] = "would have to pull its follower",
                                         [YK_HAPPENING_LAW_LEFT] = "leaves the range of its law"};
     return words[kind];
 }

@@ -74,6 +74,18 @@ static bool look_round(YkSimulation *sim)
     return !changed || restart(sim);
 }
 
+// Lets followers go that their cams would have to pull at the start.
+static bool part_cams(YkSimulation *sim)
+{
+    for (size_t k = 0; k < sim->model->cam_count; k++) {
+        if (sim->open[k] || sim->flights[k].is_held || !(yk_simulation_pull(sim, k) > 0)) continue;
+        if (!yk_simulation_lift_off(sim, k) || !restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y))
+            return false;
+        k = SIZE_MAX; // others may have to pull now
+    }
+    return true;
+}
+
 // Prepares the first step, when efforts are set and watches known.
 static bool start_moving(YkSimulation *sim)
 {
@@ -84,7 +96,8 @@ static bool start_moving(YkSimulation *sim)
     if (!settle_contacts(sim) || !stand(sim, sim->time, sim->y)) return false;
     if (!sim->is_flat) sim->near_count = 0; // with accelerations they are known better
     yk_simulation_look_near(sim, sim->time);
-    if (!restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y) || !look_round(sim)) return false;
+    if (!restart(sim) || !yk_simulation_pose(sim, sim->time, sim->y)) return false;
+    if (!part_cams(sim) || !look_round(sim)) return false;
     yk_simulation_watch_start(sim);
     return true;
 }
@@ -126,16 +139,31 @@ static bool is_going_on(YkSimulation *sim)
     return false;
 }
 
+// Changes rates or contacts at the pose of a happening.
+static bool change(YkSimulation *sim, YkPendingKind kind)
+{
+    switch (kind) {
+    case YK_PENDING_STOP:
+    case YK_PENDING_STICK:
+        return yk_simulation_hit(sim, sim->pending_item);
+    case YK_PENDING_LIFT_OFF:
+        return yk_simulation_lift_off(sim, sim->pending_item);
+    case YK_PENDING_LANDING:
+        return yk_simulation_land(sim, sim->pending_item);
+    default:
+        return true; // the restart releases what cannot hold
+    }
+}
+
 // Handles a happening that ends a step: puts the state there, changes it, and restarts the stepper.
 static bool take_pending(YkSimulation *sim)
 {
     size_t all = 2 * sim->free_count + sim->work_count;
     if (!is_going_on(sim) || yk_ode_dense(sim->ode, sim->pending_time, sim->dense) != YK_ODE_OK) return false;
     memcpy(sim->y, sim->dense, all * sizeof *sim->y);
-    bool is_hit = sim->pending != YK_PENDING_RELEASE; // otherwise the restart releases what cannot hold
+    YkPendingKind kind = sim->pending;
     sim->pending = YK_PENDING_NONE;
-    if (!yk_simulation_pose(sim, sim->pending_time, sim->y)) return false;
-    if (is_hit && !yk_simulation_hit(sim, sim->pending_item)) return false;
+    if (!yk_simulation_pose(sim, sim->pending_time, sim->y) || !change(sim, kind)) return false;
     sim->near_count = 0; // its rates have changed
     sim->first_rate = 0;
     return restart(sim) && stand(sim, sim->time, sim->y) && look_round(sim);

@@ -41,6 +41,17 @@ void yk_simulation_archive_options(YkSimulation *sim, YkArchive *a)
     if (a->is_reading && !(size > 0 && isfinite(size) && isfinite(o->start))) a->failed = true;
 }
 
+void yk_simulation_archive_flights(YkSimulation *sim, YkArchive *a)
+{
+    yk_archive_flags(a, sim->open, sim->model->cam_count);
+    for (size_t k = 0; k < sim->model->cam_count; k++) {
+        YkFlight *flight = &sim->flights[k];
+        NUMBERS(a, &flight->way);
+        yk_archive_flags(a, &flight->is_held, 1);
+        if (flight->way != 1 && flight->way != -1 && (flight->way != 0 || sim->open[k])) a->failed = true;
+    }
+}
+
 void yk_simulation_archive_choice(YkArchive *a, int32_t *chosen, size_t count, size_t coordinate_count)
 {
     for (size_t k = 0; k < count; k++) chosen[k] = (int32_t)walk_index(a, (size_t)chosen[k], coordinate_count);
@@ -127,7 +138,7 @@ static void walk_happenings(YkSimulation *sim, YkArchive *a)
         YkHappening *h = &sim->happenings[k];
         if (a->is_reading) *h = (YkHappening){.name = ""};
         int64_t kind = h->kind;
-        yk_archive_choice(a, &kind, YK_HAPPENING_STOP, YK_HAPPENING_LAW_LEFT);
+        yk_archive_choice(a, &kind, YK_HAPPENING_STOP, YK_HAPPENING_PULL);
         h->kind = (YkHappeningKind)kind;
         NUMBERS(a, &h->time, &h->value);
         h->name = walk_name(sim, a, h->name);
@@ -176,17 +187,21 @@ static void walk_contacts(YkSimulation *sim, YkArchive *a)
     for (size_t k = 0; k < sim->contact_count; k++) {
         YkContact *c = &sim->contacts[k];
         c->item = walk_index(a, c->item, items);
+        c->cam = YK_NONE;
         NUMBERS(a, &c->low, &c->high);
         if (!is_contact_kind(&sim->dynamics->loads->items[c->item])) a->failed = true;
     }
-    yk_archive_numbers(a, sim->response, (items + 1) * (inputs + items + 5) + YK_BOUNDED_WORK(items));
-    sim->pending_item = walk_index(a, sim->pending_item, items);
+    size_t most = yk_simulation_contacts_max(sim);
+    yk_archive_numbers(a, sim->response, (most + 1) * (inputs + most + 5) + YK_BOUNDED_WORK(most));
+    sim->pending_item = walk_index(a, sim->pending_item, most);
     int64_t pending = sim->pending;
-    yk_archive_choice(a, &pending, YK_PENDING_NONE, YK_PENDING_RELEASE);
+    yk_archive_choice(a, &pending, YK_PENDING_NONE, YK_PENDING_LANDING);
     sim->pending = (YkPendingKind)pending;
     bool is_of_item = sim->pending == YK_PENDING_STOP || sim->pending == YK_PENDING_STICK;
-    if (is_of_item && (items == 0 || !is_contact_kind(&sim->dynamics->loads->items[sim->pending_item])))
+    if (is_of_item && (sim->pending_item >= items || !is_contact_kind(&sim->dynamics->loads->items[sim->pending_item])))
         a->failed = true;
+    bool is_of_cam = sim->pending == YK_PENDING_LIFT_OFF || sim->pending == YK_PENDING_LANDING;
+    if (is_of_cam && sim->pending_item >= sim->model->cam_count) a->failed = true;
 }
 
 static void walk_near(YkSimulation *sim, YkArchive *a)

@@ -28,12 +28,32 @@ static void unknowns_of(const YkSimulation *sim, const YkLoadItem *item, int32_t
     *a = angle.a;
 }
 
-static double along(const YkSimulation *sim, const YkLoadItem *item)
+static size_t terms_of(const YkSimulation *sim, size_t contact, YkContactTerm term[2])
+{
+    if (sim->contacts[contact].cam != YK_NONE)
+        return yk_simulation_cam_terms(sim, (size_t)sim->contacts[contact].cam, term);
+    term[0].factor = 1;
+    unknowns_of(sim, yk_simulation_item(sim, contact), &term[0].b, &term[0].a);
+    return 1;
+}
+
+static double along(const YkSimulation *sim, size_t contact)
 {
     const double *xi = sim->dynamics->reduced->xi;
-    int32_t a, b;
-    unknowns_of(sim, item, &b, &a);
-    return (b > 0 ? xi[b] : 0) - (a > 0 ? xi[a] : 0);
+    YkContactTerm term[2];
+    double sum = 0;
+    size_t count = terms_of(sim, contact, term);
+    for (size_t k = 0; k < count; k++)
+        sum += term[k].factor * ((term[k].b > 0 ? xi[term[k].b] : 0) - (term[k].a > 0 ? xi[term[k].a] : 0));
+    return sum;
+}
+
+double yk_simulation_contact_rate(const YkSimulation *sim, size_t contact)
+{
+    if (sim->contacts[contact].cam != YK_NONE)
+        return yk_simulation_gap(sim, (size_t)sim->contacts[contact].cam).velocity;
+    const YkLoadItem *item = yk_simulation_item(sim, contact);
+    return yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
 }
 
 static double response_of_input(const YkSimulation *sim, size_t input)
@@ -54,16 +74,21 @@ void yk_simulation_find_responses(YkSimulation *sim)
     size_t m = sim->contact_count, n = sim->mech->input_count;
     yk_reduced_solve(d->reduced, d->acceleration, true);
     for (size_t c = 0; c < m; c++) {
+        if (sim->contacts[c].cam != YK_NONE) continue; // only in impacts, which have a bias of their own
         const YkLoadItem *item = yk_simulation_item(sim, c);
         YkMotion pose = yk_joint_motion(sim->mech, &sim->state->space, item->joint, item->is_distance);
-        sim->bias[c] = pose.acceleration + along(sim, item);
+        sim->bias[c] = pose.acceleration + along(sim, c);
     }
     for (size_t c = 0; c < m; c++) {
-        int32_t a, b;
-        unknowns_of(sim, yk_simulation_item(sim, c), &b, &a);
-        yk_reduced_respond(d->reduced, b, a);
-        for (size_t i = 0; i < n; i++) sim->response[c * n + i] = response_of_input(sim, i);
-        for (size_t k = 0; k < m; k++) sim->matrix[c * m + k] = along(sim, yk_simulation_item(sim, k));
+        YkContactTerm term[2];
+        size_t terms = terms_of(sim, c, term);
+        for (size_t i = 0; i < n; i++) sim->response[c * n + i] = 0;
+        for (size_t k = 0; k < m; k++) sim->matrix[c * m + k] = 0;
+        for (size_t t = 0; t < terms; t++) {
+            yk_reduced_respond(d->reduced, term[t].b, term[t].a);
+            for (size_t i = 0; i < n; i++) sim->response[c * n + i] += term[t].factor * response_of_input(sim, i);
+            for (size_t k = 0; k < m; k++) sim->matrix[c * m + k] += term[t].factor * along(sim, k);
+        }
     }
 }
 
@@ -179,7 +204,7 @@ static double value_of(const YkSimulation *sim, const YkLoadItem *item)
 static bool is_contact(const YkSimulation *sim, size_t item)
 {
     for (size_t c = 0; c < sim->contact_count; c++)
-        if (sim->contacts[c].item == item) return true;
+        if (sim->contacts[c].cam == YK_NONE && sim->contacts[c].item == item) return true;
     return false;
 }
 
@@ -187,7 +212,24 @@ static void add_contact(YkSimulation *sim, size_t item, double low, double high)
 {
     if (is_contact(sim, item)) return;
     sim->lambda[sim->contact_count] = 0;
-    sim->contacts[sim->contact_count++] = (YkContact){item, low, high};
+    sim->contacts[sim->contact_count++] = (YkContact){item, YK_NONE, low, high};
+}
+
+void yk_simulation_touch_cam(YkSimulation *sim, size_t cam)
+{
+    sim->lambda[sim->contact_count] = sim->wanted[sim->contact_count] = 0;
+    sim->contacts[sim->contact_count++] = (YkContact){0, (int32_t)cam, 0, HUGE_VAL};
+}
+
+void yk_simulation_leave_cams(YkSimulation *sim)
+{
+    size_t kept = 0;
+    for (size_t c = 0; c < sim->contact_count; c++) {
+        if (sim->contacts[c].cam != YK_NONE) continue;
+        sim->lambda[kept] = sim->lambda[c];
+        sim->contacts[kept++] = sim->contacts[c];
+    }
+    sim->contact_count = kept;
 }
 
 void yk_simulation_rest_on_stop(YkSimulation *sim, size_t index)

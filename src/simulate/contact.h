@@ -8,6 +8,15 @@
 void yk_simulation_find_responses(YkSimulation *sim);
 // Finds lambda within bounds. Returns false if there is no answer: the dynamics' report says so.
 bool yk_simulation_solve_contacts(YkSimulation *sim);
+// A contact exerts its effort along a sum of factors times differences of two unknowns of the reduced equations.
+typedef struct YkContactTerm {
+    int32_t b, a;
+    double factor;
+} YkContactTerm;
+size_t yk_simulation_cam_terms(const YkSimulation *sim, size_t cam, YkContactTerm term[2]); // flight.c
+double yk_simulation_contact_rate(const YkSimulation *sim, size_t contact);
+void yk_simulation_touch_cam(YkSimulation *sim, size_t cam); // adds a cam to the contacts, for an impact
+void yk_simulation_leave_cams(YkSimulation *sim);            // and takes all of them out again
 YkLoadItem *yk_simulation_item(const YkSimulation *sim, size_t contact);
 
 void yk_simulation_rest_on_stop(YkSimulation *sim, size_t item);

@@ -15,7 +15,8 @@ static size_t driven_count(const YkDynamics *d)
 
 static bool allocate(YkSimulation *sim)
 {
-    size_t inputs = sim->mech->input_count, items = sim->item_count, all = 2 * sim->free_count + sim->work_count;
+    size_t inputs = sim->mech->input_count, items = yk_simulation_contacts_max(sim),
+           all = 2 * sim->free_count + sim->work_count;
     sim->free_input = calloc(inputs + 1, sizeof *sim->free_input);
     sim->y = calloc(7 * (all + 1), sizeof *sim->y);
     sim->response = calloc((items + 1) * (inputs + items + 5) + YK_BOUNDED_WORK(items), sizeof *sim->response);
@@ -93,7 +94,9 @@ static bool keep_choice(YkSimulation *sim, const YkCompileOptions *compile)
 
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems)
 {
-    sim->mech = yk_mechanism_compile(sim->model, compile, problems);
+    YkCompileOptions with = compile ? *compile : yk_default_compile_options();
+    with.open_cams = sim->open;
+    sim->mech = yk_mechanism_compile(sim->model, &with, problems);
     if (!sim->mech || !keep_choice(sim, compile)) return false;
     sim->state = yk_state_new(sim->mech);
     sim->dynamics = sim->state ? yk_dynamics_new(sim->mech, problems) : NULL;
@@ -245,10 +248,24 @@ static bool is_out_of_memory(const YkProblems *problems)
 
 bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
 {
-    YkSimulation next = *sim;
     const char **names = calloc(sim->free_count + 1, sizeof *names);
     if (!names) return false;
     for (size_t j = 0; j < sim->free_count; j++) names[j] = sim->mech->coordinates[order[j]].name;
+    bool ok = yk_simulation_take_named(sim, names, sim->free_count, sim->free_count, changed);
+    free(names);
+    return ok;
+}
+
+// Returns whether something determines how the new machine moves: a body that is free now may have no mass.
+static bool can_move(YkSimulation *sim)
+{
+    return sim->contact_count > 0 || yk_dynamics_reduce(sim->dynamics, sim->state) == YK_OK;
+}
+
+bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_t count, size_t free_count,
+                              bool *changed)
+{
+    YkSimulation next = *sim;
     next.ode = NULL;
     next.mech = NULL;
     next.state = NULL;
@@ -264,12 +281,11 @@ bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed)
     next.guide = NULL;
     next.near_count = 0;
     YkProblems *quiet = yk_problems_new();
-    bool is_built =
-        yk_simulation_build(&next, &(YkCompileOptions){.inputs = names, .input_count = sim->free_count}, quiet);
+    bool is_built = yk_simulation_build(&next, &(YkCompileOptions){.inputs = names, .input_count = count}, quiet);
     bool has_memory = is_built || !is_out_of_memory(quiet);
-    bool ok = is_built && next.free_count == sim->free_count && move_over(&next, sim);
+    bool ok = is_built && next.free_count == free_count && move_over(&next, sim);
+    if (ok && free_count > sim->free_count) ok = can_move(&next);
     yk_problems_free(quiet);
-    free(names);
     if (!ok) {
         yk_simulation_unbuild(&next);
         return has_memory; // keep the present coordinates

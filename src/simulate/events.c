@@ -21,16 +21,17 @@ typedef struct Event {
     YkSimulation *sim;
     const YkLoadItem *item; // STOP or COULOMB
     const YkEventWatch *watch;
-    double way;          // watch: +1 rising, -1 falling
-    size_t cam;          // if there is neither item nor watch: a contact that pushes, and then would have to pull
+    double way; // watch: +1 rising, -1 falling
+    size_t cam; // if there is neither: a cam that pushes and then would have to pull, or that is reached
+    bool is_landing;
     const YkLawUse *use; // or, if given, a law whose range is left
 } Event;
 
-// Returns how strongly a cam would have to pull, above 0 if it would; 0 where forces are not known.
-static double pull_here(YkSimulation *sim, size_t cam)
+// Returns how deep a follower in flight is in its cam, less what is rounding.
+static double depth_here(const YkSimulation *sim, size_t cam)
 {
-    const YkDynamics *dynamics = yk_simulation_dynamics(sim);
-    return sim->forces_are_known ? yk_dynamics_contact_pull(dynamics, cam) : 0;
+    double unit = sim->model->cams[cam].oscillates ? 1 : sim->mech->size;
+    return -yk_simulation_gap(sim, cam).position - 1e-12 * unit;
 }
 
 static double argument_here(YkSimulation *sim, const YkLawUse *use)
@@ -50,7 +51,8 @@ static double event_here(const Event *e)
     YkSimulation *sim = e->sim;
     const YkLoadItem *item = e->item;
     if (e->use) return excess_here(sim, e->use);
-    if (!item && !e->watch) return pull_here(sim, e->cam);
+    if (e->is_landing) return depth_here(sim, e->cam);
+    if (!item && !e->watch) return yk_simulation_pull(sim, e->cam);
     if (!item) return e->way * (yk_simulation_channel(sim, e->watch->channel) - e->watch->level);
     if (item->kind == YK_LOAD_COULOMB)
         return -item->direction * yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance);
@@ -70,7 +72,7 @@ static bool visit(YkSimulation *sim, double t, bool with_accelerations)
 
 static double event_at(const Event *e, double t, bool *ok)
 {
-    *ok = *ok && visit(e->sim, t, !e->item && !e->use);
+    *ok = *ok && visit(e->sim, t, !e->item && !e->use && !e->is_landing);
     return *ok ? event_here(e) : 0;
 }
 
@@ -229,36 +231,47 @@ static bool has_happened(const YkSimulation *sim, YkHappeningKind kind, const ch
     return false;
 }
 
-static void note_lift_off(const Event *e, const YkCam *cam, double t, bool *ok)
+static void note_pull(const Event *e, double t, bool *ok)
 {
     YkSimulation *sim = e->sim;
+    const YkCam *cam = &sim->model->cams[e->cam];
     *ok = *ok && visit(sim, t, false);
     double angle = yk_state_channel(sim->state, (YkChannel){.kind = YK_CHANNEL_JOINT_ANGLE, .index = cam->cam_joint});
-    const char *name = yk_dynamics_contact_name(sim->dynamics, e->cam);
-    if (*ok) yk_simulation_note(sim, YK_HAPPENING_LIFT_OFF, t, name, angle);
+    if (*ok) yk_simulation_note(sim, YK_HAPPENING_PULL, t, cam->name, angle);
 }
 
-// Looks for the times in the last step, up to `end`, from which a cam would have to pull.
-static void look_at_cam(YkSimulation *sim, size_t contact, double end, bool *ok)
+// Looks for the times in the last step, up to `end`, from which a cam would have to pull a follower that cannot fly.
+static void look_at_held_cam(YkSimulation *sim, size_t cam, double end, bool *ok)
 {
-    const YkCam *cam = yk_dynamics_loose_cam(sim->dynamics, contact);
-    if (!cam) return;
-    Event e = {.sim = sim, .cam = contact};
+    Event e = {.sim = sim, .cam = cam};
     double from = yk_ode_previous(sim->ode), a = from, fa = event_at(&e, from, ok);
-    if (*ok && fa > 0 && !has_happened(sim, YK_HAPPENING_LIFT_OFF, yk_dynamics_contact_name(sim->dynamics, contact)))
-        note_lift_off(&e, cam, from, ok);
     for (int k = 1; k <= PROBES && *ok; k++) {
         double t = k == PROBES ? end : from + (end - from) * k / PROBES, f = event_at(&e, t, ok);
-        if (*ok && f > 0 && fa <= 0) note_lift_off(&e, cam, locate(&e, a, fa, t, f, ok), ok);
+        if (*ok && f > 0 && fa <= 0) note_pull(&e, locate(&e, a, fa, t, f, ok), ok);
         a = t;
         fa = f;
     }
 }
 
-static void look_at_cams(YkSimulation *sim, double end, bool *ok)
+static void look_at_held_cams(YkSimulation *sim, double end, bool *ok)
 {
-    for (size_t k = 0; sim->model->cam_count > 0 && k < yk_dynamics_contact_count(sim->dynamics); k++)
-        look_at_cam(sim, k, end, ok);
+    for (size_t k = 0; k < sim->model->cam_count; k++)
+        if (sim->flights[k].is_held) look_at_held_cam(sim, k, end, ok);
+}
+
+// Finds the first cam in the last step that loses its follower, or that its follower reaches.
+static void look_at_cams(YkSimulation *sim, bool *ok)
+{
+    for (size_t k = 0; k < sim->model->cam_count && *ok; k++) {
+        Event e = {.sim = sim, .cam = k, .is_landing = sim->open[k]};
+        if (!e.is_landing && (!yk_simulation_is_loose(sim, k) || sim->flights[k].is_held)) continue;
+        double from = yk_ode_previous(sim->ode);
+        double t = event_at(&e, from, ok) > 0 ? from : first_time(&e, ok);
+        if (!*ok || t == HUGE_VAL || (sim->pending != YK_PENDING_NONE && t >= sim->pending_time)) continue;
+        sim->pending = e.is_landing ? YK_PENDING_LANDING : YK_PENDING_LIFT_OFF;
+        sim->pending_item = k;
+        sim->pending_time = t;
+    }
 }
 
 // --- laws whose range is left
@@ -306,7 +319,7 @@ bool yk_simulation_look_dead(YkSimulation *sim)
 {
     YkEventWatch watch = {.channel = {.kind = YK_CHANNEL_COORDINATE, .index = sim->first, .order = 1}};
     Event e = {.sim = sim, .watch = &watch, .way = 1};
-    if (sim->first == YK_NONE) return false;
+    if (sim->first == YK_NONE || sim->free_count != 1) return false;
     double last = sim->first_rate, now = event_here(&e);
     sim->first_rate = now;
     if (!(last * now < 0)) return false;
@@ -335,8 +348,9 @@ void yk_simulation_look(YkSimulation *sim)
 {
     bool ok = true;
     look_at_items(sim, &ok);
+    look_at_cams(sim, &ok);
     double end = sim->pending != YK_PENDING_NONE ? sim->pending_time : yk_ode_time(sim->ode);
     for (size_t k = 0; k < sim->watch_count; k++) look_at_watch(sim, &sim->watches[k], end, &ok);
-    look_at_cams(sim, end, &ok);
+    look_at_held_cams(sim, end, &ok);
     look_at_laws(sim, end, &ok);
 }

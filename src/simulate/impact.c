@@ -1,6 +1,11 @@
 // Impacts: stops that are hit, several at once if reached together; what rests, rebounds or is struck away.
 #include "simulate/contact.h"
 
+static bool is_of_kind(const YkSimulation *sim, size_t contact, YkLoadKind kind)
+{
+    return sim->contacts[contact].cam == YK_NONE && yk_simulation_item(sim, contact)->kind == kind;
+}
+
 // Finds impulses that bring the contacts' rates to `wanted`, within the contacts' bounds. Returns false if there are
 // none.
 static bool strike(YkSimulation *sim)
@@ -9,10 +14,9 @@ static bool strike(YkSimulation *sim)
     size_t n = sim->mech->input_count;
     double before = yk_dynamics_energy_at(d, sim->state).kinetic;
     for (size_t c = 0; c < sim->contact_count; c++) {
-        const YkLoadItem *item = yk_simulation_item(sim, c);
         // Friction transmits no impulse.
-        if (item->kind == YK_LOAD_COULOMB) sim->contacts[c].low = sim->contacts[c].high = 0;
-        sim->bias[c] = yk_joint_rate(sim->mech, &sim->state->space, item->joint, item->is_distance) - sim->wanted[c];
+        if (is_of_kind(sim, c, YK_LOAD_COULOMB)) sim->contacts[c].low = sim->contacts[c].high = 0;
+        sim->bias[c] = yk_simulation_contact_rate(sim, c) - sim->wanted[c];
         sim->lambda[c] = 0;
     }
     if (!yk_simulation_solve_contacts(sim)) return false;
@@ -31,7 +35,8 @@ static bool strike(YkSimulation *sim)
 // Factors the equations at the pose, for responses.
 static bool factor_here(YkSimulation *sim)
 {
-    for (size_t c = 0; c < sim->contact_count; c++) yk_simulation_item(sim, c)->dry = 0;
+    for (size_t c = 0; c < sim->contact_count; c++)
+        if (sim->contacts[c].cam == YK_NONE) yk_simulation_item(sim, c)->dry = 0;
     YkStatus status = yk_dynamics_reduce(sim->dynamics, sim->state);
     if (status < 0 || status == YK_SINGULAR) return false;
     yk_simulation_find_responses(sim);
@@ -66,7 +71,7 @@ static void meet(YkSimulation *sim, size_t index)
     yk_simulation_note(sim, YK_HAPPENING_STOP, sim->time, item->name, rate);
     yk_simulation_rest_on_stop(sim, index);
     for (size_t c = 0; c < sim->contact_count; c++)
-        if (sim->contacts[c].item == index) sim->wanted[c] = rests ? 0 : rebound;
+        if (sim->contacts[c].cam == YK_NONE && sim->contacts[c].item == index) sim->wanted[c] = rests ? 0 : rebound;
 }
 
 // Adds the stop that ended the step, and all others that are reached at the same time.
@@ -74,7 +79,6 @@ static void meet_stops(YkSimulation *sim, size_t first)
 {
     const YkLoads *loads = sim->dynamics->loads;
     double fastest = sim->fastest;
-    for (size_t c = 0; c < sim->contact_count; c++) sim->wanted[c] = 0;
     for (size_t k = 0; k < loads->item_count; k++) {
         const YkLoadItem *item = &loads->items[k];
         bool is_met = k == first || (item->kind == YK_LOAD_STOP && comes_to(sim, item));
@@ -91,12 +95,11 @@ static void meet_stops(YkSimulation *sim, size_t first)
 static const YkLoadItem *passed(const YkSimulation *sim)
 {
     for (size_t c = 0; c < sim->contact_count; c++) {
+        if (!is_of_kind(sim, c, YK_LOAD_STOP)) continue;
         const YkLoadItem *item = yk_simulation_item(sim, c);
         double after = rate_of(sim, item);
         bool is_low = sim->contacts[c].low == 0;
-        if (item->kind == YK_LOAD_STOP &&
-            (is_low ? -after : after) > fmax(slowest(sim, item), 1e-6 * fabs(sim->fastest)))
-            return item;
+        if ((is_low ? -after : after) > fmax(slowest(sim, item), 1e-6 * fabs(sim->fastest))) return item;
     }
     return NULL;
 }
@@ -116,21 +119,17 @@ static void part_contacts(YkSimulation *sim)
     }
 }
 
-bool yk_simulation_hit(YkSimulation *sim, size_t index)
+// Solves the impact of the contacts, with the cams that touch their followers, and frees what parts.
+static bool collide(YkSimulation *sim)
 {
-    YkLoadItem *item = &sim->dynamics->loads->items[index];
-    if (item->kind != YK_LOAD_STOP) {
-        double rate = rate_of(sim, item);
-        yk_simulation_stick(sim, index, rate);
-        if (fabs(rate) > fabs(sim->fastest)) sim->fastest = rate;
-        return yk_simulation_contacts_start(sim);
-    }
-    meet_stops(sim, index);
+    for (size_t k = 0; k < sim->model->cam_count; k++)
+        if (sim->flights[k].is_about) yk_simulation_touch_cam(sim, k);
     if (!factor_here(sim) || !strike(sim)) {
         sim->report = sim->dynamics->report;
         sim->status = sim->report.status < 0 ? sim->report.status : YK_NOT_CONVERGED;
         return false;
     }
+    yk_simulation_leave_cams(sim);
     const YkLoadItem *beyond = passed(sim);
     if (beyond) {
         yk_dynamics_fail(sim->dynamics, YK_LIMIT, "a drive moves `", beyond->name, "` past its stop");
@@ -139,5 +138,35 @@ bool yk_simulation_hit(YkSimulation *sim, size_t index)
         return false;
     }
     part_contacts(sim);
-    return yk_simulation_contacts_start(sim);
+    return yk_simulation_close_touching(sim) && yk_simulation_contacts_start(sim);
+}
+
+static void want_rest(YkSimulation *sim)
+{
+    for (size_t c = 0; c < sim->contact_count; c++) sim->wanted[c] = 0;
+}
+
+bool yk_simulation_hit(YkSimulation *sim, size_t index)
+{
+    if (sim->dynamics->loads->items[index].kind != YK_LOAD_STOP) {
+        double rate = rate_of(sim, &sim->dynamics->loads->items[index]);
+        yk_simulation_stick(sim, index, rate);
+        if (fabs(rate) > fabs(sim->fastest)) sim->fastest = rate;
+        return yk_simulation_contacts_start(sim);
+    }
+    if (!yk_simulation_open_touching(sim)) return false;
+    want_rest(sim);
+    meet_stops(sim, index);
+    return collide(sim);
+}
+
+bool yk_simulation_land(YkSimulation *sim, size_t cam)
+{
+    double rate = yk_simulation_gap(sim, cam).velocity;
+    yk_simulation_note(sim, YK_HAPPENING_LANDING, sim->time, sim->model->cams[cam].name, rate);
+    if (fabs(rate) > fabs(sim->fastest)) sim->fastest = rate;
+    if (!yk_simulation_open_touching(sim)) return false;
+    sim->flights[cam].is_about = true;
+    want_rest(sim);
+    return collide(sim);
 }

@@ -54,6 +54,7 @@ static void write_all(YkSimulation *sim, YkArchive *a, Head *head)
     walk_head(a, head);
     yk_simulation_archive_options(sim, a);
     walk_parts(a, &parts);
+    yk_simulation_archive_flights(sim, a);
     yk_simulation_archive_choice(a, sim->chosen, sim->chosen_count, sim->mech->coordinate_count);
     if (parts.has_efforts) walk_efforts(sim, a, sim->mech->coordinate_count);
     yk_simulation_archive_rest(sim, a);
@@ -82,6 +83,7 @@ static bool make(YkSimulation *sim, YkArchive *a, const Parts *parts, const YkMe
     int32_t *chosen = calloc(inputs + 1, sizeof *chosen);
     const char **names = calloc(inputs + 1, sizeof *names);
     YkProblems *quiet = yk_problems_new();
+    yk_simulation_archive_flights(sim, a);
     if (parts->has_efforts) {
         sim->has_effort = calloc(2 * n, sizeof *sim->has_effort);
         sim->effort = calloc(2 * n, sizeof *sim->effort);

@@ -9,6 +9,7 @@ uint64_t yk_fingerprint(const YkModel *model);
 // archive.c: writes or reads. What the mechanism is made by, so that reading can make it ...
 void yk_simulation_archive_options(YkSimulation *simulation, YkArchive *archive);
 // ... the mechanism's inputs ([count], below coordinate_count) ...
+void yk_simulation_archive_flights(YkSimulation *simulation, YkArchive *archive); // which cams have lost their follower
 void yk_simulation_archive_choice(YkArchive *archive, int32_t *chosen, size_t count, size_t coordinate_count);
 // ... and, once it is made, all the rest. Reading fails where the bytes do not fit the machine.
 void yk_simulation_archive_rest(YkSimulation *simulation, YkArchive *archive);

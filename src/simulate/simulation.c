@@ -137,7 +137,9 @@ YkSimulation *yk_simulation_blank(const YkModel *model, const YkSimulationOption
     sim->options = *options;
     sim->arena = yk_arena_new();
     sim->laws = yk_law_watch_new(model);
-    if (sim->arena && sim->laws && (!like || take_over(sim, like))) return sim;
+    sim->open = calloc(model->cam_count + 1, sizeof *sim->open);
+    sim->flights = calloc(model->cam_count + 1, sizeof *sim->flights);
+    if (sim->arena && sim->laws && sim->open && sim->flights && (!like || take_over(sim, like))) return sim;
     yk_simulation_free(sim);
     return NULL;
 }
@@ -167,6 +169,8 @@ static void end(YkSimulation *sim)
     yk_simulation_unbuild(sim);
     yk_arena_free(sim->arena);
     yk_law_watch_free(sim->laws);
+    free(sim->open);
+    free(sim->flights);
     free(sim->watches);
     free(sim->happenings);
     free(sim->effort);

@@ -14,11 +14,20 @@ typedef struct YkNear {
     double angle, rate, acceleration; // the sign of its sine is the branch
 } YkNear;
 
-// What holds a coordinate: a stop against which it rests, or dry friction that makes it stick.
+// What holds a coordinate: a stop against which it rests, or dry friction that makes it stick; in an impact also a cam
+// that its follower reaches or touches.
 typedef struct YkContact {
-    size_t item;      // of the loads: COULOMB or STOP
+    size_t item;      // of the loads: COULOMB or STOP; unused for a cam
+    int32_t cam;      // of the model; otherwise YK_NONE
     double low, high; // range of what it can exert
 } YkContact;
+
+// A cam of the model.
+typedef struct YkFlight {
+    double way;    // +1 if its follower's coordinate grows as it leaves, otherwise -1; known once it has left
+    bool is_held;  // its follower cannot fly, since nothing would determine its motion
+    bool is_about; // within an impact: it touches its follower
+} YkFlight;
 
 typedef struct YkEventWatch {
     const char *name;
@@ -32,7 +41,9 @@ typedef enum YkPendingKind {
     YK_PENDING_NONE,
     YK_PENDING_STOP,
     YK_PENDING_STICK,
-    YK_PENDING_RELEASE // a contact can no longer hold
+    YK_PENDING_RELEASE, // a contact can no longer hold
+    YK_PENDING_LIFT_OFF,
+    YK_PENDING_LANDING // pending_item is the cam
 } YkPendingKind;
 
 typedef struct YkCommand { // of a driven coordinate that the host has taken over
@@ -87,6 +98,8 @@ struct YkSimulation {
     double *kept, *contact_work;                        // [contact], scratch of num/bounded
     YkBounds *bounds;
     size_t *contact_order;
+    bool *open;      // per cam: whether its follower is off it
+    YkFlight *flights;
     int sweeps_max;  // over the contacts
     bool is_testing; // contacts exert no more than their bounds allow; within steps they hold at any effort
     double fastest;  // rate of an impact so far
@@ -186,6 +199,24 @@ void yk_simulation_unbuild(YkSimulation *sim);
 bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: call it after everything else is made
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems);
 
+// Takes other independent coordinates by name, or as many as there are with the cams that are open now. Returns false on
+// failure; *changed: whether they fit.
+bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_t count, size_t free_count,
+                              bool *changed);
+static inline size_t yk_simulation_contacts_max(const YkSimulation *sim)
+{
+    return sim->item_count + sim->model->cam_count;
+}
+
+// flight.c: followers off their cams.
+YkMotion yk_simulation_gap(const YkSimulation *sim, size_t cam); // above 0 off the cam; without acceleration
+// Returns whether this cam can lose its follower, and has not.
+bool yk_simulation_is_loose(const YkSimulation *sim, size_t cam);
+double yk_simulation_pull(YkSimulation *sim, size_t cam); // above 0 if it would have to pull; 0 where forces are unknown
+bool yk_simulation_lift_off(YkSimulation *sim, size_t cam); // at the pose that stands; false on failure
+bool yk_simulation_open_touching(YkSimulation *sim); // before an impact: all cams, those that touch are marked
+bool yk_simulation_close_touching(YkSimulation *sim); // after it: those from which the follower does not part
+
 // contact.c
 bool yk_simulation_contacts_start(
     YkSimulation *sim); // which stops are touched, which joints stick, at the pose that stands
@@ -197,6 +228,8 @@ double yk_simulation_contact_acceleration(const YkSimulation *sim, size_t contac
 bool yk_simulation_contacts_check(YkSimulation *sim); // releases contacts that cannot hold, one at a time
 // impact.c: hits the stop, with all others that are reached now, or handles the rate of the dry joint reaching 0.
 bool yk_simulation_hit(YkSimulation *sim, size_t item);
+// The follower reaches its cam: a plastic impact.
+bool yk_simulation_land(YkSimulation *sim, size_t cam);
 
 // events.c
 void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value);

@@ -113,7 +113,7 @@ static YkVec place_of(YkPlane p)
 // Returns sin^2 of the angle between a block's columns; the margin is less if a length varies and may vanish.
 static double sine2(const YkState *s, const YkBlock *b, double margin)
 {
-    bool is_plain = b->kind >= YK_BLOCK_PP || (b->form != YK_FORM_RARE && b->kind != YK_BLOCK_RPR);
+    bool is_plain = b->kind >= YK_BLOCK_PP || (b->form > YK_FORM_RRR_SHORT && b->kind != YK_BLOCK_RPR);
     if (is_plain) return margin;
     YkSpace view = s->space;
     YkRun run = {.mech = s->mech, .space = &view, .lanes = 1};

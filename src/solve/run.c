@@ -119,7 +119,7 @@ static inline Outs outs_of(const YkRun *run, const YkBlock *b, size_t index)
 static bool run_turned(const YkRun *run, const YkBlock *b, size_t index)
 {
     YkTurned K;
-    if (b->form == YK_FORM_RARE || !is_turned(run, &b->known, &K)) return false;
+    if (b->form <= YK_FORM_RRR_SHORT || !is_turned(run, &b->known, &K)) return false;
     Outs out = outs_of(run, b, index);
     YkArm arm = constant_arm(b, 0);
     if (b->kind == YK_BLOCK_RRR)

@@ -119,6 +119,15 @@ YK_INLINE void solve_rrr(const Pose *p, const YkBlock *b, size_t index, double b
     keep_margin(p, index, found.margin, found.e1.x);
 }
 
+YK_INLINE void solve_short_rrr(const Pose *p, const YkBlock *b, size_t index, double branch)
+{
+    const Known U = {.place = b->arm[0].constant}, W = {.place = b->arm[1].constant};
+    RrrFound found = rrr_solve(true, sum_of(p, &b->known), U, false, W, false, b->arms.pair, false, true, branch);
+    p->turn[b->column[0].index] = (Line){found.e1, found.rates.w1, found.rates.a1};
+    p->turn[b->column[1].index] = (Line){found.e2, found.rates.w2, found.rates.a2};
+    keep_margin(p, index, found.margin, found.e1.x);
+}
+
 YK_INLINE void solve_rrp(const Pose *p, const YkBlock *b, size_t index, double branch, bool turns, bool axial)
 {
     Known W = {.place = b->arm[0].constant};
@@ -164,6 +173,9 @@ YK_INLINE void solve_block(const YkRun *run, const Pose *p, const YkStep *step)
         break;
     case YK_FORM_RPR_AXIAL:
         solve_rpr(p, b, index, branch, true);
+        break;
+    case YK_FORM_RRR_SHORT:
+        solve_short_rrr(p, b, index, branch);
         break;
     case YK_FORM_RARE:
         yk_run_lanes(run, step);

@@ -1,4 +1,4 @@
-// Forward dynamics in batches: in SIMD lanes where the machine allows, otherwise state by state; on several threads.
+// Forward dynamics in batches: in SIMD lanes where the machine allows, otherwise pose by pose; on several threads.
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -7,6 +7,7 @@
 #include "base/problems.h"
 #include "base/worse.h"
 #include "solve/state.h"
+#include "study/lane_motion.h"
 #include "study/start.h"
 #include "study/tree_batch.h"
 
@@ -17,6 +18,9 @@ typedef struct Worker {
     YkVariant *variant;
     YkTreeBatch *tree; // or:
     YkState *home, *state;
+    YkLaneMotion *lanes; // or NULL
+    bool *is_solved;     // of a chunk of states
+    bool has_own;        // the dynamics have the present values of the parameters
     YkDynamics *dynamics;
     double *value, *acceleration;
     YkMotion *goal;
@@ -51,12 +55,22 @@ static bool start(YkMotionBatch *batch, Worker *w, const YkState *state, const c
     w->acceleration = calloc(state->mech->input_count + 1, sizeof *w->acceleration);
     w->goal = calloc(state->mech->input_count + 1, sizeof *w->goal);
     if (!w->home || !w->state || !w->value || !w->acceleration || !w->goal) return false;
-    return yk_study_take_home(w->home, state) != YK_NO_MEMORY;
+    YkStatus status = yk_study_take_home(w->home, state);
+    if (status == YK_NO_MEMORY) return false;
+    w->dynamics = yk_dynamics_new(w->variant->mech, NULL);
+    w->is_solved = calloc(CHUNK, sizeof *w->is_solved);
+    if (!w->dynamics || !w->is_solved) return false;
+    w->has_own = true;
+    if (status < 0) return true;
+    w->lanes = yk_lane_motion_new(w->home, w->dynamics, CHUNK, &fits);
+    return w->lanes || !fits;
 }
 
 static void end(Worker *w)
 {
     yk_tree_batch_free(w->tree);
+    yk_lane_motion_free(w->lanes);
+    free(w->is_solved);
     yk_dynamics_free(w->dynamics);
     yk_state_free(w->home);
     yk_state_free(w->state);
@@ -106,23 +120,30 @@ void yk_motion_batch_free(YkMotionBatch *batch)
 
 // --- state by state
 
-// The equations contain the machine's numbers, so they are made anew when these change.
-static YkStatus set_design(Worker *w, const YkMotionCase *asked, size_t k)
+static YkStatus set_values(Worker *w, const YkMotionCase *asked, size_t k)
 {
     const YkMotionBatch *batch = w->batch;
-    if (w->dynamics && batch->parameter_count == 0) return YK_OK;
+    if (batch->parameter_count == 0) return YK_OK;
     for (size_t p = 0; p < batch->parameter_count; p++)
         w->value[p] = asked->parameters && asked->parameters[p] ? asked->parameters[p][k] : batch->own[p];
-    YkStatus status = yk_variant_set(w->variant, w->value);
-    if (status < 0) return status;
+    w->has_own = false;
+    return yk_variant_set(w->variant, w->value);
+}
+
+// The equations of one pose contain the machine's numbers, so they are made anew when these have changed.
+static YkStatus make_equations(Worker *w)
+{
+    if (w->has_own) return YK_OK;
     yk_dynamics_free(w->dynamics);
     w->dynamics = yk_dynamics_new(w->variant->mech, NULL);
+    w->has_own = w->dynamics != NULL;
     return w->dynamics ? YK_OK : YK_NO_MEMORY;
 }
 
-static YkStatus run_one(Worker *w, const YkMotionCase *asked, size_t k)
+// The values are set.
+static YkStatus accelerate(Worker *w, const YkMotionCase *asked, size_t k)
 {
-    YkStatus status = set_design(w, asked, k);
+    YkStatus status = make_equations(w);
     if (status < 0) return status;
     status = yk_study_carry(w->variant, w->home, w->state, w->batch->own, w->value, w->batch->parameter_count, w->goal);
     for (size_t i = 0; status >= 0 && i < w->batch->input_count; i++) {
@@ -135,16 +156,35 @@ static YkStatus run_one(Worker *w, const YkMotionCase *asked, size_t k)
     return status == YK_REDUNDANT ? YK_OK : status;
 }
 
-static void run_singly(Worker *w, size_t from, size_t to)
+static void tell(Worker *w, size_t k, YkStatus status)
 {
     YkMotionBatch *batch = w->batch;
+    if (batch->status) batch->status[k] = (signed char)status;
+    w->worst = yk_worse(w->worst, status);
+}
+
+// Solves the states [from, to), which have the same values of the parameters: in lanes, where that settles them.
+static void run_design(Worker *w, size_t from, size_t to)
+{
+    YkMotionBatch *batch = w->batch;
+    YkStatus design = set_values(w, batch->asked, from);
+    memset(w->is_solved, 0, (to - from) * sizeof *w->is_solved);
+    if (design >= 0 && w->lanes &&
+        !yk_lane_motion_run(w->lanes, batch->asked, from, to - from, batch->accelerations, w->is_solved))
+        design = YK_NO_MEMORY;
     for (size_t k = from; k < to; k++) {
-        YkStatus status = run_one(w, batch->asked, k);
-        for (size_t i = 0; i < batch->input_count; i++)
+        bool is_done = design >= 0 && w->is_solved[k - from];
+        YkStatus status = design < 0 ? design : is_done ? YK_OK : accelerate(w, batch->asked, k);
+        for (size_t i = 0; !is_done && i < batch->input_count; i++)
             batch->accelerations[i][k] = status == YK_OK ? w->acceleration[i] : 0;
-        if (batch->status) batch->status[k] = (signed char)status;
-        w->worst = yk_worse(w->worst, status);
+        tell(w, k, status);
     }
+}
+
+static void run_loops(Worker *w, size_t from, size_t to)
+{
+    bool is_one = w->batch->parameter_count == 0;
+    for (size_t k = from; k < to; k = is_one ? to : k + 1) run_design(w, k, is_one ? to : k + 1);
 }
 
 // --- threads
@@ -162,7 +202,7 @@ static void *work(void *context)
             w->worst = yk_worse(
                 w->worst, yk_tree_batch_run(w->tree, batch->asked, from, to, batch->accelerations, batch->status));
         else
-            run_singly(w, from, to);
+            run_loops(w, from, to);
     }
 }
 

@@ -85,7 +85,7 @@ static YkMechanism *compile_as(const Made *m, const YkMechanism *as)
 {
     const char **inputs = calloc(as->input_count + 1, sizeof *inputs);
     for (size_t i = 0; inputs && i < as->input_count; i++) inputs[i] = as->coordinates[as->inputs[i]].name;
-    YkCompileOptions options = {inputs, as->input_count, m->progress};
+    YkCompileOptions options = {.inputs = inputs, .input_count = as->input_count, .progress = m->progress};
     YkMechanism *mech = inputs ? yk_mechanism_compile(m->model, &options, m->problems) : NULL;
     free(inputs);
     return mech;

@@ -215,10 +215,16 @@ class Answers(Cam):
         slow = self.write("slow.yaml", text)
         fast = self.write("fast.yaml", text.replace("3000 rpm", "3600 rpm"))  # it jumps from 3386 rpm, at 60 deg
         groove = self.write("groove.yaml", text.replace("3000 rpm", "3600 rpm").replace("base: 17}", "base: 17, groove: true}"))
-        for verb in (["solve", "--at", "theta=60deg"], ["simulate", "--to", "20ms"]):
-            self.assertNotIn("[W0555]", self.good(verb[0], slow, *verb[1:]).err)
-            self.assertEqual(self.good(verb[0], fast, *verb[1:]).err.count("[W0555]"), 1)
-            self.assertNotIn("[W0555]", self.good(verb[0], groove, *verb[1:]).err)
+        massless = self.write("massless.yaml", text.replace("valve: {mass: 0.11 kg}", "valve: {}").replace("length: -8", "length: 4")
+                              .replace("camshaft: {}", "camshaft: {mass: 1 kg}"))
+        pose, motion = ["--at", "theta=60deg"], ["--to", "20ms"]
+        for file, count in ((slow, 0), (fast, 1), (groove, 0)):
+            self.assertEqual(self.good("solve", file, *pose).err.count("[W0555]"), count)
+        for file, events in ((slow, []), (fast, ["lift-off", "landing"]), (groove, []), (massless, ["pull"])):
+            run = self.good("simulate", file, *motion, "--format", "json")
+            kinds = [event["kind"] for event in json.loads(run.out)["events"]]
+            self.assertEqual(kinds[:2] if events != ["pull"] else kinds[:1], events, file)
+            self.assertEqual(run.err.count("[W0555]"), 1 if events == ["pull"] else 0)
 
     def test_text_is_in_the_files_units(self):
         out = self.good("cam", example("valve-cam"), "--steps", "4").out

@@ -1,5 +1,5 @@
 // Cams that would have to pull their followers: the times against closed forms.
-#include "run.h"
+#include "tappet.h"
 
 // A harmonic lift h (1 - cos theta)/2 under a spring of stiffness c, compressed by p at the bottom, and weight. The cam
 // turns at w; nothing presses the follower on it where m w^2 h/2 cos theta + c (h/2 (1 - cos theta) + p) + m g = 0.
@@ -7,21 +7,12 @@ static const double h = 0.012, c = 4000, p = 0.02, m = 0.3, g = 9.81, w = 300;
 
 static Run run_of(const char *cam, double stiffness, const char *start)
 {
-    char text[1200];
-    snprintf(text, sizeof text,
-             "gravity: [0, -9.81]\n"
-             "laws:\n"
-             "  lift: {period: 360 deg, segments: [{formula: {to: 360 deg, s: 12 mm*(1 - cos(x))/2}}]}\n"
-             "cams:\n"
-             "  heart: {cam: shaft, follower: tappet, law: lift, roller: 6 mm, base: 30 mm%s}\n"
-             "bodies: {shaft: {}, tappet: {mass: 0.3 kg}}\n"
-             "joints:\n"
-             "  K: {pin: [ground, shaft], angle: theta}\n"
-             "  T: {slide: [ground, tappet], along: y, distance: s}\n"
+    char rest[200];
+    snprintf(rest, sizeof rest,
              "drives: {theta: %s + 300 rad/s * t}\n"
              "springs: {k: {along: s, stiffness: %g N/m, length: -20 mm}}\n",
-             cam, start, stiffness);
-    return run_of_text(text, run_options(1e-10));
+             start, stiffness);
+    return run_of_tappet(cam, "", rest, 1e-10);
 }
 
 static double first_angle(void)
@@ -29,19 +20,28 @@ static double first_angle(void)
     return acos(-(c * (h / 2 + p) + m * g) / (h / 2 * (m * w * w - c)));
 }
 
+// Lists the lift-offs, and returns how many there are.
+static size_t lift_offs(const Run *run, YkHappening *lift)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < yk_simulation_happening_count(run->sim); k++)
+        if (yk_simulation_happening(run->sim, k).kind == YK_HAPPENING_LIFT_OFF)
+            lift[count++] = yk_simulation_happening(run->sim, k);
+    return count;
+}
+
 static void every_turn_has_its_lift_off(void **unused)
 {
     (void)unused;
+    YkHappening lift[20];
     Run run = run_of("", c, "0 rad");
     assert_int_equal(yk_simulation_advance(run.sim, 0.1), YK_OK);
-    assert_int_equal(yk_simulation_happening_count(run.sim), 5); // 30 rad: theta + 2 pi n for n = 0 ... 4
+    assert_int_equal(lift_offs(&run, lift), 5); // 30 rad: theta + 2 pi n for n = 0 ... 4
     for (size_t k = 0; k < 5; k++) {
         double angle = first_angle() + 2 * acos(-1) * (double)k;
-        YkHappening lift = yk_simulation_happening(run.sim, k);
-        assert_int_equal(lift.kind, YK_HAPPENING_LIFT_OFF);
-        assert_string_equal(lift.name, "heart");
-        CHECK_NEAR(lift.time, angle / w, 1e-10);
-        CHECK_NEAR(lift.value, angle, 1e-8);
+        assert_string_equal(lift[k].name, "heart");
+        CHECK_NEAR(lift[k].time, angle / w, 1e-10);
+        CHECK_NEAR(lift[k].value, angle, 1e-8);
     }
     run_free(&run);
 }
@@ -50,8 +50,11 @@ static void a_start_without_contact_is_told(void **unused)
 {
     (void)unused;
     Run run = run_of("", c, "200 deg");
+    assert_int_equal(yk_simulation_advance(run.sim, 0), YK_OK); // the first row shows the flight
+    CHECK_NEAR(run_value(&run, "heart.force"), 0, 0);
+    CHECK_NEAR(run_value(&run, "s.accel"), -g - c / m * (p + h / 2 * (1 - cos(200 * acos(-1) / 180))), 1e-9);
     assert_int_equal(yk_simulation_advance(run.sim, 0.004), YK_OK);
-    assert_int_equal(yk_simulation_happening_count(run.sim), 1);
+    assert_int_equal(yk_simulation_happening(run.sim, 0).kind, YK_HAPPENING_LIFT_OFF);
     assert_true(yk_simulation_happening(run.sim, 0).time == 0);
     run_free(&run);
 }
@@ -80,9 +83,9 @@ static void rows_and_saving_change_nothing(void **unused)
     assert_int_equal(yk_simulation_restore(other.sim, bytes, count), YK_OK);
     assert_int_equal(yk_simulation_advance(run.sim, 0.05), YK_OK);
     assert_int_equal(yk_simulation_advance(other.sim, 0.05), YK_OK);
-    assert_int_equal(yk_simulation_happening_count(run.sim), 2);
-    assert_int_equal(yk_simulation_happening_count(other.sim), 2);
-    for (size_t k = 0; k < 2; k++)
+    assert_true(yk_simulation_happening_count(run.sim) >= 2);
+    assert_int_equal(yk_simulation_happening_count(other.sim), yk_simulation_happening_count(run.sim));
+    for (size_t k = 0; k < yk_simulation_happening_count(run.sim); k++)
         assert_true(yk_simulation_happening(run.sim, k).time == yk_simulation_happening(other.sim, k).time);
     run_free(&run);
     run_free(&other);

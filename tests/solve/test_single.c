@@ -34,6 +34,18 @@ static const char *const others[] = {
     "joints: {S: {slide: [ground, carriage], along: 0.2, distance: s}, C: {pin: [carriage, coupler], angle: u}, Q: "
     "{pin: [ground, rocker], angle: v}, D: {pin: [coupler, rocker]}}\n"
     "drives: {s: 1 m + 0.1 m/s * t}\n",
+    // arms that are short beside the machine: both, and the second alone
+    "bodies: {ground: {points: {O: [0, 0], Q: [4, 0], F: [5000, 0]}}, crank: {points: {O: [0, 0], A: [1, 0.2]}}, "
+    "coupler: {points: {A: [0, 0], B: [3.5, 0.3]}}, rocker: {points: {Q: [0, 0], B: [3, -0.1]}}}\n"
+    "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, coupler], angle: u}, Q: {pin: [ground, "
+    "rocker], angle: v}, B: {pin: [coupler, rocker]}}\n"
+    "drives: {theta: 0.4 rad + 1.3 rad/s * t}\n",
+    "bodies: {ground: {points: {O: [0, 0], Q: [4, 0]}}, crank: {points: {O: [0, 0], A: [0.001, 0]}}, coupler: "
+    "{points: {A: [0, 0], B: [3.999, 0.1]}}, rocker: {points: {Q: [0, 0], B: [0.0035, 0.0001]}}, far: {points: {Q: "
+    "[0, 0], E: [9, 0]}}}\n"
+    "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, coupler], angle: u}, Q: {pin: [ground, "
+    "rocker], angle: v}, B: {pin: [coupler, rocker]}, E: {pin: [ground, far], at: Q, angle: w}}\n"
+    "drives: {theta: 0.4 rad + 1.3 rad/s * t, w: 0}\n",
     // two arms of many links, and a dyad between their tips: sums from nodes
     "bodies: {ground: {points: {L0: [0, 0], R0: [1, 0]}}, l1: {points: {L0: [0, 0], L1: [0.9, 0]}}, l2: {points: {L1: "
     "[0, 0], L2: [0.7, 0]}}, l3: {points: {L2: [0, 0], L3: [0.8, 0]}}, l4: {points: {L3: [0, 0], L4: [0.6, 0]}}, l5: "

@@ -134,6 +134,78 @@ static void test_trees_and_loops_are_the_file_with_these_values(void **unused)
     check_text(FOUR_BAR, bar, 4, 0.1);
 }
 
+// A parallel drive of two freedoms, with a driven slide, a spring and a damper.
+static const char *const FIVE_BAR =
+    "parameters: {r: 0.3, m: 0.7}\n"
+    "gravity: [0.2, -9.81]\n"
+    "bodies:\n"
+    "  ground: {points: {O: [0, 0], P: [0.6, 0.1]}}\n"
+    "  a: {points: {O: [0, 0], A: [r, 0]}, mass: m, rod: [O, A]}\n"
+    "  b: {points: {A: [0, 0], C: [0.6, 0]}, mass: 1.3, center: [0.2, 0.1], inertia: 0.05}\n"
+    "  c: {points: {P: [0, 0], B: [0.3, 0]}, mass: 0.4, rod: [P, B]}\n"
+    "  d: {points: {B: [0, 0], C: [0.7, 0]}, mass: 0.9, rod: [B, C]}\n"
+    "  e: {points: {A: [0, 0]}, mass: 0.3, inertia: 0.01}\n"
+    "joints:\n"
+    "  O: {pin: [ground, a], angle: p}\n"
+    "  P: {pin: [ground, c], angle: q}\n"
+    "  A: {pin: [a, b], angle: u}\n"
+    "  B: {pin: [c, d], angle: w}\n"
+    "  C: {pin: [b, d]}\n"
+    "  E: {slide: [a, e], along: 0.3 rad, distance: x}\n"
+    "drives: {x: 0.1 m + 0.2 m/s * t + 3 m/s^2 * t^2}\n"
+    "springs: {s: {between: [ground.O, b.C], stiffness: 300 N/m, length: 0.3, damping: 4 N*s/m}}\n"
+    "efforts: {p: 2 N*m, q: -1 N*m}\n"
+    "start: {p: 100 deg, q: 80 deg, u: -60 deg, w: 50 deg}\n";
+
+static void test_loops_alone_are_solved_in_lanes(void **unused)
+{
+    (void)unused;
+    check_text(FOUR_BAR, NULL, 0, 0.1);
+}
+
+// One state, all of them, and odd numbers of them have the same bits; poses beyond reach have a status and zeros.
+static void test_lanes_do_not_depend_on_their_number(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(FIVE_BAR, true);
+    draw(&m, NULL, 0, 0, 5);
+    size_t n = yk_input_count(m.mech), at[3], beyond = 0;
+    assert_int_equal(n, 3);
+    for (size_t i = 0; i < n; i++)
+        at[i] = (size_t)yk_coordinate_info(m.mech, yk_input_coordinate(m.mech, i)).is_distance;
+    for (size_t k = 0; k < STATES; k++)
+        for (size_t i = 0; i < n; i++) q[i][k] = at[i] ? 0.1 + 0.01 * q[i][k] : 1.5 + q[i][k] / 8;
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, NULL, 0, 1, m.problems);
+    YkMotionCase asked = ask(NULL);
+    yk_motion_batch_run(batch, &asked, out, status);
+    YkDynamics *d = yk_dynamics_new(m.mech, m.problems);
+    for (size_t k = 0; k < STATES; k += k < 300 ? 1 : 61) {
+        const double *one_q[3], *one_v[3];
+        double one[3], alone[3], scale = 1;
+        signed char own;
+        for (size_t i = 0; i < n; i++) one_q[i] = &q[i][k], one_v[i] = &v[i][k];
+        YkMotionCase single = {NULL, one_q, one_v, NULL, 1};
+        yk_motion_batch_run(batch, &single, (double *const[]){&one[0], &one[1], &one[2]}, &own);
+        assert_int_equal(own, status[k]);
+        for (size_t i = 0; i < n; i++) assert_true(one[i] == a[i][k]);
+        beyond += own != YK_OK;
+        if (own != YK_OK) {
+            for (size_t i = 0; i < n; i++) assert_true(one[i] == 0);
+            continue;
+        }
+        YkMotion x = yk_state_input(m.state, at[0] ? 0 : at[1] ? 1 : 2);
+        for (size_t i = 0; i < n; i++)
+            yk_state_set_input(m.state, i, (YkMotion){q[i][k], v[i][k], at[i] ? x.acceleration : 0});
+        assert_int_equal(yk_dynamics_accelerate(d, m.state, alone), YK_OK);
+        for (size_t i = 0; i < n; i++) scale = fmax(scale, fabs(alone[i]));
+        for (size_t i = 0; i < n; i++) CHECK_NEAR(one[i], alone[i], 1e-10 * scale);
+    }
+    assert_true(beyond > 5 && beyond < 200);
+    yk_dynamics_free(d);
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
 static void test_what_has_no_answer_has_a_status_and_zeros(void **unused)
 {
     (void)unused;
@@ -255,6 +327,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_double_pendulum_is_its_textbook_equation),
         cmocka_unit_test(test_trees_and_loops_are_the_file_with_these_values),
+        cmocka_unit_test(test_loops_alone_are_solved_in_lanes),
+        cmocka_unit_test(test_lanes_do_not_depend_on_their_number),
         cmocka_unit_test(test_what_has_no_answer_has_a_status_and_zeros),
         cmocka_unit_test(test_a_value_beyond_all_measure_is_none),
         cmocka_unit_test(test_inertia_below_the_rounding_of_all_that_stands_behind_is_none),

@@ -127,11 +127,11 @@ static void look_at_events(YkSimulationAnswer *answer)
     size_t count = yk_simulation_happening_count(answer->simulation);
     for (; answer->told_count < count; answer->told_count++) {
         YkHappening h = yk_simulation_happening(answer->simulation, answer->told_count);
-        bool is_known = h.kind != YK_HAPPENING_LIFT_OFF;
+        bool is_known = h.kind != YK_HAPPENING_PULL;
         if (h.kind == YK_HAPPENING_LAW_LEFT) yk_law_watch_note(answer->laws, h.name, h.value, h.time);
         for (size_t k = 0; k < answer->told_count && !is_known; k++) {
             YkHappening before = yk_simulation_happening(answer->simulation, k);
-            is_known = before.kind == YK_HAPPENING_LIFT_OFF && strcmp(before.name, h.name) == 0;
+            is_known = before.kind == YK_HAPPENING_PULL && strcmp(before.name, h.name) == 0;
         }
         if (!is_known) yk_warn_of_pulling_cam(session, h.name, &h.time);
     }
