@@ -13,6 +13,10 @@ static const char *const near_rest =
     "a drive comes to rest, or turns back, so near to a change point that steps in time do "
     "not tell on which side of it the machine goes on; `yoke sweep --over t` does";
 
+static const char *const lost_energy = "the balance of energy is off by more than a thousandth of what moves: from a "
+                                       "singular position on, or where the steps "
+                                       "are too coarse, this is not the machine's motion";
+
 // Solves the pose at (t, y) and counts it.
 static bool stand(YkSimulation *sim, double t, const double *y)
 {
@@ -24,7 +28,9 @@ static bool stand(YkSimulation *sim, double t, const double *y)
     sim->is_elsewhere = true;
     memcpy(sim->work, y + 2 * sim->free_count, sim->work_count * sizeof *sim->work);
     yk_simulation_count_energy(sim);
-    return true;
+    if (!yk_simulation_has_lost_energy(sim)) return true;
+    give_up(sim, YK_NOT_CONVERGED, lost_energy);
+    return false;
 }
 
 // Releases contacts that cannot hold, at once.

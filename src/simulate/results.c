@@ -89,6 +89,18 @@ void yk_simulation_count_energy(YkSimulation *sim)
     s->worst_residual = fmax(s->worst_residual, yk_state_residuals(sim->state).position);
 }
 
+static double energy_span(const YkSimulation *sim)
+{
+    return sim->kinetic_high + (sim->energy_high - sim->energy_low);
+}
+
+bool yk_simulation_has_lost_energy(const YkSimulation *sim)
+{
+    double most = fmax(1e-3, 1e3 * sim->options.tolerance) * energy_span(sim);
+    double rounding = 1e-6 * yk_simulation_energy_scale(sim); // a machine that has hardly begun to move
+    return sim->options.integrator != YK_INTEGRATOR_RK4 && sim->energy_off > fmax(most, rounding);
+}
+
 YkSimulationSummary yk_simulation_summary(const YkSimulation *sim)
 {
     YkSimulationSummary s = sim->summary;
@@ -96,7 +108,7 @@ YkSimulationSummary yk_simulation_summary(const YkSimulation *sim)
     s.steps = c.steps + sim->counts.steps;
     s.rejected = c.rejected + sim->counts.rejected;
     s.evaluations = c.evaluations + sim->counts.evaluations;
-    double span = sim->kinetic_high + (sim->energy_high - sim->energy_low);
+    double span = energy_span(sim);
     s.energy_error = span > 0 ? sim->energy_off / span : sim->energy_off;
     return s;
 }

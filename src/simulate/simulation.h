@@ -98,7 +98,7 @@ struct YkSimulation {
     double *kept, *contact_work;                        // [contact], scratch of num/bounded
     YkBounds *bounds;
     size_t *contact_order;
-    bool *open;      // per cam: whether its follower is off it
+    bool *open; // per cam: whether its follower is off it
     YkFlight *flights;
     int sweeps_max;  // over the contacts
     bool is_testing; // contacts exert no more than their bounds allow; within steps they hold at any effort
@@ -141,6 +141,9 @@ double yk_simulation_next_sample(const YkSimulation *simulation); // HUGE_VAL if
 
 // results.c: accounts for the energy at the present pose.
 void yk_simulation_count_energy(YkSimulation *sim);
+// Returns whether the balance of energy is off by more than steps of that tolerance can be: the poses are not the machine's motion.
+// Fixed steps are as coarse as they were asked to be.
+bool yk_simulation_has_lost_energy(const YkSimulation *sim);
 
 // initial_rates.c
 typedef struct YkStartRate { // a rate requested for the start
@@ -196,6 +199,8 @@ bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed);
 // if they do not fit. Returns false on failure.
 bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed);
 void yk_simulation_unbuild(YkSimulation *sim);
+// Returns the energy of the machine as one rigid body that turns at 1 rad/s.
+double yk_simulation_energy_scale(const YkSimulation *sim);
 bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: call it after everything else is made
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems);
 
@@ -212,10 +217,11 @@ static inline size_t yk_simulation_contacts_max(const YkSimulation *sim)
 YkMotion yk_simulation_gap(const YkSimulation *sim, size_t cam); // above 0 off the cam; without acceleration
 // Returns whether this cam can lose its follower, and has not.
 bool yk_simulation_is_loose(const YkSimulation *sim, size_t cam);
-double yk_simulation_pull(YkSimulation *sim, size_t cam); // above 0 if it would have to pull; 0 where forces are unknown
+double yk_simulation_pull(YkSimulation *sim,
+                          size_t cam); // above 0 if it would have to pull; 0 where forces are unknown
 bool yk_simulation_lift_off(YkSimulation *sim, size_t cam); // at the pose that stands; false on failure
-bool yk_simulation_open_touching(YkSimulation *sim); // before an impact: all cams, those that touch are marked
-bool yk_simulation_close_touching(YkSimulation *sim); // after it: those from which the follower does not part
+bool yk_simulation_open_touching(YkSimulation *sim);        // before an impact: all cams, those that touch are marked
+bool yk_simulation_close_touching(YkSimulation *sim);       // after it: those from which the follower does not part
 
 // contact.c
 bool yk_simulation_contacts_start(
