@@ -56,6 +56,7 @@ typedef struct YkRequest {
     const char *task;          // new
     const char *fluctuation;   // balance
     bool defects, centers;     // synthesize; solve, draw
+    bool so_far;               // synthesize
     const char *prefix;        // code
     bool single, kinematics;   // code
     YkAssignments pose, reach; // map

@@ -113,6 +113,8 @@ const YkOption yk_options[] = {
      "what the flywheel allows: (largest - least speed) / mean (default 0.05)"},
     {"defects", 0, YK_OPTION_SWITCH, FIELD(defects), NULL, " synthesize ",
      "also show the machines that were left out, each with its reason"},
+    {"so-far", 0, YK_OPTION_SWITCH, FIELD(so_far), NULL, " synthesize ",
+     "with --format json: also a line for each per cent of the search, and for each machine as soon as it is found"},
     {"task", 0, YK_OPTION_WORD, FIELD(task), "KIND", " new ",
      "a task file to begin with: path, motion, function, stroke or machine"},
     {"prefix", 0, YK_OPTION_WORD, FIELD(prefix), "NAME", " code ",

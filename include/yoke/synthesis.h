@@ -38,11 +38,21 @@ typedef struct YkPieceSource {
     void *context;
 } YkPieceSource;
 
+typedef struct YkCandidate YkCandidate;
+// Hears of machines while a search runs. `tell` takes a machine that passed and is among the best so far, unlike all better
+// ones, and its place among those that were told: 0, the best, to `best` - 1. Its texts are valid during the call; it has no
+// `file` yet. The parameters of a task's own machine are not told.
+typedef struct YkFindings {
+    void (*tell)(void *context, const YkCandidate *candidate, size_t place, size_t best);
+    void *context;
+} YkFindings;
+
 typedef struct YkSynthesisOptions {
     uint64_t seed; // of samples, where a task leaves a choice; default 1
     size_t best;   // how many candidates are kept; 0: as the task says, or 10
     // Watches the search; {NULL}: not watched. Where it ends the search, the candidates found so far are the answer.
     YkProgress progress;
+    YkFindings findings;  // {NULL}: nobody hears of machines before the end
     YkPieceSource pieces; // {NULL}: the search computes them itself
 } YkSynthesisOptions;
 YK_API YkSynthesisOptions yk_default_synthesis_options(void);
@@ -110,7 +120,7 @@ typedef enum YkDefect {
 YK_API const char *yk_defect_name(YkDefect defect); // "branch"
 
 // A machine that was found. Texts belong to the synthesis.
-typedef struct YkCandidate {
+struct YkCandidate {
     const char *file;       // "01-four-bar.yaml"; NULL for one that was left out
     const char *model;      // the model file
     const char *mechanism;  // "four-bar", "slider-crank", "machine" (which has parameters and no other dimensions)
@@ -125,7 +135,7 @@ typedef struct YkCandidate {
     double point[2];     // coupler point in the coupler's axes: x along the coupler from the input side, m
     int dyads[2];        // those of the input and of the output side; -1: none
     YkDefect defect;     // why it was left out; NONE for candidates
-} YkCandidate;
+};
 YK_API size_t yk_synthesis_count(const YkSynthesis *synthesis);
 YK_API YkCandidate yk_synthesis_candidate(const YkSynthesis *synthesis, size_t index); // best first
 // What was left out: how many for a reason, and each of them (at most 10,000 are kept).

@@ -67,6 +67,40 @@ static YkFound *add(YkSynthesis *s, YkFoundList *list, const YkDesign *design, c
     return found;
 }
 
+// Returns whether two machines are nearly the same: all lengths within 15 %, the pivots within 15 % of the size.
+static bool is_alike(const YkDesign *a, const YkDesign *b)
+{
+    static const double near_to = 0.15;
+    double size = 0;
+    for (size_t k = 0; k < 4; k++) {
+        size = fmax(size, b->length[k]);
+        if (fabs(a->length[k] - b->length[k]) > near_to * b->length[k]) return false;
+    }
+    for (size_t i = 0; i < YK_SIDES; i++)
+        if (yk_norm(yk_sub(a->pivot[i], b->pivot[i])) > near_to * size) return false;
+    return a->kind == b->kind;
+}
+
+static size_t best_of(const YkSynthesis *s)
+{
+    return s->options.best > 0 ? s->options.best : s->task->best;
+}
+
+// Lets the caller hear of a machine that is among the best so far.
+static void tell(const YkSynthesis *s, YkFound *found)
+{
+    size_t place = 0, best = best_of(s);
+    const YkFoundList *list = &s->candidates;
+    for (size_t k = 0; k < list->count; k++) {
+        const YkFound *other = &list->items[k];
+        if (!other->is_told || other->merit < found->merit) continue;
+        if (++place >= best || is_alike(&other->design, &found->design)) return;
+    }
+    found->is_told = true;
+    YkCandidate candidate = yk_found_candidate(found);
+    s->options.findings.tell(s->options.findings.context, &candidate, place, best);
+}
+
 YkFound *yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *text, const YkVerdict *verdict,
                            double merit)
 {
@@ -79,6 +113,7 @@ YkFound *yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText 
     found->curve = curve;
     found->rows = verdict->rows;
     found->merit = merit;
+    if (s->options.findings.tell && s->task->kind != YK_TASK_MACHINE && !yk_arena_failed(s->arena)) tell(s, found);
     return found;
 }
 
@@ -100,20 +135,6 @@ static int by_merit(const void *a, const void *b)
     return p->order < q->order ? -1 : p->order > q->order;
 }
 
-// Returns whether two machines are nearly the same: all lengths within 15 %, the pivots within 15 % of the size.
-static bool is_alike(const YkDesign *a, const YkDesign *b)
-{
-    static const double near_to = 0.15;
-    double size = 0;
-    for (size_t k = 0; k < 4; k++) {
-        size = fmax(size, b->length[k]);
-        if (fabs(a->length[k] - b->length[k]) > near_to * b->length[k]) return false;
-    }
-    for (size_t i = 0; i < YK_SIDES; i++)
-        if (yk_norm(yk_sub(a->pivot[i], b->pivot[i])) > near_to * size) return false;
-    return a->kind == b->kind;
-}
-
 // Where a choice was sampled, keeps the best of machines that are alike.
 static void keep_different(YkFoundList *list, size_t most)
 {
@@ -131,7 +152,7 @@ static void rank(YkSynthesis *s)
 {
     YkFoundList *list = &s->candidates;
     YkText name = {0};
-    size_t best = s->options.best > 0 ? s->options.best : s->task->best;
+    size_t best = best_of(s);
     if (list->count > 0) qsort(list->items, list->count, sizeof *list->items, by_merit);
     if (!s->is_complete && s->task->kind != YK_TASK_MACHINE) keep_different(list, best);
     if (list->count > best) list->count = best;

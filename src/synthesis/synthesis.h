@@ -19,6 +19,7 @@ typedef struct YkFound {
     const double *value; // [free parameters] of a machine, SI, or NULL
     const double *angle; // [points of a path] of the input, rad, or NULL
     size_t rows;
+    bool is_told; // to the caller's findings
 } YkFound;
 
 typedef struct YkFoundList {

@@ -48,6 +48,32 @@ class Synthesis(Case):
         for candidate in self.good("synthesize", path, "--format", "json").json()["candidates"]:
             self.assertLess(candidate["worst"], 0.8 * candidate["interpolating"])
 
+    def test_so_far_tells_what_is_found_and_then_the_answer_as_it_is_without(self):
+        path = self.write("oval.yaml", """synthesis: path
+points: [[-40, 0], [-20, 17], [0, 20], [20, 17], [40, 0], [20, -17], [0, -20], [-20, -17]]
+closed: true
+mechanisms: [four-bar]
+require: {input: turns}
+best: 3
+units: {length: mm}
+""")
+        out = self.good("synthesize", path, "--format", "json", "--so-far").out
+        answer = out[out.index("\n{\n") + 1:]
+        self.assertEqual(answer, self.good("synthesize", path, "--format", "json").out)
+        lines = [json.loads(line) for line in out[:-len(answer)].splitlines()]
+        parts = [line["part"] for line in lines if "part" in line]
+        self.assertEqual(parts, sorted(set(parts)))
+        self.assertGreater(len(parts), 3)
+        best = []
+        for line in lines:
+            if "part" not in line:
+                self.assertEqual(line["best"], 3)
+                best.insert(line["rank"] - 1, line)
+        first = json.loads(answer)["candidates"][0]
+        self.assertEqual({key: best[0][key] for key in ("model", "worst", "lengths", "transmission")},
+                         {key: first[key] for key in ("model", "worst", "lengths", "transmission")})
+        self.wrong(806, "synthesize", path, "--so-far")
+
     def test_slider_cranks_take_a_body_through_positions(self):
         path = self.write("slide.yaml", self.read_example().replace("name:", "mechanisms: [slider-crank]\nname:"))
         self.wrong(841, "synthesize", path)

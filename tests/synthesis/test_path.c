@@ -33,6 +33,19 @@ static double measured(const Answer *a, size_t index, const YkVec *point, size_t
     return error;
 }
 
+static char *copy_of(const char *text)
+{
+    char *copy = malloc(strlen(text) + 1);
+    assert_non_null(copy);
+    return strcpy(copy, text);
+}
+
+// Points near an oval, which no four-bar meets.
+static const char OVAL[] = "synthesis: path\n"
+                           "points: [[-40, 0], [-34, 10], [-20, 17], [0, 20], [20, 17], [34, 10],\n"
+                           "  [40, 0], [34, -10], [20, -17], [0, -20], [-20, -17], [-34, -10]]\n"
+                           "closed: true\nmechanisms: [four-bar]\nrequire: {input: turns}\nunits: {length: mm}\n";
+
 static void check_all(const Answer *a, const YkVec *point, size_t count)
 {
     double last = 0;
@@ -255,6 +268,47 @@ static void a_search_that_is_stopped_keeps_its_best(void **state)
     answer_free(&a);
 }
 
+enum { TOLD = 400 };
+typedef struct Told {
+    char *best[TOLD]; // the list of a caller that puts each machine into the place that it is told
+    double error[TOLD];
+    size_t count, calls;
+} Told;
+
+static void hear(void *context, const YkCandidate *c, size_t place, size_t best)
+{
+    Told *told = context;
+    assert_int_equal(best, 4);
+    assert_true(place < best && place <= told->count && told->count < TOLD);
+    for (size_t k = told->count++; k > place; k--)
+        told->best[k] = told->best[k - 1], told->error[k] = told->error[k - 1];
+    told->best[place] = copy_of(c->model);
+    told->error[place] = c->error;
+    told->calls++;
+}
+
+static void what_is_found_is_told_while_the_search_runs(void **state)
+{
+    (void)state;
+    YkSynthesisOptions options = yk_default_synthesis_options();
+    Told told = {.count = 0};
+    options.best = 4;
+    Answer unheard = answer_with(OVAL, &options);
+    options.findings = (YkFindings){hear, &told};
+    Answer heard = answer_with(OVAL, &options);
+    size_t count = yk_synthesis_count(heard.synthesis);
+    assert_true(told.calls > count);
+    for (size_t k = 1; k < told.count; k++) assert_true(told.error[k - 1] <= told.error[k]);
+    assert_int_equal(yk_synthesis_count(unheard.synthesis), count);
+    for (size_t k = 0; k < count; k++) // hearing changes nothing
+        assert_string_equal(yk_synthesis_candidate(heard.synthesis, k).model,
+                            yk_synthesis_candidate(unheard.synthesis, k).model);
+    assert_string_equal(told.best[0], yk_synthesis_candidate(heard.synthesis, 0).model);
+    for (size_t k = 0; k < told.count; k++) free(told.best[k]);
+    answer_free(&unheard);
+    answer_free(&heard);
+}
+
 static void a_seed_determines_the_answer(void **state)
 {
     (void)state;
@@ -362,6 +416,7 @@ int main(void)
         cmocka_unit_test(what_is_fixed_and_required_holds),
         cmocka_unit_test(angles_go_on_within_a_turn_unless_any_order_will_do),
         cmocka_unit_test(a_search_that_is_stopped_keeps_its_best),
+        cmocka_unit_test(what_is_found_is_told_while_the_search_runs),
         cmocka_unit_test(a_seed_determines_the_answer),
         cmocka_unit_test(derivatives_agree_with_differences),
         cmocka_unit_test(limits_agree_with_differences),

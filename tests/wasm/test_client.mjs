@@ -117,6 +117,18 @@ const tests = {
     assert.equal((await turn("40")).rate, 0);
     core.close();
   },
+  async "a search tells what it has found while it runs; ended, it leaves that"() {
+    const core = start(), points = Array.from({ length: 12 }, (_, k) => [(k * 7) % 12, (k * k) % 11]), heard = [];
+    const task = (more) => ({ "t.yaml": `synthesis: path\npoints: ${JSON.stringify(points)}\n${more}` }), verb = ["synthesize", "t.yaml", "--format", "json"];
+    const soFar = await core.run([...verb, "--so-far"], task("best: 2\n"), (text) => heard.push(text)), silent = await core.run(verb, task("best: 2\n"), () => assert.fail("heard"));
+    assert.equal(soFar.out, heard.join(""));
+    assert.ok(heard.length > 3 && soFar.out.endsWith(silent.out));
+    let first;
+    const ended = new Promise((done) => { first = done; }), lost = outcome(core.run([...verb, "--so-far"], task(""), first));
+    assert.match(await ended, /^\{"(part|rank)"/);
+    core.close();
+    assert.equal(await lost, "CoreLost");
+  },
   async "panels.wasm answers its verbs as yoke.wasm does, and leaves it the others"() {
     const core = start(), alone = start({ panels: bytes(whole) }), files = { "m.yaml": machine("four-bar") };
     for (const words of [["check", "m.yaml"], ["solve", "m.yaml"], ["derive", "m.yaml"], ["sweep", "m.yaml", "--over", "t=0:1s"], ["draw", "m.yaml"], ["cam", "m.yaml"], ["gears", "m.yaml"],

@@ -21,7 +21,7 @@ export interface CoreOptions {
   onRestart?: (opened: Opened | null) => void; // the core was started anew, with the last text
 }
 
-interface Waiting { request: Request; key: string; resolve: (value: never) => void; reject: (problem: Error) => void }
+interface Waiting { request: Request; key: string; resolve: (value: never) => void; reject: (problem: Error) => void; hear?: (text: string) => void }
 
 // Requests that may take each other's place have one key.
 function keyOf(kind: string, words: unknown[]): string {
@@ -70,6 +70,7 @@ class Client {
   private take(answer: Answer): void {
     const asked = this.busy;
     if (!asked || answer.id !== asked.request.id) return;
+    if (answer.heard !== undefined) return asked.hear?.(answer.heard);
     if (answer.lost !== undefined) return this.lose(answer.lost);
     this.busy = null;
     clearTimeout(this.timer);
@@ -124,6 +125,11 @@ class Client {
   // --- requests
 
   ask<T>(kind: string, ...words: unknown[]): Promise<T> {
+    return this.listen<T>(undefined, kind, words);
+  }
+
+  // Asks, and hears meanwhile what a command prints.
+  listen<T>(hear: ((text: string) => void) | undefined, kind: string, words: unknown[]): Promise<T> {
     if (this.isDead) {
       this.isDead = false;
       this.start();
@@ -133,7 +139,7 @@ class Client {
     const key = keyOf(kind, words), older = this.queue.findIndex((waiting) => waiting.key === key);
     if (older >= 0) this.queue.splice(older, 1)[0].reject(new Overtaken("a newer request took its place"));
     return new Promise<T>((resolve, reject) => {
-      this.queue.push({ request: this.make(kind, words), key, resolve: resolve as (value: never) => void, reject });
+      this.queue.push({ request: this.make(kind, words), key, resolve: resolve as (value: never) => void, reject, hear });
       this.next();
     });
   }
@@ -168,7 +174,7 @@ export function startCore(options: CoreOptions): Core & { close(): void } {
     rates: () => client.ask("rates"),
     forces: () => client.ask("forces"),
     turn: (coordinate) => client.ask("turn", coordinate),
-    run: (words, files) => client.ask("run", words, files),
+    run: (words, files, hear) => client.listen(hear, "run", [words, files]),
     close: () => client.close(),
   };
 }

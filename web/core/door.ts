@@ -34,7 +34,7 @@ export interface Core {
   rates(): Promise<Rates | null>;                                         // of the pose shown; null where it has no velocities
   forces(): Promise<Forces>;                                              // in the joints, with the inputs moving as they do in the pose
   turn(coordinate: number): Promise<{ from: number; rate: number } | null>; // where its drive begins at t = 0, and the rate, if that does not change
-  run(words: string[], files: Record<string, string>): Promise<Reply>;    // the command itself: run(["derive", "machine.yaml", "--format", "mathml"], {"machine.yaml": text})
+  run(words: string[], files: Record<string, string>, hear?: (text: string) => void): Promise<Reply>; // with --so-far `hear` takes what it prints, while it runs. The command itself: run(["derive", "machine.yaml", "--format", "mathml"], {"machine.yaml": text})
 }
 
 // A newer request of its kind took the place of one that still waited.
@@ -47,4 +47,4 @@ export type Source = string | ArrayBuffer | Uint8Array<ArrayBuffer>;
 
 // Between client and worker.
 export interface Request { id: number; kind: string; words: unknown[] }
-export interface Answer { id: number; value?: unknown; lost?: string; refused?: string }
+export interface Answer { id: number; value?: unknown; lost?: string; refused?: string; heard?: string /* of a command that still runs */ }

@@ -5,6 +5,7 @@ export interface System {
   words: string[]; // after the name of the command
   files: Map<string, Uint8Array>; // by path; what the command writes is put here
   read?: (path: string) => Uint8Array | null; // further files, to be read only (tests)
+  hear?: (bytes: Uint8Array) => void; // takes standard output as it is written, while the command runs
 }
 
 const OK = 0, BADF = 8, EXIST = 20, INVAL = 28, ISDIR = 31, NOENT = 44, NOSYS = 52, NOTEMPTY = 55, SPIPE = 70;
@@ -238,6 +239,7 @@ class Wasi {
         for (const data of this.vectors(vectors, count)) {
           if (fd < 3) this.output[fd === 2 ? 1 : 0].push(data.slice());
           else this.write(found, data);
+          if (fd === 1 && data.length > 0) this.system.hear?.(data.slice());
           done += data.length;
         }
         this.view().setUint32(at, done, true);

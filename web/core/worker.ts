@@ -15,6 +15,7 @@ async function compile(source: Source): Promise<WebAssembly.Module> {
 // The verbs of panels.wasm, and the calls that core.wasm does not have.
 const PANELS = new Set(["check", "solve", "sweep", "simulate", "rest", "draw", "cam", "explain", "derive", "gears"]);
 const BEHIND = new Set(["curves", "forces", "trace", "release", "step", "hold"]);
+const SO_FAR = "--so-far"; // the command tells what it has found while it runs
 const PAUSE = 400; // ms after the first machine, before the module behind is fetched
 
 export function serve(port: Port): void {
@@ -42,10 +43,12 @@ export function serve(port: Port): void {
     isWhole = true;
   }
 
-  async function run(words: string[], texts: Record<string, string>): Promise<unknown> {
-    const encode = new TextEncoder(), decode = new TextDecoder(), command = await module(PANELS.has(words[0]) ? "panels" : "whole");
+  async function run(words: string[], texts: Record<string, string>, id: number): Promise<unknown> {
+    const encode = new TextEncoder(), decode = new TextDecoder(), hearing = new TextDecoder(), command = await module(PANELS.has(words[0]) ? "panels" : "whole");
     const files = new Map(Object.entries(texts).map(([name, text]) => [name, encode.encode(text) as Uint8Array]));
-    const given = new Map(files), reply = runCommand(command, { words, files });
+    const given = new Map(files), isHeard = words.includes(SO_FAR);
+    const hear = isHeard ? (bytes: Uint8Array) => port.postMessage({ id, heard: hearing.decode(bytes, { stream: true }) }) : undefined;
+    const reply = runCommand(command, { words, files, hear });
     const written = [...files].filter(([name, bytes]) => given.get(name) !== bytes);
     return {
       exit: reply.exit, out: decode.decode(reply.out), err: decode.decode(reply.err),
@@ -53,9 +56,9 @@ export function serve(port: Port): void {
     };
   }
 
-  async function answer({ kind, words }: Request): Promise<unknown> {
+  async function answer({ id, kind, words }: Request): Promise<unknown> {
     if (kind === "start") return start(words[0] as Source, words[1] as Source, words[2] as Source);
-    if (kind === "run") return run(words[0] as string[], words[1] as Record<string, string>);
+    if (kind === "run") return run(words[0] as string[], words[1] as Record<string, string>, id);
     if (!engine) throw new Error("the core has not started");
     if (BEHIND.has(kind) && !isWhole) await grow();
     if (kind === "open" && !modules.panels) setTimeout(() => void module("panels").catch(() => undefined), PAUSE);

@@ -283,7 +283,9 @@ const tests = {
     await page.mouse.down();
     for (let k = 1; k < 50; k++) await page.mouse.move(...at(k));
     await page.mouse.up();
+    const left = Date.now();
     await page.locator("#panel-design .card img").first().waitFor();
+    if (isFull) console.log(`the first linkage stands there ${Date.now() - left} ms after the stroke`);
     await page.locator("#panel-design .cards[aria-busy=false]").waitFor();
     assert.ok(await page.evaluate(() => Array.from(document.querySelectorAll("#panel-design img"), (one) => one.complete && one.naturalWidth > 0).every(Boolean)));
     assert.equal(await text(page), before, "a search writes nothing into the file");
@@ -315,7 +317,19 @@ const tests = {
     await page.fill("#panel-design textarea", `synthesis: path\npoints: [${Array.from({ length: 200 }, (_, k) => `[${k % 7}, ${(k * k) % 11}]`)}]\n`);
     await page.click("#panel-design .small");
     await page.click("#panel-design >> text=Stop");
-    await until(page, () => document.querySelector("#panel-design .note").textContent === "Stopped.");
+    await until(page, () => document.querySelector("#panel-design .note").textContent.startsWith("Stopped"));
+    assert.equal(await page.locator("#panel-design progress").isHidden(), true);
+    // Linkages appear while the search runs, and stay when it is stopped: a tenth of it done, at most.
+    await page.fill("#panel-design textarea", `synthesis: path\npoints: ${JSON.stringify(Array.from({ length: 40 }, (_, k) => [40 * Math.cos(0.157 * k) + 6 * Math.sin(0.6 * k), 20 * Math.sin(0.157 * k)]))}\nbest: 5\n`);
+    await page.click("#panel-design .small");
+    await page.locator("#panel-design .card").first().waitFor();
+    await page.click("#panel-design >> text=Stop");
+    await until(page, () => document.querySelector("#panel-design .note").textContent.startsWith("Stopped: the best so far"));
+    const kept = await page.locator("#panel-design .card").count();
+    assert.ok(kept > 0 && kept <= 5, String(kept));
+    await page.locator("#panel-design .card img").first().waitFor();
+    await page.click("#panel-design .card");
+    await until(page, () => document.querySelector(".cm-content").textContent.includes("Found by"));
     await close(page);
   },
   async "axe finds nothing, in light and dark, wide and narrow"() {

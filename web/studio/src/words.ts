@@ -117,10 +117,12 @@ export const words = {
   design: {
     how: "Draw a curve on the canvas: the core looks for linkages whose point traces it, and drives each of them through it before it is shown here.",
     draw: "Draw a curve", clear: "Clear", mechanism: "Mechanism", mechanisms: [["four-bar", "Four-bars"], ["slider-crank", "Slider-cranks"], ["four-bar, slider-crank", "Both"]] as [string, string][],
-    task: "Task file", find: "Find linkages", others: "Find others", stop: "Stop", wait: "Searching …", stopped: "Stopped.", none: "Draw a curve first, or write a task.",
+    task: "Task file", find: "Find linkages", others: "Find others", stop: "Stop", wait: "Searching …", progress: "Progress of the search", none: "Draw a curve first, or write a task.",
+    soFar: (n: number) => (n === 0 ? "Searching …" : `Searching … ${n} so far; better ones come to the front. Click one to take it, or stop.`),
+    stopped: (n: number) => (n === 0 ? "Stopped before any was found." : `Stopped: the best so far, not the best there are. Click one to take it into the file.`),
     found: (n: number) => (n === 1 ? "1 linkage. Click it to take it into the file." : `${n} linkages. Click one to take it into the file.`),
     nothing: (why: string) => `Nothing new was found${why ? ` (left out: ${why})` : ""}. A smoother curve, other bounds or a smaller transmission angle in the task may help.`,
-    about: (worst: string, angle: string) => `off by ${worst} at most, transmission from ${angle}°`, take: "Take it into the file", taken: "Taken into the file; undo brings back what was there.",
+    about: (worst: string, angle: string | null) => `off by ${worst} at most${angle === null ? "" : `, transmission from ${angle}°`}`, take: "Take it into the file", taken: "Taken into the file; undo brings back what was there.",
   },
   command: {
     hint: "Any command, with this machine as FILE", run: "Run", wait: "Running …", label: "Command line", out: "Answer", list: [

@@ -43,6 +43,17 @@ static void add_dimensions(YkJson *json, const YkCandidate *c)
     yk_json_end(json);
 }
 
+void yk_synthesis_json_machine(YkJson *json, const YkCandidate *c)
+{
+    yk_json_string(json, "model", c->model);
+    yk_json_string(json, "mechanism", c->mechanism);
+    yk_json_string(json, "type", c->type);
+    yk_json_number(json, "error", c->error);
+    yk_json_number(json, "worst", c->worst);
+    add_two(json, "transmission", c->transmission);
+    add_dimensions(json, c);
+}
+
 static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t index)
 {
     YkCandidate c = yk_synthesis_candidate(synthesis, index);

@@ -2,6 +2,7 @@
 #ifndef CLI_SYNTHESIZE_H
 #define CLI_SYNTHESIZE_H
 #include "cli.h"
+#include "write/json.h"
 
 typedef struct YkSynthesisAnswer {
     YkSession *session;
@@ -10,12 +11,18 @@ typedef struct YkSynthesisAnswer {
     double deadline; // on the clock of yk_stop_now, s; 0: none
     bool is_late;    // the deadline ended the search
     uint64_t seed;
+    int percent; // of the search, told last by --so-far
 } YkSynthesisAnswer;
 
 // "ok", "none", "interrupted" or "time".
 const char *yk_synthesis_word(const YkSynthesisAnswer *answer);
 void yk_synthesis_text(const YkSynthesisAnswer *answer);
 void yk_synthesis_json(const YkSynthesisAnswer *answer, YkText *text);
+// Writes what is known of a machine while the search runs.
+void yk_synthesis_json_machine(YkJson *json, const YkCandidate *candidate);
+// so_far.c: print a line about the part that is done, if it is another one; and about a machine (YkFindings).
+void yk_synthesis_tell_part(YkSynthesisAnswer *answer, double part);
+void yk_synthesis_tell_found(void *context, const YkCandidate *candidate, size_t place, size_t best);
 // Writes the files of -o. Returns false with a problem added.
 bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder);
 

@@ -36,6 +36,7 @@ static bool goes_on(void *context, double part)
 {
     YkSynthesisAnswer *answer = context;
     YkProgress stop = yk_stop_progress(answer->session);
+    if (answer->session->request->so_far) yk_synthesis_tell_part(answer, part);
     if (answer->deadline > 0 && yk_stop_now() > answer->deadline) answer->is_late = true;
     return stop.goes_on(stop.context, part) && !answer->is_late;
 }
@@ -49,6 +50,8 @@ static bool read_request(YkSynthesisAnswer *answer, YkProblems *problems)
     double within = 0;
     if (request->format == YK_FORMAT_CSV)
         return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--format takes text or json here, not %q", "csv");
+    if (request->so_far && request->format != YK_FORMAT_JSON)
+        return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--so-far needs --format json, not %q", "text");
     if (!request->file) {
         yk_session_refuse(session, YK_CODE_FILE_MISSING, "`yoke %s` needs a task file", "synthesize");
         yk_problem_hint(session->problems, "`yoke new --task motion > task.yaml` writes one to begin with");
@@ -71,6 +74,7 @@ static void search(YkSynthesisAnswer *answer, YkProblems *problems)
     YkSynthesisSpread *spread = NULL;
     options.seed = answer->seed;
     options.progress = (YkProgress){goes_on, answer};
+    if (answer->session->request->so_far) options.findings = (YkFindings){yk_synthesis_tell_found, answer};
     bool has_ranks = yk_ranks() != NULL;
     if (has_ranks) spread = yk_synthesis_spread(answer, &options, problems);
     if (!has_ranks || spread) answer->synthesis = yk_synthesis_run(answer->task, &options, problems);

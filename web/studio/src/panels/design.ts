@@ -1,14 +1,15 @@
-// Design: a curve drawn by hand, and the linkages that the core finds for it, each as a small moving picture. The search
-// has a core of its own, so that the drawing stays quick, and stopping ends it at once.
-import type { Core, Reply } from "../../../core/door";
+// Design: a curve drawn by hand, and the linkages that the core finds for it, each as a small moving picture. They appear while
+// the search runs. It has a core of its own, so that the drawing stays quick; stopping ends that core, and keeps what it told.
+import type { Core } from "../../../core/door";
 import type { Canvas } from "../canvas/canvas";
 import { FILE, inUnits, taskOf } from "../document/task";
 import { byId, el, fill } from "../dom";
 import type { Session } from "../session";
 import { words } from "../words";
+import { Finds, readLines } from "./finds";
+import type { Candidate } from "./finds";
 
-type Finder = Core & { close(): void };
-interface Candidate { model: string; mechanism: string; type?: string; worst: number; transmission: [number, number]; lengths?: Record<string, number>; parameters: Record<string, number> }
+type Worker = Core & { close(): void };
 interface Found { candidates: Candidate[]; left_out: Record<string, number> }
 
 const WITHIN = "30s", MODEL = "machine.yaml", PICTURE = "moving.svg";
@@ -17,22 +18,25 @@ const DEGREES = 180 / Math.PI;
 export class Design {
   onDraw: () => void = () => {}; // the person wants to draw a curve
   onTake: () => void = () => {}; // a linkage comes into the document: `coupler.P` draws the curve
-  private finder: Finder | null = null;
+  private finder: Worker | null = null;
+  private painter: Worker | null = null;
+  private painted: Promise<unknown> = Promise.resolve(); // one picture after the other
   private seed = 0;
-  private known = new Set<string>();
   private pictures: string[] = [];
   private mechanism = el("select", { "aria-label": words.design.mechanism }, ...words.design.mechanisms.map(([value, name]) => el("option", { value }, name)));
   private task = el("textarea", { rows: 9, "aria-label": words.design.task, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
   private find = el("button", { class: "small", onclick: () => void this.search(true) }, words.design.find);
   private others = el("button", { class: "quiet", hidden: true, onclick: () => void this.search(false) }, words.design.others);
   private end = el("button", { class: "quiet", hidden: true, onclick: () => this.stop() }, words.design.stop);
+  private part = el("progress", { max: "1", value: "0", hidden: true, "aria-label": words.design.progress });
   private note = el("pre", { class: "hint note", role: "status" });
   private cards = el("div", { class: "cards" });
+  private finds = new Finds(this.cards, (one) => this.card(one));
 
-  constructor(private session: Session, private canvas: Canvas, private start: () => Finder) {
+  constructor(private session: Session, private canvas: Canvas, private start: () => Worker) {
     fill(byId("panel-design"), el("p", { class: "hint" }, words.design.how),
       el("div", { class: "row wrap" }, el("button", { class: "strong", onclick: () => this.onDraw() }, words.design.draw), this.mechanism, el("button", { class: "quiet", onclick: () => session.want(null) }, words.design.clear)),
-      el("details", {}, el("summary", {}, words.design.task), this.task), el("div", { class: "row wrap" }, this.find, this.others, this.end), this.note, this.cards);
+      el("details", {}, el("summary", {}, words.design.task), this.task), el("div", { class: "row wrap" }, this.find, this.others, this.end, this.part), this.note, this.cards);
     this.mechanism.addEventListener("change", () => this.write());
     session.on("wanted", (wanted) => {
       if (wanted && !wanted.isDone) return;
@@ -54,8 +58,7 @@ export class Design {
 
   private clear(): void {
     for (const address of this.pictures.splice(0)) URL.revokeObjectURL(address);
-    this.known.clear();
-    fill(this.cards);
+    this.finds.clear();
   }
 
   // Searches anew, or on, from other starts.
@@ -65,13 +68,17 @@ export class Design {
     if (isNew) this.clear();
     this.seed = isNew ? 1 : this.seed + 1;
     const finder = (this.finder = this.start());
+    this.finds.begin();
     this.busy(true);
     this.tell(words.design.wait);
     try {
-      const reply = await finder.run(["synthesize", FILE, "--format", "json", "--seed", String(this.seed), "--within", WITHIN], { [FILE]: this.task.value });
-      await this.show(finder, reply);
+      const hear = readLines((line) => { if (this.finder === finder) this.hear(line); });
+      const reply = await finder.run(["synthesize", FILE, "--format", "json", "--so-far", "--seed", String(this.seed), "--within", WITHIN], { [FILE]: this.task.value }, hear);
+      const answer = reply.out.search(/^\{$/m); // behind the lines that were heard
+      if (answer < 0) this.tell(reply.err.trim() || words.say.noAnswer);
+      else this.show(JSON.parse(reply.out.slice(answer)) as Found);
     } catch { // stopped, or a newer search took its place
-      if (this.finder === null) this.tell(words.design.stopped);
+      if (this.finder === null) this.tell(words.design.stopped(this.finds.count));
     }
     if (this.finder !== null && this.finder !== finder) return;
     this.stop();
@@ -79,9 +86,10 @@ export class Design {
   }
 
   private busy(isBusy: boolean): void {
-    this.end.hidden = !isBusy;
+    this.end.hidden = this.part.hidden = !isBusy;
+    this.part.value = 0;
     this.find.hidden = isBusy;
-    this.others.hidden = isBusy || this.known.size === 0;
+    this.others.hidden = isBusy || this.finds.isEmpty;
     this.cards.setAttribute("aria-busy", String(isBusy));
   }
 
@@ -89,29 +97,40 @@ export class Design {
     this.note.textContent = text;
   }
 
-  private async show(finder: Finder, reply: Reply): Promise<void> {
-    if (!reply.out) return this.tell(reply.err.trim() || words.say.noAnswer);
-    const found = JSON.parse(reply.out) as Found, fresh = found.candidates.filter((one) => !this.known.has(keyOf(one)));
-    for (const one of fresh) {
-      this.known.add(keyOf(one));
-      const drawing = await this.picture(finder, one.model);
-      this.cards.append(this.card(one, drawing));
+  // Takes a line that the search told: how far it is, or a linkage and its place among the best so far.
+  private hear(line: string): void {
+    const told = JSON.parse(line) as Candidate & { part?: number; rank: number; best: number };
+    if (told.part !== undefined) {
+      this.part.value = told.part;
+      return;
     }
-    this.tell(fresh.length ? words.design.found(fresh.length) : words.design.nothing(Object.entries(found.left_out).map(([why, count]) => `${count} ${why}`).join(", ")));
+    this.finds.put(told, told.rank - 1, told.best);
+    this.tell(words.design.soFar(this.finds.count));
+  }
+
+  private show(found: Found): void {
+    const count = this.finds.settle(found.candidates);
+    this.tell(count ? words.design.found(count) : words.design.nothing(Object.entries(found.left_out).map(([why, times]) => `${times} ${why}`).join(", ")));
   }
 
   // Has the command draw the linkage with its curve: moving, unless the person wants pages to be still.
-  private async picture(finder: Finder, model: string): Promise<Uint8Array | null> {
+  private async picture(model: string): Promise<Uint8Array | null> {
     const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches, how = [isStill ? "-o" : "--animate", PICTURE];
     const trace = /\bcoupler:.*\bP:/.test(model) ? ["--trace", "coupler.P"] : [];
-    const reply = await finder.run(["draw", MODEL, "--no-labels", ...how, ...trace], { [MODEL]: model });
+    this.painter ??= this.start();
+    const reply = await this.painter.run(["draw", MODEL, "--no-labels", ...how, ...trace], { [MODEL]: model });
     return reply.files[PICTURE] ?? null;
   }
 
-  private card(one: Candidate, drawing: Uint8Array | null): HTMLElement {
-    const name = one.type ?? one.mechanism, about = words.design.about(inUnits(one.worst, this.canvas.units), (one.transmission[0] * DEGREES).toFixed(0));
-    const image = drawing && el("img", { src: this.address(drawing), alt: "" });
-    return el("button", { class: "card", title: words.design.take, onclick: () => this.take(one) }, el("span", { class: "card-picture" }, image), el("b", {}, name), el("span", { class: "about" }, about));
+  private card(one: Candidate): HTMLElement {
+    const name = one.type ?? one.mechanism, transmission = one.transmission ? (one.transmission[0] * DEGREES).toFixed(0) : null;
+    const picture = el("span", { class: "card-picture" }), about = words.design.about(inUnits(one.worst, this.canvas.units), transmission);
+    const card = el("button", { class: "card", title: words.design.take, onclick: () => this.take(one) }, picture, el("b", {}, name), el("span", { class: "about" }, about));
+    this.painted = this.painted.then(async () => {
+      const drawing = card.isConnected ? await this.picture(one.model).catch(() => null) : null; // a better one may have taken its place
+      if (drawing && card.isConnected) fill(picture, el("img", { src: this.address(drawing), alt: "" }));
+    });
+    return card;
   }
 
   private address(drawing: Uint8Array): string {
@@ -129,6 +148,3 @@ export class Design {
     this.session.emit("said", words.design.taken);
   }
 }
-
-// Other starts find the same linkage again, but for its last digits.
-const keyOf = (one: Candidate): string => [one.mechanism, ...Object.values(one.lengths ?? one.parameters).map((value) => value.toPrecision(3))].join(" ");
