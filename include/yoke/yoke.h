@@ -36,6 +36,7 @@
 #include <yoke/dynamics.h>
 #include <yoke/laws.h>
 #include <yoke/simulation.h>
+#include <yoke/lanes.h>
 #include <yoke/rest.h>
 #include <yoke/design.h>
 #include <yoke/synthesis.h>

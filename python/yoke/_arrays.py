@@ -1,7 +1,7 @@
 """Arrays from outside: checked once, copied only where they are not contiguous doubles."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 import numpy as np
 
@@ -39,3 +39,15 @@ def doubles(value: Any, name: str, shape: Optional[tuple[int, ...]] = None) -> "
         where = tuple(int(k) for k in np.unravel_index(first, result.shape))
         raise refusal(RequestError, "E0806", f"`{name}` takes finite numbers; {list(where)} is {result[where]}")
     return result
+
+
+def spread(values: Mapping[str, Any], count: int) -> tuple[dict[str, float], dict[str, "NDArray[np.float64]"]]:
+    """Parts start values that all simulations share from arrays with one for each."""
+    several = {name: v for name, v in values.items() if not is_pair(v) and dimensions(v, name) > 0}
+    arrays = {name: doubles(v, name, (count,)) for name, v in several.items()}
+    return {name: v for name, v in values.items() if name not in arrays}, arrays
+
+
+def is_pair(value: Any) -> bool:
+    """Returns whether it is a value with its unit, as (60, "deg")."""
+    return isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str)

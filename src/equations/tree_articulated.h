@@ -67,6 +67,29 @@ static inline YkAnswer yk_articulated_release_turn(YkArticulated *A, double mome
     return (YkAnswer){.by = by, .on = on};
 }
 
+// Releases the sliding along a unit vector under a known force along it. The pivot line . M line must not be 0.
+static inline YkAnswer yk_articulated_release_slide(YkArticulated *A, YkVec line, double force)
+{
+    YkVec on = yk_articulated_times(A, line);
+    double turn = yk_dot(A->h, line), over = 1 / yk_dot(line, on), by = (force - yk_dot(line, A->f)) * over;
+    A->J -= turn * turn * over;
+    A->h = yk_sub(A->h, yk_scale(turn * over, on));
+    A->xx -= on.x * on.x * over;
+    A->xy -= on.x * on.y * over;
+    A->yy -= on.y * on.y * over;
+    A->f = yk_add(A->f, yk_scale(by, on));
+    A->n += by * turn;
+    return (YkAnswer){.by = by, .turn = turn * over, .on = yk_scale(over, on)};
+}
+
+// Moves everything to another point of the rigid parent, `arm` back from here.
+static inline YkArticulated yk_articulated_move(const YkArticulated *A, YkVec arm)
+{
+    YkVec across = yk_quarter(arm), q = yk_articulated_times(A, across);
+    double J = A->J + 2 * yk_dot(A->h, across) + yk_dot(across, q);
+    return (YkArticulated){J, yk_add(A->h, q), A->xx, A->xy, A->yy, A->f, A->n + yk_dot(across, A->f)};
+}
+
 // Moves the force to another point of the rigid parent, `arm` back from here: J and h are 0 here (a pin). bias: how
 // much this point accelerates beyond a + alpha x arm of the parent's point.
 static inline YkArticulated yk_articulated_move_force(const YkArticulated *A, YkVec arm, YkVec bias)

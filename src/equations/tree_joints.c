@@ -61,29 +61,6 @@ static void place(const YkTreeJoints *joints, const double *q, const double *v)
     }
 }
 
-// Releases the sliding along a unit vector under a known force along it. The pivot line . M line must not be 0.
-static YkAnswer release_slide(YkArticulated *A, YkVec line, double force)
-{
-    YkVec on = yk_articulated_times(A, line);
-    double turn = yk_dot(A->h, line), over = 1 / yk_dot(line, on), by = (force - yk_dot(line, A->f)) * over;
-    A->J -= turn * turn * over;
-    A->h = yk_sub(A->h, yk_scale(turn * over, on));
-    A->xx -= on.x * on.x * over;
-    A->xy -= on.x * on.y * over;
-    A->yy -= on.y * on.y * over;
-    A->f = yk_add(A->f, yk_scale(by, on));
-    A->n += by * turn;
-    return (YkAnswer){.by = by, .turn = turn * over, .on = yk_scale(over, on)};
-}
-
-// Moves to the parent's point, `arm` back from here.
-static YkArticulated move_back(const YkArticulated *A, YkVec arm)
-{
-    YkVec across = yk_quarter(arm), q = yk_articulated_times(A, across);
-    double J = A->J + 2 * yk_dot(A->h, across) + yk_dot(across, q);
-    return (YkArticulated){J, yk_add(A->h, q), A->xx, A->xy, A->yy, A->f, A->n + yk_dot(across, A->f)};
-}
-
 static double along(const double *effort, int32_t input)
 {
     return effort ? effort[input] : 0;
@@ -102,7 +79,7 @@ static int release(const YkTreeLink *link, Pose *pose, const double *effort)
     if (link->distance != YK_NONE) {
         double pivot = yk_dot(pose->line, yk_articulated_times(A, pose->line));
         if (!(pivot > YK_LEAST_PIVOT * pose->mass_out)) return link->distance;
-        pose->slide = release_slide(A, pose->line, along(effort, link->distance));
+        pose->slide = yk_articulated_release_slide(A, pose->line, along(effort, link->distance));
     }
     return -1;
 }
@@ -114,7 +91,7 @@ static int inward(const YkTreeJoints *joints, const double *effort)
         Pose *pose = &joints->pose[k], *parent = &joints->pose[link->parent];
         int culprit = release(link, pose, effort);
         if (culprit >= 0) return culprit;
-        YkArticulated moved = move_back(&pose->A, pose->arm);
+        YkArticulated moved = yk_articulated_move(&pose->A, pose->arm);
         yk_articulated_add(&parent->A, &moved);
         parent->mass_out += pose->mass_out;
         parent->inertia_out += pose->mass_out * yk_dot(pose->arm, pose->arm);

@@ -1,5 +1,6 @@
 // Solves designs. A worker has all it needs to solve a design by itself: a variant, a state, a
 // batch. Designs are handed out in chunks, and the thread on which a design is solved changes nothing in its results.
+#include "study/kernels_extent.h"
 #include "study/study.h"
 #include <stdlib.h>
 #include <string.h>
@@ -274,9 +275,10 @@ static void add_row(YkWorker *w, size_t c, size_t n, bool all_count)
 {
     const double *row = w->outputs[c];
     YkExtent e = w->count[c] > 0 ? w->extent[c] : (YkExtent){INFINITY, -INFINITY, 0};
-    size_t added = 0;
-    for (size_t k = 0; k < n; k++) {
-        if (!all_count && !yk_study_counts(w->study->channels[c], (YkStatus)w->block_status[k])) continue;
+    size_t added = all_count ? n : 0;
+    if (all_count) yk_lanes_extent(&e.least, &e.largest, &e.mean, row, n);
+    for (size_t k = 0; !all_count && k < n; k++) {
+        if (!yk_study_counts(w->study->channels[c], (YkStatus)w->block_status[k])) continue;
         e.least = e.least <= row[k] ? e.least : row[k];
         e.largest = e.largest >= row[k] ? e.largest : row[k];
         e.mean += row[k];

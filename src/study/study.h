@@ -12,7 +12,7 @@
 #include "batch/pose_forces.h"
 #include "solve/state.h"
 
-enum { YK_STUDY_BLOCK = 96 }; // poses reduced at a time: their rows stay in the first cache
+enum { YK_STUDY_BLOCK = 192 }; // poses reduced at a time: their rows stay in the first two caches
 
 typedef struct YkJob { // one call, for all workers
     const YkStudyCase *asked;
