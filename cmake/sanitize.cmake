@@ -1,6 +1,8 @@
 # The address and undefined-behaviour sanitizers. The tests start thousands of programs, so what each start, end and link costs counts.
 add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all)
 add_link_options(-fsanitize=address,undefined)
+# Without the vectoriser, the kernels' copies for each instruction set are the same code: one is enough (src/elementary/kernel.h).
+add_compile_definitions(YK_PLAIN_LANES)
 if(YOKE_FUZZ)
   return() # libFuzzer comes with a runtime of its own
 endif()

@@ -24,6 +24,16 @@ static Subject subject_of(size_t four_bars)
     return subject;
 }
 
+// Under the sanitizers a third of the machine asks often enough.
+static size_t sized(size_t four_bars)
+{
+#ifdef IS_SANITIZED
+    return four_bars / 3;
+#else
+    return four_bars;
+#endif
+}
+
 static void release(Subject *subject)
 {
     free(subject->text);
@@ -75,7 +85,7 @@ static bool compile(void *self, Watched *w, uint64_t *hash)
 static void loading_and_compiling_can_be_stopped(void **unused)
 {
     (void)unused;
-    Subject subject = subject_of(3000);
+    Subject subject = subject_of(sized(3000));
     check_long_call("load", load, &subject);
     check_long_call("compile", compile, &subject);
     release(&subject);
@@ -141,7 +151,7 @@ static bool check_equation(void *self, Watched *w, uint64_t *hash)
 static void derivations_can_be_stopped(void **unused)
 {
     (void)unused;
-    Subject subject = subject_of(150);
+    Subject subject = subject_of(sized(150));
     static const char *const names[] = {"text", "latex", "mathml", "json", "c"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         subject.format = yk_page_format_find(names[k]);

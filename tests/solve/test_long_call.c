@@ -35,6 +35,16 @@ static Subject subject_of(size_t four_bars)
     return subject;
 }
 
+// Under the sanitizers a half of the machine asks often enough.
+static size_t sized(size_t four_bars)
+{
+#ifdef IS_SANITIZED
+    return four_bars / 2;
+#else
+    return four_bars;
+#endif
+}
+
 static void release(Subject *subject)
 {
     yk_state_free(subject->home);
@@ -96,7 +106,7 @@ static bool visit_each(void *self, Watched *w, uint64_t *hash)
 static void assembling_can_be_stopped(void **unused)
 {
     (void)unused;
-    Subject subject = subject_of(4000);
+    Subject subject = subject_of(sized(4000));
     check_long_call("assemble", assemble, &subject);
     release(&subject);
     subject = subject_of(1000);
@@ -241,7 +251,7 @@ static void motions_can_be_stopped(void **unused)
     check_long_call("move", move, &subject);
     check_long_call("move in time", move_in_time, &subject);
     release(&subject);
-    subject = subject_of(2000);
+    subject = subject_of(sized(2000));
     check_long_call("ranges", find_ranges, &subject);
     release(&subject);
 }
@@ -249,7 +259,7 @@ static void motions_can_be_stopped(void **unused)
 static void a_single_solution_and_a_copy_ask_nobody(void **unused)
 {
     (void)unused;
-    Subject subject = subject_of(2000);
+    Subject subject = subject_of(sized(2000));
     Watched w = watched(1);
     YkState *s = ready(&subject, &w), *copy = yk_state_new(subject.m.mech);
     for (int k = 0; k < 20; k++) assert_true(yk_state_solve(s) >= 0);
