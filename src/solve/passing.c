@@ -29,7 +29,7 @@ static bool agrees(YkState *s, const double *x)
     for (size_t k = 0; k < o; k++) {
         YkTurn t = yk_space_turn(&s->spare, (int32_t)k + 1);
         YkVec e = yk_unit(x[k]);
-        if (!(hypot(*t.c - e.x, *t.s - e.y) < NEAR)) return false;
+        if (!(yk_hypot(*t.c - e.x, *t.s - e.y) < NEAR)) return false;
     }
     for (size_t k = o; k < n; k++)
         if (!(fabs(*yk_space_slide(&s->spare, (int32_t)(k - o)).d - x[k]) < NEAR * s->mech->size)) return false;

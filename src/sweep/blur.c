@@ -2,6 +2,7 @@
 // The motion is smooth through it, so their rates are interpolated from poses on both sides, as at the change point itself.
 #include <stdlib.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "sweep/walk.h"
 
 // Returns whether the walk's pose is one, as far as its blocks tell. It may also be close to a limit, where nothing is smooth.
@@ -35,7 +36,7 @@ static bool is_own_pose(const YkState *s, const double *numbers)
     double sine = sqrt(space->margin[0]), most = 1e-5 * sine + 2e-15 / sine, off = 0;
     for (size_t k = 1; k < space->slots; k++) {
         YkTurn t = space->turn[k];
-        off = fmax(off, hypot(numbers[t.c - space->data] - *t.c, numbers[t.s - space->data] - *t.s));
+        off = fmax(off, yk_hypot(numbers[t.c - space->data] - *t.c, numbers[t.s - space->data] - *t.s));
     }
     for (size_t k = 0; k < space->distances; k++) {
         const double *d = space->slide[k].d;
