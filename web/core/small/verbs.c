@@ -54,3 +54,8 @@ int yk_run_balance(YkSession *session)
 {
     return leave(session);
 }
+
+int yk_run_explain(YkSession *session)
+{
+    return leave(session);
+}
