@@ -66,7 +66,8 @@ YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
     YkStatus worst = YK_OK;
     bool well;
     b->has_settled = false;
-    yk_lanes_well(&well, b->now->margin, b->now->gap, yk_state_close_margin(b->state), b->mech->size * YK_CLOSING_TOLERANCE, n);
+    yk_lanes_well(&well, b->now->margin, b->now->gap, yk_state_close_margin(b->state),
+                  b->mech->size * YK_CLOSING_TOLERANCE, n);
     if (well) {
         if (status) memset(status, YK_OK, n);
         return YK_OK;

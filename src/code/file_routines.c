@@ -62,7 +62,8 @@ static void write_status(YkFile *file, const YkRoutine *r)
     if (has_margin) check_local(file, file->single ? "margin >= -1e-6f" : "margin >= -1e-13", "LIMIT");
     if (has_angles) check(file, p->angles, " == 0", "BAD_INPUT");
     if (has_gap) check_gap(file);
-    const char *clear = r->kind == YK_ROUTINE_INVERSE ? "margin > 1e-7" : "margin > 5e-10"; // as the engine, for all rates
+    const char *clear =
+        r->kind == YK_ROUTINE_INVERSE ? "margin > 1e-7" : "margin > 5e-10"; // as the engine, for all rates
     if (has_margin) check_local(file, file->single ? "margin > 1e-7f" : clear, "SINGULAR");
     if (r->regular >= 0) check(file, r->regular, " > 0", "SINGULAR");
     if (r->checks_results) check_local(file, "finite == 0", "NOT_FINITE");

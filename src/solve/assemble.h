@@ -37,7 +37,7 @@ typedef struct YkSearch {
     signed char *best_branch, *kept_branch;
     double *best_x, *kept_x, *kept_reference, *path, *wanted;
     double *variables; // scratch: the unknowns of the closure from the guesses
-    YkLister *lister; // or NULL
+    YkLister *lister;  // or NULL
     YkSpace kept;
 } YkSearch;
 

@@ -37,7 +37,8 @@ struct YkState {
     bool
         is_regular; // only the kept equations are singular, or nearly: pose and rates come from all loops (all_loops.c)
     double *all_loops; // room for that; NULL where it cannot be
-    bool is_clear; // a change point is close, and rates that rounding would spoil come from poses beside it (sweep/blur.c)
+    bool
+        is_clear; // a change point is close, and rates that rounding would spoil come from poses beside it (sweep/blur.c)
     bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it
     YkReport report;
     // assembling: see assemble.c
@@ -82,10 +83,10 @@ static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 #define YK_CLOSING_TOLERANCE 1e-12 // over the size: a loop that misses by no more counts as closed
 #define YK_LIMIT_MARGIN (-1e-13)   // a smaller sin^2 does not close; between this and 0 it is rounding at a limit
 #define YK_SINGULAR_MARGIN                                                                                             \
-    1e-14                   // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
-#define YK_NEAR_MARGIN 4e-6 // sin^2 below which rounding costs accelerations more than half their digits
+    1e-14                    // sin^2 at most this: a dead point (sin <= 1e-7: velocities would have two digits left)
+#define YK_NEAR_MARGIN 4e-6  // sin^2 below which rounding costs accelerations more than half their digits
 #define YK_FORCE_MARGIN 1e-7 // sin^2 below which forces may be blurred
-#define YK_BLUR_MARGIN 1e-9 // the same for accelerations, see yk_is_blurred
+#define YK_BLUR_MARGIN 1e-9  // the same for accelerations, see yk_is_blurred
 
 // Returns how far a redundant loop may miss, m: near a dead point the dyads before it are known only to rounding /
 // sine.

@@ -6,9 +6,8 @@ enum { LINES_MAX = 50, TIME_DIGITS = 10, ERROR_DIGITS = 2 };
 
 const char *yk_happening_word(YkHappeningKind kind)
 {
-    static const char *const words[] = {"stop",       "release",  "stick",    "slip",    "change-point",
-                                        "dead-point", "crossing", "lift-off", "law-left",
-                                        "landing",    "pull"};
+    static const char *const words[] = {"stop",     "release",  "stick",    "slip",    "change-point", "dead-point",
+                                        "crossing", "lift-off", "law-left", "landing", "pull"};
     return words[kind];
 }
 
