@@ -88,6 +88,7 @@ void yk_state_take(YkState *to, const YkState *from)
     memcpy(to->is_held, from->is_held, 3 * mech->input_count * sizeof *to->is_held);
     memcpy(to->arrival, from->arrival, mech->input_count * sizeof *to->arrival);
     memcpy(to->heading, from->heading, mech->input_count * sizeof *to->heading);
+    to->arrival_time = from->arrival_time, to->time_heading = from->time_heading;
     memcpy(to->phases, from->phases, mech->input_count * sizeof *to->phases);
     to->has_phases = to->has_phases || from->has_phases;
     memcpy(to->reference, from->reference, mech->coordinate_count * sizeof *to->reference);

@@ -15,11 +15,13 @@ static double rate_of(const YkPath *path, size_t i, double side)
 double yk_path_heading(const YkPath *path)
 {
     const YkState *s = path->state;
+    bool is_time = path->input < 0 && !path->is_line;
     double sum = 0;
     for (size_t i = 0; i < s->mech->input_count; i++) {
         if (s->arrival[i] != s->valid_input[3 * i]) return 0; // it has been put elsewhere since
         sum += s->heading[i] * rate_of(path, i, 1);
     }
+    if (is_time && s->time_heading != 0 && s->arrival_time == path->last) return s->time_heading;
     return (sum > 0) - (sum < 0);
 }
 
@@ -35,6 +37,10 @@ void yk_walk_arrive(const YkWalk *w, double way)
     YkState *s = w->path.state;
     bool is_there_still = yk_path_way(&w->path, w->from, w->path.last) < 1e-4; // the drives rest
     double side = yk_walk_has_passed(w) ? -1 : 1; // as if it had come from beyond: turning back passes it
+    bool is_time = w->path.input < 0 && !w->path.is_line;
+    if (!is_there_still || !is_time || s->arrival_time != w->from)
+        s->time_heading = is_time && !is_there_still ? side * way : 0;
+    s->arrival_time = w->path.last;
     for (size_t i = 0; i < s->mech->input_count; i++) {
         s->arrival[i] = s->valid_input[3 * i];
         if (!is_there_still) s->heading[i] = side * way * rate_of(&w->path, i, -way);

@@ -24,6 +24,9 @@ static void find_moving(YkBeside *b)
         b->way = here != 0 ? copysign(1, here) : 0;
     }
     if (count != 1 || b->way == 0) b->moving = YK_NONE;
+    if (!yk_walk_turns_at_a_limit(b->walk, b->margins, b->at)) return; // only time leads to both sides
+    b->moving = YK_NONE;
+    b->is_back = false;
 }
 
 // Solves the pose that many steps from the change point, on the side of the signs if positive.
@@ -109,9 +112,10 @@ static void compare(Off *o, double one, double other)
 }
 
 // Returns whether two sums have the same rates of all orientations and distances.
-static bool agree(const YkSpace *space, const double *one, const double *other)
+static bool agree(const YkState *state, const double *one, const double *other)
 {
     const double SAME = 1e-7;
+    const YkSpace *space = &state->space;
     const double *base = space->data;
     Off w = {0}, a = {0}, v = {0}, b = {0};
     for (size_t k = 1; k < space->slots; k++) {
@@ -124,8 +128,9 @@ static bool agree(const YkSpace *space, const double *one, const double *other)
         compare(&v, one[rate], other[rate]);
         compare(&b, one[accel], other[accel]);
     }
-    return w.off <= SAME * w.most && a.off <= SAME * fmax(a.most, w.most * w.most) && v.off <= SAME * v.most &&
-           b.off <= SAME * fmax(b.most, w.most * v.most);
+    double speed = fmax(v.most, w.most * state->mech->size); // a slide may come to rest there
+    return w.off <= SAME * w.most && a.off <= SAME * fmax(a.most, w.most * w.most) && v.off <= SAME * speed &&
+           b.off <= SAME * fmax(b.most, w.most * speed);
 }
 
 // Limits and other change points may be near, and a gear may turn a link much farther than its input: halves the step
@@ -144,7 +149,7 @@ bool yk_beside_begin(YkBeside *b, double *limits)
     for (int k = 0; k < HALVINGS && !is_same; k++) {
         b->step *= 0.5;
         bool is_finer_known = sum_poses(b, finer);
-        is_same = is_known && is_finer_known && agree(space, now, finer);
+        is_same = is_known && is_finer_known && agree(b->walk->path.state, now, finer);
         if (is_same && limits) memcpy(limits, now, count * sizeof *limits);
         double *spare = now;
         now = finer, finer = spare, is_known = is_finer_known;

@@ -94,10 +94,15 @@ static void fill_change_row(YkSweep *w, size_t row, const double *margins, doubl
 }
 
 // A drive may turn back at a change point, and so may the sweep at its start: the signs then hold that the machine came
-// with.
-static bool passes(const YkSweep *w, size_t row, double way)
+// with, unless it is a limit that the drive just touches.
+static bool passes(YkSweep *w, size_t row, const double *margins, double way)
 {
-    return row > 0 ? !yk_path_turns_back(&w->walk.path, *yk_sweep_row(w, row)) : w->walk.path.way == way;
+    if (row == 0) return w->walk.path.way == way;
+    double at = *yk_sweep_row(w, row);
+    if (!yk_path_turns_back(&w->walk.path, at)) return true;
+    bool goes_on = yk_walk_turns_at_a_limit(&w->walk, margins, at);
+    yk_path_try(&w->walk.path, at, true);
+    return goes_on;
 }
 
 void yk_sweep_try_change_row(YkSweep *w)
@@ -108,8 +113,8 @@ void yk_sweep_try_change_row(YkSweep *w)
     if (s->space.margin[0] > YK_SINGULAR_MARGIN || w->row_status[row] != YK_SINGULAR ||
         w->walk.margin_count != s->mech->block_count || s->mech->has_groups)
         return;
-    bool is_passed = passes(w, row, way);
     yk_walk_read_margins(&w->walk, margins);
+    bool is_passed = passes(w, row, margins, way);
     if (row == 0 && is_passed) w->walk.from = NAN;
     if (is_passed) yk_walk_flip_at(&w->walk, *yk_sweep_row(w, row), margins);
     fill_change_row(w, row, margins, is_passed || row == 0 ? way : -way); // else it goes back to where the signs hold

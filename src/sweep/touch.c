@@ -50,3 +50,35 @@ bool yk_walk_has_just_passed(YkWalk *w, size_t block, double b, double way, doub
     *at = yk_walk_refine_touch(w, block, b, 4e-5);
     return (b - *at) * way > 0 && sine_at(w, block, *at) < 3e-7 && yk_walk_closes_beyond(w, block, b, way);
 }
+
+static bool is_straight(double nearer,
+                        double farther) // in the square root: its square is not 4 times but 16 times as large
+{
+    return nearer > 0 && farther > 2 * nearer && farther < 8 * nearer;
+}
+
+bool yk_walk_turns_at_limit(YkWalk *w, size_t block, double *at)
+{
+    if (w->path.is_line || w->path.input >= 0) return false;
+    double middle = *at, span = fabs(yk_path_off(&w->path, middle, 1, 1e-5) - middle);
+    if (!isfinite(span)) return false;
+    for (int k = 0; k < 3; k++, span *= 0.2) {
+        double before = sine_at(w, block, middle - span), after = sine_at(w, block, middle + span);
+        if (!(before + after > 0)) return false;
+        middle += span * (before - after) / (before + after);
+    }
+    if (margin_at(w, block, middle) > YK_SINGULAR_MARGIN) return false;
+    for (int side = -1; side <= 1; side += 2)
+        if (!is_straight(margin_at(w, block, middle + 0.5 * side * span), margin_at(w, block, middle + side * span)))
+            return false;
+    *at = middle;
+    return true;
+}
+
+bool yk_walk_turns_at_a_limit(YkWalk *w, const double *margins, double at)
+{
+    for (size_t k = 0; k < w->margin_count; k++)
+        if (yk_walk_has_margin(w, k) && margins[k] <= YK_SINGULAR_MARGIN && yk_walk_turns_at_limit(w, k, &at))
+            return true;
+    return false;
+}

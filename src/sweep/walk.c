@@ -107,16 +107,20 @@ static void pass(YkWalk *w, size_t block, double at, double way)
     if (is_seen) yk_walk_note(w, event);
 }
 
-static double refine(YkWalk *w, size_t block, double at)
+// Finds the change point near `at` precisely. Returns false if the motion turns back there, which keeps the sign unless it
+// is just the limit to which it has come.
+static bool refine(YkWalk *w, size_t block, double *at)
 {
-    return yk_walk_refine_touch(w, block, at, 1.2e-6);
+    if (yk_path_turns_back(&w->path, *at)) return yk_walk_turns_at_limit(w, block, at);
+    *at = yk_walk_refine_touch(w, block, *at, 1.2e-6);
+    return true;
 }
 
-// Passes the change point near `at`. Returns false if the motion turns back there, which keeps the sign.
+// Passes the change point near `at`. Returns false if the motion keeps the sign.
 static bool flip(YkWalk *w, size_t block, double at, double way)
 {
-    if (yk_path_turns_back(&w->path, at)) return false;
-    pass(w, block, refine(w, block, at), way);
+    if (!refine(w, block, &at)) return false;
+    pass(w, block, at, way);
     return true;
 }
 
@@ -125,8 +129,7 @@ static bool flip(YkWalk *w, size_t block, double at, double way)
 static void flip_between(YkWalk *w, size_t block, double at, double a, double b)
 {
     double way = copysign(1, b - a);
-    if (yk_path_turns_back(&w->path, at) || !yk_walk_closes_beyond(w, block, at, way)) return;
-    at = refine(w, block, at);
+    if (!refine(w, block, &at) || !yk_walk_closes_beyond(w, block, at, way)) return;
     bool is_behind = (at - a) * way < 0 && yk_path_way(&w->path, at, a) >= 2e-8;
     if ((at - b) * way <= 0 && !is_behind) pass(w, block, at, way);
 }
@@ -205,6 +208,13 @@ static bool is_wide_for_bodies(const YkWalk *w, double a, double b, size_t depth
     return depth + 1 < WALK_DEPTH_MAX && fastest_turn(w) * yk_path_way(&w->path, a, b) > 4e-6;
 }
 
+// Returns whether a block comes to a singular position in a narrow interval with that least margin. One in which the drives
+// turn back may be long.
+static bool is_touch(YkWalk *w, size_t block, double *at, double least)
+{
+    return least <= 1e-11 || yk_walk_turns_at_limit(w, block, at);
+}
+
 // Judges [a, b] from the margins at both ends and in the middle; in the narrowest intervals a touch is a change point.
 static Verdict look(YkWalk *w, double a, double b, size_t depth)
 {
@@ -220,8 +230,11 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
         }
         if (is_decided(w, k, b)) continue;
         if (!narrow || is_wide_for_bodies(w, a, b, depth)) return FINER;
-        if (fmin(ma[k], fmin(mm[k], mb[k])) > 1e-11 || w->margin_count != w->path.state->mech->block_count) continue;
-        flip_between(w, k, yk_walk_touch(a, ma[k], b, mb[k]), a, b);
+        double touch = yk_walk_touch(a, ma[k], b, mb[k]);
+        if (w->margin_count != w->path.state->mech->block_count ||
+            !is_touch(w, k, &touch, fmin(ma[k], fmin(mm[k], mb[k]))))
+            continue;
+        flip_between(w, k, touch, a, b);
         touched = true;
     }
     return touched ? TOUCHED : CLEAR;

@@ -58,6 +58,12 @@ double yk_walk_refine_touch(YkWalk *walk, size_t block, double at, double reach)
 bool yk_walk_closes_beyond(YkWalk *walk, size_t block, double at, double way);
 // Returns whether b, where the margin is almost zero, lies a little beyond a double zero, and puts that in `at`.
 bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, double *at);
+// Returns whether the drives turn back near `at`, exactly where a block comes to its limit, and puts the time in `at`. The
+// square root of the margin is a straight line through zero there, too: the motion goes on with the other sign, as a crank
+// passes the dead point of a piston that is driven through its whole stroke.
+bool yk_walk_turns_at_limit(YkWalk *walk, size_t block, double *at);
+// Returns whether they do so for one of the blocks that touch.
+bool yk_walk_turns_at_a_limit(YkWalk *walk, const double *margins, double at);
 // Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from `at`.
 bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
 // limits.c: poses beside a change point where the walk stands.
