@@ -29,8 +29,9 @@ const YkVerb yk_verbs[] = {
      "how well energy was conserved and the loops stayed closed.",
      "yoke simulate examples/double-pendulum.yaml --to 10s --every 0.5s --of theta1,theta2,energy", yk_run_simulate},
     {"rest", "equilibria, and small vibrations about them", "FILE [options]",
-     "Finds the poses in which the machine stands still under its loads, by a search from `start:` and from many "
-     "random poses. Says whether each equilibrium is stable, and gives the natural frequencies, damping and shapes of "
+     "Finds the poses in which the machine stands still under its loads: with one freedom by searching all circuits of "
+     "its map, otherwise by a search from `start:` and from many random poses, which may miss some. Says whether each "
+     "equilibrium is stable, and gives the natural frequencies, damping and shapes of "
      "the small motions about it; with --modes also the matrices M, C, K. Drives are held; stops and dry friction are "
      "ignored.",
      "yoke rest examples/rocking-four-bar.yaml --modes", yk_run_rest},

@@ -19,6 +19,13 @@ bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, d
     return true;
 }
 
+// Returns the step of the differences in units of the inputs, with the state at their middle: beside a limit all changes with
+// the square root of the distance to it, which is in proportion to the margin.
+static double step_here(const YkState *s)
+{
+    return fmin(1e-3, fmax(1e-9, 0.01 * s->space.margin[0]));
+}
+
 bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double *matrix)
 {
     static const double weight[] = {1.0 / 12, -2.0 / 3, 2.0 / 3, -1.0 / 12}; // at -2h, -h, h, 2h
@@ -26,8 +33,10 @@ bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double 
     size_t f = rest->freedom;
     double *x = rest->trial, *a = rest->step;
     memset(matrix, 0, f * f * sizeof *matrix);
+    if (!yk_rest_accelerations(rest, q, NULL, a)) return false;
+    double unit = of_rates ? 1e-3 : step_here(rest->state);
     for (size_t j = 0; j < f; j++) {
-        double h = 1e-3 * rest->scale[j];
+        double h = unit * rest->scale[j];
         for (int p = 0; p < 4; p++) {
             for (size_t k = 0; k < f; k++) x[k] = of_rates ? 0 : q[k];
             x[j] += place[p] * h;

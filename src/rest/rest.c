@@ -4,142 +4,11 @@
 #include <string.h>
 #include <yoke/move.h>
 #include "base/problems.h"
-#include "num/dense.h"
-#include "solve/gap.h"
 #include "solve/relations.h"
 
 YkRestOptions yk_default_rest_options(void)
 {
     return (YkRestOptions){.starts = 100};
-}
-
-static double norm(const YkRest *rest, const double *a)
-{
-    double sum = 0;
-    for (size_t k = 0; k < rest->freedom; k++) sum += a[k] / rest->scale[k] * (a[k] / rest->scale[k]);
-    return sqrt(sum);
-}
-
-// Runs Newton's method with a line search on the magnitude of the accelerations. Returns true at an equilibrium, whose
-// inputs are in rest->q.
-static bool descend(YkRest *rest)
-{
-    enum { STEPS_MAX = 60 };
-    size_t f = rest->freedom;
-    double *q = rest->q, *a = rest->a, *J = rest->jacobian;
-    bool has_inertia = yk_rest_accelerations(rest, q, NULL, a);
-    if (!has_inertia && rest->lack.status == YK_OK) rest->lack = rest->dynamics->report;
-    if (!has_inertia) return false;
-    rest->has_inertia = true;
-    double size = norm(rest, a);
-    rest->force_scale = fmax(rest->force_scale, size);
-    for (int k = 0; k < STEPS_MAX; k++) {
-        if (!yk_pace_spend(rest->pace, f * f * f)) return false;
-        if (size <= 1e-13 * rest->force_scale) return true;
-        if (!yk_rest_differentiate(rest, q, false, J)) return false;
-        double *step = rest->step;
-        for (size_t i = 0; i < f; i++) step[i] = -a[i];
-        if (yk_lu_factor(f, J, rest->pivot, rest->trial) == 0) return false;
-        yk_lu_solve(f, J, rest->pivot, step);
-        double longest = 0, most = 0.7; // rad, or machine sizes
-        for (size_t i = 0; i < f; i++) longest = fmax(longest, fabs(step[i]) / rest->scale[i]);
-        if (!isfinite(longest)) return false;
-        double way = longest > most ? most / longest : 1, next = HUGE_VAL;
-        double *there = rest->a + f, *trial = rest->a + 2 * f, *kept = rest->a + 3 * f;
-        memcpy(kept, step, f * sizeof *kept);
-        for (int half = 0; half < 12; half++, way *= 0.5) {
-            for (size_t i = 0; i < f; i++) trial[i] = q[i] + way * kept[i];
-            next = yk_rest_accelerations(rest, trial, NULL, there) ? norm(rest, there) : HUGE_VAL;
-            if (next < size) break;
-        }
-        if (!(next < size)) return size <= 1e-9 * rest->force_scale;
-        memcpy(q, trial, f * sizeof *q);
-        memcpy(a, there, f * sizeof *a);
-        size = next;
-    }
-    return size <= 1e-9 * rest->force_scale;
-}
-
-// Returns whether the pose was found before. Angles modulo a turn.
-static bool is_known(const YkRest *rest, const double *coordinates)
-{
-    for (size_t p = 0; p < rest->count; p++)
-        if (yk_pose_gap(rest->mech, coordinates, rest->points[p].coordinates) < 1e-5) return true;
-    return false;
-}
-
-static YkRestPoint new_point(YkRest *rest)
-{
-    size_t f = rest->freedom, inputs = 3 * rest->mech->input_count + 1;
-    YkRestPoint p = {.inputs = YK_NEW(rest->arena, double, inputs),
-                     .branch = YK_NEW(rest->arena, signed char, rest->mech->block_count + 1),
-                     .coordinates = YK_NEW(rest->arena, double, rest->mech->coordinate_count + 1),
-                     .mass = YK_NEW(rest->arena, double, 4 * f * f + 6 * f + 6)};
-    if (!p.mass) return p;
-    p.damping = p.mass + f * f;
-    p.stiffness = p.damping + f * f;
-    p.shape = p.stiffness + f * f;
-    p.frequency = p.shape + f * f;
-    p.ratio = p.frequency + f;
-    p.real = p.ratio + f;
-    p.imaginary = p.real + 2 * f;
-    return p;
-}
-
-// Keeps the pose in rest->q, an equilibrium, unless it is known.
-static bool keep(YkRest *rest)
-{
-    YkState *s = rest->state;
-    if (!yk_rest_accelerations(rest, rest->q, NULL, rest->a) || yk_state_solve(s) < 0) return true;
-    YkRestPoint p = new_point(rest);
-    if (yk_arena_failed(rest->arena) || !YK_ROOM(rest->points, rest->count, rest->capacity)) return false;
-    for (size_t c = 0; c < rest->mech->coordinate_count; c++) p.coordinates[c] = yk_state_coordinate(s, c).position;
-    if (is_known(rest, p.coordinates)) return true;
-    memcpy(p.inputs, s->input, 3 * rest->mech->input_count * sizeof *p.inputs);
-    memcpy(p.branch, s->branch, rest->mech->block_count);
-    p.at.potential = yk_dynamics_energy_at(rest->dynamics, s).potential;
-    p.at.force = rest->force_scale > 0 ? norm(rest, rest->a) / rest->force_scale : 0;
-    if (yk_rest_linearise(rest, &p)) rest->points[rest->count++] = p;
-    return true;
-}
-
-// Returns a seeded number in [0, 1): xorshift64* (Vigna 2016).
-static double next_random(uint64_t *seed)
-{
-    *seed ^= *seed >> 12;
-    *seed ^= *seed << 25;
-    *seed ^= *seed >> 27;
-    return (double)((*seed * 0x2545F4914F6CDD1Dull) >> 11) * 0x1p-53;
-}
-
-static const double STARTED = 0.05; // share of the whole: compiling, and standing at the start
-
-static bool search(YkRest *rest, size_t starts)
-{
-    YkState *s = rest->state;
-    const YkMechanism *mech = rest->mech;
-    uint64_t seed = 0x9E3779B97F4A7C15ull;
-    yk_pace_stage(rest->pace, STARTED, 1);
-    for (size_t k = 0; k <= starts; k++) {
-        yk_pace_reach(rest->pace, (double)k / (double)(starts + 1));
-        if (yk_pace_is_stopped(rest->pace)) return false;
-        if (k > 0) {
-            for (size_t c = 0; c < mech->coordinate_count; c++) {
-                double x = 2 * next_random(&seed) - 1;
-                s->guess[c] = x * (mech->coordinates[c].is_distance ? mech->size : YK_PI);
-                s->is_guessed[c] = true;
-            }
-            for (size_t i = 0; i < rest->freedom; i++)
-                yk_state_set_input(s, (size_t)rest->input[i], (YkMotion){s->guess[mech->inputs[rest->input[i]]], 0, 0});
-            YkStatus status = yk_state_assemble(s);
-            if (status == YK_NO_MEMORY) return false;
-            if (status < 0) continue;
-        }
-        for (size_t i = 0; i < rest->freedom; i++) rest->q[i] = s->input[3 * rest->input[i]];
-        if (descend(rest) && !keep(rest)) return false;
-        if (k == 0) rest->of_start = rest->count;
-    }
-    return true;
 }
 
 static int by_energy(const void *a, const void *b)
@@ -238,14 +107,14 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     YkPace pace;
     rest->pace = &pace;
     yk_pace_begin(&pace, rest->progress);
-    yk_pace_stage(&pace, 0, STARTED);
+    yk_pace_stage(&pace, 0, YK_REST_STARTED);
     bool ok = prepare(rest, model, options, &starts, problems) && assemble(rest, options->time, problems);
     if (ok && !rest->dynamics->has_mass) {
         yk_problem(problems, YK_CODE_CANNOT_START, (YkPlace){0},
                    "no body has mass or inertia, so the machine has no motion of its own");
         ok = false;
     }
-    if (ok) ok = search(rest, starts) && has_inertia(rest, problems) && !rest->dynamics->ran_out;
+    if (ok) ok = yk_rest_search(rest, starts) && has_inertia(rest, problems) && !rest->dynamics->ran_out;
     if (!ok || pace.is_stopped) {
         if (pace.is_stopped)
             yk_pace_tell(problems);
@@ -275,6 +144,10 @@ void yk_rest_free(YkRest *rest)
 size_t yk_rest_count(const YkRest *rest)
 {
     return rest->count;
+}
+bool yk_rest_is_complete(const YkRest *rest)
+{
+    return rest->is_complete;
 }
 const YkMechanism *yk_rest_mechanism(const YkRest *rest)
 {

@@ -1,6 +1,7 @@
 // The inside of YkRest.
 #ifndef REST_REST_H
 #define REST_REST_H
+#include <yoke/map.h>
 #include <yoke/rest.h>
 #include "dynamics/dynamics.h"
 
@@ -32,8 +33,24 @@ struct YkRest {
     int *pivot;
     double force_scale; // the largest acceleration seen: the scale for zero
     bool has_inertia;   // in some pose from which the search started
+    bool is_complete;   // all circuits were searched
     YkReport lack;      // report of the first such pose without accelerations
 };
+
+#define YK_REST_STARTED 0.05 // share of the whole: compiling, and standing at the start
+
+// search.c: looks for equilibria from the state's pose, along all circuits, and from that many random poses. Returns false
+// when out of memory or stopped.
+bool yk_rest_search(YkRest *rest, size_t starts);
+// Goes from the pose in rest->q to an equilibrium, whose inputs are then there. Returns false if it comes to none.
+bool yk_rest_descend(YkRest *rest);
+// Keeps the pose in rest->q, an equilibrium, unless it is known. Returns false when out of memory.
+bool yk_rest_keep(YkRest *rest);
+// circuits.c: maps the motion of a machine with one freedom. Returns NULL for any other, or if it has too many branches or
+// cannot be mapped; yk_map_free frees the map.
+YkMap *yk_rest_map(YkRest *rest);
+// Finds the equilibria on all circuits. Returns false when out of memory or stopped.
+bool yk_rest_search_circuits(YkRest *rest, const YkMap *map);
 
 // Finds accelerations a[f] at rest (rates 0, or `rates`) in the pose with free inputs q. Returns false if it does not
 // close.

@@ -79,6 +79,7 @@ void yk_rest_json(const YkRestAnswer *answer)
         yk_json_string(&json, "message", "no equilibrium was found");
         yk_json_string(&json, "code", "E0830");
     }
+    yk_json_bool(&json, "all_circuits", yk_rest_is_complete(answer->rest));
     yk_json_list(&json, "free", YK_JSON_INLINE);
     for (size_t k = 0; k < yk_rest_freedom(answer->rest); k++) yk_json_string(&json, NULL, input_name(answer, k));
     yk_json_end(&json);

@@ -149,7 +149,8 @@ void yk_rest_text(const YkRestAnswer *answer)
     const YkSession *session = answer->session;
     size_t count = yk_rest_count(answer->rest);
     find_scale(answer);
-    yk_text_format(&answer->session->out, "%s: %z equilibri%s found\n", yk_model_name(session->model), count,
-                   count == 1 ? "um" : "a");
+    yk_text_format(&answer->session->out, "%s: %z equilibri%s found%s\n", yk_model_name(session->model), count,
+                   count == 1 ? "um" : "a",
+                   yk_rest_is_complete(answer->rest) ? " on all circuits" : "; there may be others");
     for (size_t i = 0; i < count; i++) add_equilibrium(answer, i);
 }

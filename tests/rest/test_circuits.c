@@ -1,0 +1,174 @@
+// All equilibria of random four-bars with a spring, also those close to a limit of the crank: on each circuit the potential energy
+// is a smooth function of one angle, and its extremes are counted from the law of cosines.
+#include "check.h"
+#include <yoke/yoke.h>
+#include "free_bodies/inside.h"
+
+typedef struct Bars {
+    double ground, crank, coupler, rocker;
+    double mass, x, y; // of the coupler, and its centre
+    double px, py;     // the coupler's point that a spring holds
+    double gx, gy, stiffness, length;
+} Bars;
+
+// The crank's angles on a circuit are middle + half cos(u) with the branch's side that of sin(u), or, if it turns fully, u.
+typedef struct Circuit {
+    double middle, half, side; // side 0: both branches
+} Circuit;
+
+static size_t circuits_of(const Bars *b, Circuit circuits[2])
+{
+    double sum = b->coupler + b->rocker, gap = b->coupler - b->rocker, two = 2 * b->ground * b->crank;
+    double squares = b->ground * b->ground + b->crank * b->crank;
+    double outer = (squares - sum * sum) / two, inner = (squares - gap * gap) / two;
+    if (outer <= -1 && inner >= 1) {
+        circuits[0] = (Circuit){0, YK_PI, 1};
+        circuits[1] = (Circuit){0, YK_PI, -1};
+        return 2;
+    }
+    if (outer <= -1 || inner >= 1) {
+        circuits[0] = outer <= -1 ? (Circuit){YK_PI, YK_PI - acos(inner), 0} : (Circuit){0, acos(outer), 0};
+        return 1;
+    }
+    double from = acos(inner), to = acos(outer);
+    circuits[0] = (Circuit){0.5 * (from + to), 0.5 * (to - from), 0};
+    circuits[1] = (Circuit){-0.5 * (from + to), 0.5 * (to - from), 0};
+    return 2;
+}
+
+static double crank_at(const Circuit *c, double u)
+{
+    return c->side == 0 ? c->middle + c->half * cos(u) : u;
+}
+
+static double potential_at(const Bars *b, const Circuit *c, double u)
+{
+    double theta = crank_at(c, u), ax = b->crank * cos(theta), ay = b->crank * sin(theta);
+    double dx = b->ground - ax, dy = -ay, d2 = dx * dx + dy * dy, d = sqrt(d2);
+    double along = (b->coupler * b->coupler - b->rocker * b->rocker + d2) / (2 * d);
+    double up = sqrt(fmax(0, b->coupler * b->coupler - along * along)), side = c->side != 0 ? c->side : sin(u);
+    up = side < 0 ? -up : up;
+    double cx = (along * dx - up * dy) / (d * b->coupler), cy = (along * dy + up * dx) / (d * b->coupler);
+    double height = ay + b->x * cy + b->y * cx;
+    double px = ax + b->px * cx - b->py * cy - b->gx, py = ay + b->px * cy + b->py * cx - b->gy;
+    double stretch = sqrt(px * px + py * py) - b->length;
+    return 9.81 * b->mass * height + 0.5 * b->stiffness * stretch * stretch;
+}
+
+static Bars random_bars(uint64_t *seed)
+{
+    static const double low[] = {0.2, 0.2, 0.2, 0.2, 0.5, -0.2, -0.2, -0.3, -0.3, -1, -1, 0, 0.1};
+    static const double high[] = {1, 1, 1, 1, 3, 0.4, 0.2, 0.6, 0.5, 1, 1, 60, 0.6};
+    double v[sizeof low / sizeof *low];
+    for (size_t k = 0; k < sizeof low / sizeof *low; k++) v[k] = check_uniform(seed, low[k], high[k]);
+    return (Bars){v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10], v[11], v[12]};
+}
+
+static bool closes(const Bars *b)
+{
+    double longest = fmax(fmax(b->ground, b->crank), fmax(b->coupler, b->rocker));
+    return 2 * longest < 0.98 * (b->ground + b->crank + b->coupler + b->rocker);
+}
+
+static YkRest *rest_of(const Bars *b, const Circuit *c, YkModel **model)
+{
+    char text[1500];
+    double theta = crank_at(c, 1), d = hypot(b->ground - b->crank * cos(theta), b->crank * sin(theta));
+    double base = atan2(-b->crank * sin(theta), b->ground - b->crank * cos(theta));
+    double at_a = acos((b->coupler * b->coupler + d * d - b->rocker * b->rocker) / (2 * b->coupler * d));
+    snprintf(text, sizeof text,
+             "gravity: [0, -9.81]\nbodies:\n"
+             "  ground: {points: {O: [0, 0], C: [%.17g, 0], G: [%.17g, %.17g]}}\n"
+             "  crank: {points: {O: [0, 0], A: [%.17g, 0]}}\n"
+             "  coupler: {points: {A: [0, 0], B: [%.17g, 0], P: [%.17g, %.17g]}, mass: %.17g, center: [%.17g, %.17g], "
+             "inertia: 0.05}\n"
+             "  rocker: {points: {C: [0, 0], B: [%.17g, 0]}}\n"
+             "joints:\n"
+             "  O: {pin: [ground, crank], angle: theta}\n"
+             "  A: {pin: [crank, coupler], angle: phi}\n"
+             "  C: {pin: [ground, rocker]}\n"
+             "  B: {pin: [coupler, rocker]}\n"
+             "springs: {k: {between: [ground.G, coupler.P], stiffness: %.17g, length: %.17g}}\n"
+             "start: {theta: %.17g, phi: %.17g}\n",
+             b->ground, b->gx, b->gy, b->crank, b->coupler, b->px, b->py, b->mass, b->x, b->y, b->rocker, b->stiffness,
+             b->length, theta, base + (c->side < 0 ? -at_a : at_a) - theta);
+    YkProblems *problems = yk_problems_new();
+    *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+    YkRest *rest = *model ? yk_rest_find(*model, NULL, problems) : NULL;
+    if (!rest) print_error("%s", yk_problems_text(problems, 0));
+    assert_non_null(rest);
+    yk_problems_free(problems);
+    return rest;
+}
+
+// Returns the extreme between two angles, by golden section.
+static double extreme_between(const Bars *b, const Circuit *c, double from, double to, double sign)
+{
+    const double ratio = 0.6180339887498949;
+    for (int k = 0; k < 60; k++) {
+        double low = to - ratio * (to - from), high = from + ratio * (to - from);
+        if (sign * potential_at(b, c, low) < sign * potential_at(b, c, high))
+            to = high;
+        else
+            from = low;
+    }
+    return 0.5 * (from + to);
+}
+
+static bool has_equilibrium(const YkRest *rest, double potential, double theta, bool is_minimum)
+{
+    for (size_t k = 0; k < yk_rest_count(rest); k++) {
+        YkEquilibrium e = yk_rest_equilibrium(rest, k);
+        YkMotion at = yk_state_coordinate(yk_rest_state((YkRest *)rest, k), yk_rest_input(rest, 0));
+        if (fabs(e.potential - potential) < 1e-9 * (1 + fabs(potential)) &&
+            fabs(remainder(at.position - theta, 2 * YK_PI)) < 1e-5)
+            return (e.stability == YK_STABILITY_STABLE) == is_minimum;
+    }
+    return false;
+}
+
+// Returns how many extremes a circuit has, each of which must be among the equilibria.
+static size_t check_circuit(const YkRest *rest, const Bars *b, const Circuit *c)
+{
+    enum { SAMPLES = 3000 };
+    const double step = 2 * YK_PI / SAMPLES;
+    size_t count = 0;
+    for (int k = 0; k < SAMPLES; k++) {
+        double u = (k + 0.37) * step, here = potential_at(b, c, u);
+        double before = potential_at(b, c, u - step) - here, after = potential_at(b, c, u + step) - here;
+        if (!(before * after > 0)) continue;
+        double at = extreme_between(b, c, u - step, u + step, before > 0 ? 1 : -1);
+        bool is_there = has_equilibrium(rest, potential_at(b, c, at), crank_at(c, at), before > 0);
+        if (!is_there)
+            print_error("no equilibrium at theta = %.17g, %.17g J\n", crank_at(c, at), potential_at(b, c, at));
+        assert_true(is_there);
+        count++;
+    }
+    return count;
+}
+
+static void all_equilibria_are_found(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 7;
+    for (uint64_t tried = 0; tried < check_cases(60);) {
+        Bars b = random_bars(&seed);
+        if (!closes(&b)) continue;
+        Circuit circuits[2];
+        YkModel *model;
+        size_t count = circuits_of(&b, circuits), extremes = 0;
+        YkRest *rest = rest_of(&b, &circuits[0], &model);
+        for (size_t k = 0; k < count; k++) extremes += check_circuit(rest, &b, &circuits[k]);
+        assert_true(yk_rest_is_complete(rest));
+        assert_int_equal(yk_rest_count(rest), extremes);
+        yk_rest_free(rest);
+        yk_model_free(model);
+        tried++;
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_equilibria_are_found)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
