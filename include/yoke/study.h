@@ -71,9 +71,9 @@ YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExte
 // Finds derivatives at the file's values and one pose, inputs[3 * input + k] (a NULL array, or NULL: the state's), to
 // which the machine moves as in yk_study_run. Both results are [channel * parameters + parameter].
 // by_derivative: by the implicit function theorem on the loops of the tree (only positions, of machines with at most
-// 300 unknowns and without gears, belts and cams; otherwise as by_difference). by_difference: from the solved pose,
-// extrapolated from central differences (Richardson 1911). The two share only the pose. Designs that are machines of
-// their own are only differenced. Returns YK_OK, or the status of a neighbouring pose that is not valid: half a tooth
+// 300 unknowns and without gears, belts and cams; otherwise NaN). by_difference: from the solved pose, extrapolated from
+// central differences (Richardson 1911). The two share only the pose. Designs that are machines of their own are only
+// differenced. Returns YK_OK, or the status of a neighbouring pose that is not valid: half a tooth
 // makes no machine.
 YK_API YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, double *by_derivative,
                                        double *by_difference);

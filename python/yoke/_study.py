@@ -195,7 +195,10 @@ def _run(study: Study, case: Any, data: Any) -> None:
 
 
 class Sensitivities(NamedTuple):
-    """Derivatives of columns with respect to parameters, [column, parameter], by two ways that share only the pose."""
+    """Derivatives of columns with respect to parameters, [column, parameter], by two ways that share only the pose.
+
+    `by_derivative` has positions of machines without gears, belts and cams; elsewhere it is NaN.
+    """
 
     of: tuple[str, ...]
     parameters: tuple[str, ...]

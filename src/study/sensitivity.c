@@ -86,14 +86,18 @@ typedef struct Linear { // the loops and inputs at the pose, as equations of dx
     size_t rank;
 } Linear;
 
+static bool is_position(YkChannel channel)
+{
+    return channel.order == 0 && channel.kind <= YK_CHANNEL_POINT_Y;
+}
+
+// Returns whether some column follows from the loops of the tree.
 static bool can_linearise(const YkStudy *study, const YkMechanism *mech)
 {
     if (mech->relation_count > 0 || yk_variable_count(mech) > YK_CLOSURE_MAX) return false;
-    for (size_t c = 0; c < study->channel_count; c++) {
-        YkChannelKind kind = study->channels[c].kind;
-        if (study->channels[c].order > 0 || kind > YK_CHANNEL_POINT_Y) return false;
-    }
-    return true;
+    for (size_t c = 0; c < study->channel_count; c++)
+        if (is_position(study->channels[c])) return true;
+    return false;
 }
 
 static size_t variable_of(const YkMechanism *mech, bool is_distance, int32_t index)
@@ -221,7 +225,7 @@ static bool directions(YkStudy *study, Linear *l, size_t parameter)
     return good;
 }
 
-// Computes d/dh of y(x + h dx, p + h).
+// Computes d/dh of y(x + h dx, p + h); NaN for a channel that is not a position.
 static bool answers_along(YkStudy *study, Linear *l, size_t parameter, double *derivative, double *stages)
 {
     YkWorker *w = &study->worker[0];
@@ -235,7 +239,9 @@ static bool answers_along(YkStudy *study, Linear *l, size_t parameter, double *d
             for (size_t k = 0; k < l->variables; k++) x[k] = l->x[k] + (at - own) * l->dx[k];
             place(l, x);
             for (size_t c = 0; c < study->channel_count; c++) {
-                double *slot = &stages[c * STAGES + stage], y = answer(l, x, study->channels[c]);
+                bool is_known = is_position(study->channels[c]);
+                double *slot = &stages[c * STAGES + stage],
+                       y = is_known ? answer(l, x, study->channels[c]) : (double)NAN;
                 *slot = side ? (*slot - y) / ((own + h) - (own - h)) : y;
             }
         }
@@ -280,7 +286,7 @@ static YkStatus differences_of_designs(YkStudy *study, const double *const *inpu
     for (size_t p = 0; status == YK_OK && p < parameters; p++) {
         status = by_designs(study, inputs, p, column);
         for (size_t c = 0; status == YK_OK && c < channels; c++)
-            by_difference_out[c * parameters + p] = by_derivative[c * parameters + p] = column[c];
+            by_difference_out[c * parameters + p] = column[c], by_derivative[c * parameters + p] = (double)NAN;
     }
     free(column);
     return status;
@@ -318,7 +324,7 @@ YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, dou
     for (size_t p = 0; status >= 0 && p < parameters && yk_pace_ask(&w->pace); p++) {
         status = by_difference(study, p, column, scratch + channels);
         for (size_t c = 0; c < channels; c++)
-            by_difference_out[c * parameters + p] = by_derivative[c * parameters + p] = column[c];
+            by_difference_out[c * parameters + p] = column[c], by_derivative[c * parameters + p] = (double)NAN;
         if (status < 0 || !is_linear) continue;
         if (!directions(study, &l, p) || !answers_along(study, &l, p, column, scratch + channels))
             status = YK_BAD_MODEL;

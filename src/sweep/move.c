@@ -43,6 +43,7 @@ static void keep_passes(YkMove *move, const YkWalk *walk, double from, double to
             move->passes[move->pass_count] = (YkPass){e->block, (e->at - from) / (to - from)};
         move->pass_count++;
     }
+    move->pass_count += walk->skipped_passes < 1e15 ? (size_t)walk->skipped_passes : (size_t)1e15;
 }
 
 static YkStatus arrive(YkWalk *w, double to, double way)

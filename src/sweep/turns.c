@@ -117,17 +117,26 @@ static void skip(YkWalk *w, const Memory *m, double at, double count)
     memcpy(s->valid_input, s->input, 3 * mech->input_count * sizeof *s->input);
 }
 
+static size_t count_passes(const YkWalk *w)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < w->event_count; k++) count += w->events[k].kind == YK_EVENT_CHANGE_POINT;
+    return count + w->more_events;
+}
+
 static double skip_from(YkWalk *w, Memory *m, double period)
 {
     // Not the position in which the machine was put together: that may be a change point.
     const double start = 0.381966 * period;
     double at = 0;
+    size_t passes = 0;
     for (int k = 0; k <= PERIODS_MAX && start + k * period < 1; k++) {
         double next = start + k * period;
         if (!yk_walk_go(w, at, next)) return -1;
         at = next;
         if (k == 0) {
             remember(m, w->path.state);
+            passes = count_passes(w);
             continue;
         }
         if (!has_returned(m, w->path.state)) continue;
@@ -135,6 +144,7 @@ static double skip_from(YkWalk *w, Memory *m, double period)
         if (stretches < 1) return at;
         at += stretches * k * period;
         skip(w, m, at, stretches);
+        w->skipped_passes += stretches * (double)(count_passes(w) - passes);
         return yk_path_probe(&w->path, at, true) < 0 ? -1 : at;
     }
     return at;

@@ -15,6 +15,7 @@ typedef struct YkWalk {
     YkEvent *events;
     size_t event_count, event_capacity, more_events; // the first events_max are kept, the others counted
     size_t events_max;
+    double skipped_passes; // change points in whole turns that were left out (turns.c)
     YkStatus status;
     int limit_block;
     YkProblems *problems;

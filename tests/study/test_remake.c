@@ -194,7 +194,7 @@ static void test_sensitivities(void **unused)
     YkStudy *study = study_of(&m, &name, 1, of, 1, 1);
     assert_int_equal(yk_study_sensitivities(study, NULL, &derivative, &difference), YK_OK);
     CHECK_NEAR(difference, 30, 1e-8);
-    assert_true(derivative == difference);
+    assert_true(isnan(derivative)); // the machine is another one for every number of teeth
     yk_study_free(study);
     machine_free(&m);
 }

@@ -283,6 +283,19 @@ static void test_a_parallelogram_passes_its_change_points(void **unused)
     }
 }
 
+static void test_change_points_of_turns_that_are_left_out_are_counted(void **unused)
+{
+    (void)unused;
+    static const double goals[] = {50, 1000, -77, 1e6, -4e9};
+    for (size_t k = 0; k < sizeof goals / sizeof *goals; k++) {
+        Machine m = four_bar_machine((FourBar){2, 4, 2, 4}, 1, -1);
+        YkMove move;
+        assert_true(move_one(m.state, 0, goals[k], &move) >= 0);
+        assert_true((double)move.pass_count == fabs(floor(goals[k] / YK_PI)));
+        machine_free(&m);
+    }
+}
+
 // A request sets inputs and then lets time pass; change points of both ways are told, in their order.
 static void test_a_request_is_two_ways(void **unused)
 {
@@ -466,6 +479,7 @@ int main(void)
         cmocka_unit_test(test_another_input_makes_room),
         cmocka_unit_test(test_a_pose_where_nothing_closes_is_out_of_reach),
         cmocka_unit_test(test_a_parallelogram_passes_its_change_points),
+        cmocka_unit_test(test_change_points_of_turns_that_are_left_out_are_counted),
         cmocka_unit_test(test_a_request_is_two_ways),
         cmocka_unit_test(test_events_of_both_ways_are_in_order),
         cmocka_unit_test(test_an_input_ends_exactly_where_a_base_vanishes),

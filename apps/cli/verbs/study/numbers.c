@@ -63,12 +63,18 @@ double yk_study_tolerance_of(const YkStudyAnswer *a, size_t axis)
     return fmax(fabs(x->from - nominal), fabs(x->to - nominal));
 }
 
+double yk_study_slope(const YkStudyAnswer *a, size_t column, size_t axis)
+{
+    double slope = a->derivative[column * a->axis_count + axis];
+    return isnan(slope) ? a->difference[column * a->axis_count + axis] : slope;
+}
+
 YkTolerance yk_study_tolerance(const YkStudyAnswer *a, size_t column)
 {
     YkTolerance t = {0, 0};
     for (size_t k = 0; k < a->axis_count; k++) {
         const YkAxis *x = &a->axes[k];
-        double S = a->derivative[column * a->axis_count + k];
+        double S = yk_study_slope(a, column, k);
         double s = a->is_sample ? yk_distribution_deviation(&x->distribution) : fabs(x->to - x->from) / sqrt(12);
         t.worst += fabs(S) * yk_study_tolerance_of(a, k);
         t.root += (S * s) * (S * s);

@@ -117,6 +117,8 @@ typedef struct YkTolerance { // of a column, from the derivatives: sum of |S| t,
     double worst, root;
 } YkTolerance;
 double yk_study_tolerance_of(const YkStudyAnswer *answer, size_t axis);
+// Returns the derivative of a column by a parameter: by the loops where they give it, otherwise by difference.
+double yk_study_slope(const YkStudyAnswer *answer, size_t column, size_t axis);
 YkTolerance yk_study_tolerance(const YkStudyAnswer *answer, size_t column);
 size_t yk_study_count(const YkStudyAnswer *answer, YkStatus status); // designs with it
 

@@ -76,12 +76,12 @@ static void add_sensitivities(const YkStudyAnswer *a, size_t column)
     yk_table_head(table, "contributes", unit);
     for (size_t k = 0; k < a->axis_count; k++) {
         double scale = yk_model_parameter_unit(a->session->model, a->axes[k].name) / size,
-               tolerance = yk_study_tolerance_of(a, k), S = a->derivative[column * a->axis_count + k];
+               tolerance = yk_study_tolerance_of(a, k);
         yk_table_word(table, a->axes[k].name);
-        yk_table_number(table, S * scale, YK_DIGITS);
+        yk_table_number(table, a->derivative[column * a->axis_count + k] * scale, YK_DIGITS);
         yk_table_number(table, a->difference[column * a->axis_count + k] * scale, YK_DIGITS);
         yk_table_number(table, shown_parameter(a, k, tolerance), YK_DIGITS);
-        yk_table_number(table, fabs(S) * tolerance / size, YK_DIGITS);
+        yk_table_number(table, fabs(yk_study_slope(a, column, k)) * tolerance / size, YK_DIGITS);
     }
     YkTolerance t = yk_study_tolerance(a, column);
     yk_text_format(out, "\n%s at the file's values and pose: ", a->columns[column].name);
