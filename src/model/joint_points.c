@@ -1,6 +1,23 @@
 // Finds where a joint sits on each of its two bodies.
 #include <string.h>
+#include "base/names.h"
 #include "model/load.h"
+
+// Warns if a wheel that is held at its origin has a point elsewhere with nearly the joint's name.
+static void warn_of_slip(YkLoader *loader, const YkJoint *joint, int32_t wheel, const char *name, YkPlace place)
+{
+    const YkBody *body = &loader->model->bodies[wheel];
+    for (int32_t k = 0; k < body->point_count; k++) {
+        const YkPoint *point = &loader->model->points[body->first_point + k];
+        const char *own = point->name;
+        if ((point->at.x == 0 && point->at.y == 0) || !yk_nearest(name, &own, 1)) continue;
+        yk_problem(loader->problems, YK_CODE_WHEEL_POINT, place,
+                   "%s %q holds %q at its origin: the body has no point %q, but one called %q",
+                   yk_part(joint->kind)->key, joint->name, body->name, name, own);
+        yk_problem_hint(loader->problems, "if the origin is meant, add `%s: [0, 0]` to its points", name);
+        return;
+    }
+}
 
 // Places a pin or weld: one point known to both bodies, by the name in `at:` or by the joint's own name. If neither
 // body has it: both origins.
@@ -12,8 +29,10 @@ static void share_point(YkLoader *loader, YkJoint *joint, const YkNode *at)
     if (joint->point[0] != YK_NONE && joint->point[1] != YK_NONE) return;
     for (int k = 0; k < 2; k++) { // a wheel's centre needs no name: it is the wheel's origin
         if (joint->point[k] == YK_NONE && joint->point[1 - k] != YK_NONE && loader->is_wheel &&
-            loader->is_wheel[joint->body[k]])
+            loader->is_wheel[joint->body[k]]) {
+            warn_of_slip(loader, joint, joint->body[k], name, at ? at->place : joint->place);
             return;
+        }
     }
     const char *kind = yk_part(joint->kind)->key;
     const char *a = model->bodies[joint->body[0]].name, *b = model->bodies[joint->body[1]].name;

@@ -68,6 +68,34 @@ static void a_wheels_centre_needs_no_name(void **state)
                     YK_CODE_POINT_ON_ONE_BODY, 2, 35, "has not");
 }
 
+// A wheel with a point of its own, and a pin `P` to it.
+static void check_slip(const char *own, bool warns)
+{
+    char text[400];
+    snprintf(text, sizeof text,
+             "bodies: {arm: {points: {P: [63 mm, 0]}}, planet: {points: {%s}}, sun: {}}\n"
+             "joints: {O: {pin: [ground, arm]}, S: {pin: [ground, sun]}, P: {pin: [arm, planet]}}\n"
+             "gears: {g: {mesh: [sun, planet], teeth: [27, 36]}}\n",
+             own);
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_parse(text, strlen(text), "test.yaml", NULL, problems);
+    assert_non_null(model);
+    const YkProblem *warning = fixture_problem(problems, YK_CODE_WHEEL_POINT);
+    assert_true((warning != NULL) == warns);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
+static void a_centre_may_be_a_slip_of_the_pen(void **state)
+{
+    (void)state;
+    check_slip("p: [20 mm, 0]", true);
+    check_slip("P2: [0, 20 mm]", true);
+    check_slip("P: [0, 0]", false);
+    check_slip("P2: [0, 0]", false); // the same place
+    check_slip("edge: [20 mm, 0]", false);
+}
+
 static void gears_that_cannot_exist_are_refused(void **state)
 {
     (void)state;
@@ -229,6 +257,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gears_keep_teeth_module_and_their_carrier),
         cmocka_unit_test(a_wheels_centre_needs_no_name),
+        cmocka_unit_test(a_centre_may_be_a_slip_of_the_pen),
         cmocka_unit_test(gears_that_cannot_exist_are_refused),
         cmocka_unit_test(centres_that_no_body_holds_are_refused),
         cmocka_unit_test(a_carrier_without_a_point_off_the_axis_is_told_what_it_lacks),
