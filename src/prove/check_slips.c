@@ -10,11 +10,13 @@ static const char *keep(YkCheck *check, YkText *text)
     return kept;
 }
 
-// Tests for all dimensions or, if nothing can be proved, at poses of this machine.
+// Tests for all dimensions or, if nothing can be proved, at poses of this machine: where a false equation seems true, too, a
+// slip would explain nothing.
 static bool is_true(YkCheck *check, const YkForm *zero)
 {
     return yk_check_prove(check, zero) == YK_PROVED ||
-           (check->points->ground != YK_GROUND_FIRM && yk_check_is_zero_at_poses(check, zero));
+           (check->points->ground != YK_GROUND_FIRM && yk_check_is_zero_at_poses(check, zero) &&
+            !yk_check_is_zero_at_poses(check, check->difference));
 }
 
 // --- A summand with another factor: sign, 2, 1/2, 0
