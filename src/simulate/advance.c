@@ -66,17 +66,21 @@ static bool restart(YkSimulation *sim)
     return restart_with(sim, false);
 }
 
-static const double POOR = 0.2; // sin^2 of the worst block, below which other coordinates are sought
+static const double POOR = 0.2, // sin^2 of the worst block, below which other coordinates are sought
+    BLIND = 1e-8;               // and below which the pose does not tell its rates well enough to find any
 
 // Looks for better coordinates if these are near a dead point, and for blocks near a singular position.
 static bool look_round(YkSimulation *sim)
 {
     bool changed = false;
     if (yk_simulation_margin(sim) < POOR) {
-        if (yk_simulation_margin(sim) > 1e-8 && !yk_simulation_recoordinate(sim, &changed)) return false;
+        bool is_blind = yk_simulation_margin(sim) <= BLIND;
+        if (is_blind && sim->keeps_apart) return false;
+        if (!is_blind && !yk_simulation_recoordinate(sim, &changed)) return false;
         if (changed && !yk_simulation_pose(sim, sim->time, sim->y)) return false;
     }
     yk_simulation_look_near(sim, sim->time);
+    if (sim->near_count > 0 && !yk_simulation_look_whether_apart(sim)) return false;
     return !changed || restart(sim);
 }
 
@@ -285,6 +289,15 @@ static bool take_acts(YkSimulation *sim)
     return true;
 }
 
+// Begins again at a time of the last step, with the signs that near blocks keep from then on.
+static bool begin_again(YkSimulation *sim, double t)
+{
+    if (yk_ode_dense(sim->ode, t, sim->y) != YK_ODE_OK) return false;
+    if (!yk_simulation_pose(sim, t, sim->y)) return false;
+    yk_simulation_look_near(sim, t);
+    return restart(sim) && look_round(sim);
+}
+
 // Goes on to time `to`, at most to the next sample of the control.
 static YkStatus go_to(YkSimulation *sim, double to)
 {
@@ -310,6 +323,10 @@ static YkStatus go_to(YkSimulation *sim, double to)
         if (status != YK_ODE_OK) {
             take_step_end(sim);
             return fail(sim, status);
+        }
+        if (yk_simulation_must_keep_apart(sim)) {
+            if (!begin_again(sim, yk_ode_previous(sim->ode))) return fail(sim, YK_ODE_FAILED);
+            continue;
         }
         sim->report.message[0] = 0;
         sim->is_new_step = true;

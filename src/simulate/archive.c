@@ -224,8 +224,8 @@ static void walk_scalars(YkSimulation *sim, YkArchive *a)
             &sim->last_event, &sim->first_rate, &sim->energy_low, &sim->energy_high, &sim->kinetic_high,
             &sim->energy_off, &sim->target, &sim->sampling.from, &sim->sampling.period, &s->worst_residual,
             &s->energy_start, &s->energy_end);
-    bool *const flags[] = {&sim->has_acted, &sim->is_flat,     &sim->is_testing,  &sim->has_energy,
-                           &sim->has_begun, &sim->is_new_step, &sim->is_elsewhere};
+    bool *const flags[] = {&sim->has_acted, &sim->is_flat,     &sim->is_testing,   &sim->has_energy,
+                           &sim->has_begun, &sim->is_new_step, &sim->is_elsewhere, &sim->keeps_apart};
     for (size_t k = 0; k < sizeof flags / sizeof *flags; k++) yk_archive_flags(a, flags[k], 1);
     size_t *const sizes[] = {
         &sim->stalled,      &sim->events,          &sim->sampling.count,     &s->recoordinations,

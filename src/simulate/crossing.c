@@ -28,7 +28,7 @@ static YkNear known_near(const YkSimulation *sim, const YkRun *run, size_t block
     YkDirection d = yk_between_columns(run, &sim->mech->blocks[block]);
     YkNear near = {block, d.angle, d.rate, d.acceleration};
     double dt = t - sim->near_time;
-    if (!old || fabs(yk_sin(yk_near_angle(old, dt))) >= BLIND) return near;
+    if (!old || sim->keeps_apart || fabs(yk_sin(yk_near_angle(old, dt))) >= BLIND) return near;
     near.rate = old->rate + dt * old->acceleration;
     near.acceleration = old->acceleration;
     if (fabs(yk_sin(d.angle)) < 0.1 * BLIND) near.angle = yk_near_angle(old, dt);
@@ -57,7 +57,7 @@ static double time_of_passage(const YkNear *old, const YkNear *now, double from,
 static void note_passage(YkSimulation *sim, const YkNear *old, const YkNear *now, double t)
 {
     bool is_start = sim->is_flat && sim->near_time == sim->options.start; // it begins there, and does not pass
-    if (!old || is_start || !(yk_sin(old->angle) * yk_sin(now->angle) < 0)) return;
+    if (!old || is_start || sim->keeps_apart || !(yk_sin(old->angle) * yk_sin(now->angle) < 0)) return;
     double at = time_of_passage(old, now, sim->near_time, t);
     yk_simulation_note(sim, YK_HAPPENING_CHANGE_POINT, at, sim->mech->blocks[now->block].label, 0);
 }
@@ -81,6 +81,7 @@ void yk_simulation_look_near(YkSimulation *sim, double t)
     sim->near_next = spare;
     sim->near_count = count;
     sim->near_time = t;
+    if (count == 0) sim->keeps_apart = false;
 }
 
 // Returns the time, in the last step, from which to predict a near block's angle at t: a little before or after.
@@ -89,7 +90,7 @@ static double time_to_look(const YkSimulation *sim, double t)
 {
     const double SMALL = 0.05, LITTLE = 0.08; // rad
     double dt = t - sim->near_time;
-    for (size_t k = 0; k < sim->near_count; k++) {
+    for (size_t k = 0; k < sim->near_count && !sim->keeps_apart; k++) {
         const YkNear *near = &sim->near[k];
         double way = LITTLE / fabs(near->rate + dt * near->acceleration);
         if (!(fabs(yk_sin(yk_near_angle(near, dt))) < SMALL) || !(fabs(dt) > 1.5 * way)) continue;
@@ -141,14 +142,15 @@ double yk_simulation_reach(YkSimulation *sim)
         YkDirection d = yk_between_columns(&run, &sim->mech->blocks[b]);
         if (d.rate != 0 && isfinite(d.rate) && isfinite(d.angle)) reach = fmin(reach, way_left(d) / fabs(d.rate));
     }
-    return fmin(reach, longest_turn(sim));
+    return fmin(fmin(reach, longest_turn(sim)), yk_simulation_reach_apart(sim));
 }
 
 void yk_simulation_set_signs(YkSimulation *sim, double t)
 {
     for (size_t k = 0; k < sim->near_count; k++) {
         const YkNear *near = &sim->near[k];
-        sim->state->branch[near->block] = yk_sin(yk_near_angle(near, t - sim->near_time)) < 0 ? -1 : 1;
+        double angle = sim->keeps_apart ? near->angle : yk_near_angle(near, t - sim->near_time);
+        sim->state->branch[near->block] = yk_sin(angle) < 0 ? -1 : 1;
     }
 }
 

@@ -14,7 +14,7 @@ static const YkNear *nearest(const YkSimulation *sim, double t, double *sine)
 {
     const YkNear *found = NULL;
     *sine = 2;
-    for (size_t k = 0; k < sim->near_count; k++) {
+    for (size_t k = 0; k < sim->near_count && !sim->keeps_apart; k++) {
         double s = fabs(yk_sin(yk_near_angle(&sim->near[k], t - sim->near_time)));
         if (s >= *sine) continue;
         *sine = s;

@@ -85,6 +85,7 @@ struct YkSimulation {
     // Singular positions:
     YkNear *near, *near_next, *near_memory;
     size_t near_count;
+    bool keeps_apart; // the blocks that are near keep their signs: branches come close there, and do not meet (apart.c)
     double near_time;                 // of the step at which they were examined
     double *moved, *sampled, *looked; // scratch, as y
     double *pose_sum;                 // an interpolated pose, like the state's space
@@ -175,6 +176,14 @@ void yk_simulation_look_near(YkSimulation *sim, double t); // finds which blocks
 // singular position that the prediction from the step's start may have the wrong sign.
 void yk_simulation_look_closer(YkSimulation *sim, double t);
 void yk_simulation_set_signs(YkSimulation *sim, double t);
+// apart.c: returns whether the last step took a sign for another though branches do not meet there; near blocks keep their
+// signs from then on, and the step must be repeated.
+bool yk_simulation_must_keep_apart(YkSimulation *sim);
+// Looks along the only free input whether branches meet where near blocks are heading. Returns false if the pose, at
+// sim->time, cannot be solved again.
+bool yk_simulation_look_whether_apart(YkSimulation *sim);
+// Returns how long a step may be, s, near such a place.
+double yk_simulation_reach_apart(const YkSimulation *sim);
 // Returns for how long, at the present rates, no block that is not near reaches a singular position.
 double yk_simulation_reach(YkSimulation *sim);
 double yk_simulation_margin(const YkSimulation *sim);

@@ -278,19 +278,51 @@ static void equal_links_pass_their_change_points(void **unused)
     }
 }
 
-// With links that are almost equal the pose by the change point is not known well enough to go on: that is said, and no row from
-// there on is given.
-static void lost_energy_ends_a_motion(void **unused)
+// The kinetic and potential energy of that slider-crank, from its rates; in the file a point on the rod's axis moves with both ends.
+static double slider_crank_energy(Run *run, double rod)
+{
+    double th = run_value(run, "th"), w = run_value(run, "th.rate"), v = run_value(run, "s.rate"), arm = 0.3;
+    double ax = -arm * w * sin(th), ay = arm * w * cos(th);           // of the crank's pin
+    double cx = 0.5 * (ax + v), cy = 0.5 * ay;                        // of the rod's middle
+    double turn = (run_value(run, "ph.rate") + w) * rod;              // of the rod's ends about each other
+    double kinetic = 0.5 * arm * arm / 3 * w * w + cx * cx + cy * cy; // masses 1 and 2
+    return kinetic + turn * turn / 12 + 1.5 * v * v + 9.81 * (0.5 * arm * sin(th) + arm * sin(th));
+}
+
+// Links that differ a little do not reach the change point of equal ones: with the longer rod the piston stays on its side of the
+// crank's pivot for ever, and with the shorter one the crank on its side of the line across. The motion turns from one branch of
+// the equal links to the other within a hundredth of a radian or less.
+static void almost_equal_links_keep_their_circuit(void **unused)
 {
     (void)unused;
-    static const char *const rods[] = {"0.29999", "0.299999", "0.2999", "0.30001", "0.3000001"};
+    static const char *const rods[] = {"0.299", "0.29999", "0.299999", "0.3001", "0.30001", "0.3000001"};
+    static const double rates[] = {2, 6, 15};
+    for (size_t k = 0; k < 3 * sizeof rods / sizeof *rods; k++) {
+        double rod = atof(rods[k / 3]);
+        Run run = slider_crank(rods[k / 3], rates[k % 3]);
+        double energy = slider_crank_energy(&run, rod);
+        for (int row = 1; row <= 40; row++) {
+            assert_int_equal(yk_simulation_advance(run.sim, 0.05 * row), YK_OK);
+            CHECK_NEAR(slider_crank_energy(&run, rod), energy, 1e-6 * energy);
+            assert_true((rod > 0.3 ? run_value(&run, "s") : cos(run_value(&run, "th"))) > 0);
+        }
+        run_free(&run);
+    }
+}
+
+// With links still less apart the pose by the change point is not known well enough to go on: that is said, and no row from there
+// on is given.
+static void a_motion_that_is_not_known_ends(void **unused)
+{
+    (void)unused;
+    static const char *const rods[] = {"0.29999999", "0.2999999", "0.300000001"};
     for (size_t k = 0; k < sizeof rods / sizeof *rods; k++) {
         Run run = slider_crank(rods[k], 6);
+        double energy = slider_crank_energy(&run, atof(rods[k]));
         YkStatus status = YK_OK;
         for (int row = 0; row <= 40 && status == YK_OK; row++) {
             status = yk_simulation_advance(run.sim, 0.05 * row);
-            YkSimulationSummary s = yk_simulation_summary(run.sim);
-            if (status == YK_OK) assert_true(s.energy_error < 1e-3);
+            if (status == YK_OK) CHECK_NEAR(slider_crank_energy(&run, atof(rods[k])), energy, 1e-3 * energy);
         }
         if (status != YK_OK) assert_true(yk_simulation_report(run.sim)->message[0] != 0);
         run_free(&run);
@@ -308,7 +340,8 @@ int main(void)
         cmocka_unit_test(no_row_is_wrong_near_a_change_point),
         cmocka_unit_test(drives_that_rest_at_a_change_point_keep_the_branch),
         cmocka_unit_test(equal_links_pass_their_change_points),
-        cmocka_unit_test(lost_energy_ends_a_motion),
+        cmocka_unit_test(almost_equal_links_keep_their_circuit),
+        cmocka_unit_test(a_motion_that_is_not_known_ends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
