@@ -98,12 +98,12 @@ static bool is_regular(YkWalk *w, double at)
 static void pass(YkWalk *w, size_t block, double at, double way)
 {
     YkState *s = w->path.state;
-    bool is_seen = !is_regular(w, at);
+    bool is_seen = !is_regular(w, at), is_turned = yk_path_turns_back(&w->path, at);
     w->path.passed = at;
     w->path.side = way;
     s->branch[block] = (signed char)-s->branch[block];
     w->flipped_at[block] = at;
-    YkEvent event = {.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true};
+    YkEvent event = {.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true, .is_turned = is_turned};
     if (is_seen) yk_walk_note(w, event);
 }
 

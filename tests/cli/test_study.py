@@ -209,6 +209,30 @@ start: {alpha: -60 deg, psi: 60 deg}
         self.assertIn("drives: {q: 1 + w*t}\n", run.err)
         self.assertIn("[E0508]", run.err)
 
+    def test_a_full_stroke_is_no_way_of_straight_moves(self):
+        """Between two poses the drive turns back at a limit: a study would miss that the crank goes on through its dead point."""
+        file = self.write("stroke.yaml", """\
+parameters: {m: 1 kg}
+bodies:
+  ground: {points: {O: [0, 0]}}
+  crank: {points: {O: [0, 0], A: [0.1, 0]}}
+  rod: {points: {A: [0, 0], B: [0.25, 0]}}
+  piston: {points: {B: [0, 0]}, mass: m}
+joints:
+  O: {pin: [ground, crank], angle: th}
+  A: {pin: [crank, rod], angle: ph}
+  B: {pin: [rod, piston]}
+  S: {slide: [ground, piston], along: x, distance: s}
+drives: {s: "0.25 m + 0.1 m * cos(t*1 rad/s + 0.5)"}
+start: {th: 0.5, ph: -0.8}
+""")
+        study = ["study", file, "--vary", "m=1kg:2kg:2", "--of", "th", "--steps", "5", "--over"]
+        run = self.wrong(646, *study, "t=0:6s")
+        self.assertIn("t = 2.64159 s", run.err)  # pi - 0.5
+        self.good(*study, "t=0:2.6s")
+        self.wrong(646, *study, "t=2.7s:5.7s")  # on the way from t = 0
+        self.wrong(646, *study[:-3], "--time", "3s")
+
     def test_npy_is_what_csv_says(self):
         path = os.path.join(self.folder, "out.npy")
         self.good("study", self.four_bar, "--vary", "a=20:300:7", "--of", "theta3", "-o", path, "-q")

@@ -273,5 +273,5 @@ bool yk_study_read(YkStudyAnswer *answer)
     good = good && (!answer->over.name || yk_over_read(session, &answer->over));
     good = good && read_columns(answer) && (request->sample ? read_sample(answer) : read_grid(answer));
     if (good && has_force(answer)) good = yk_session_forces(session, true) && yk_session_has_forces(session);
-    return good && stand(answer) && read_poses(answer, steps) && make_study(answer);
+    return good && stand(answer) && read_poses(answer, steps) && yk_study_check_turns(answer) && make_study(answer);
 }

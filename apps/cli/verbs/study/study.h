@@ -110,6 +110,8 @@ static inline size_t yk_study_kinds(const YkStudyAnswer *a) // answers a column 
 void yk_study_name(const YkStudyAnswer *answer, size_t k, YkText *name);
 YkQuantity yk_study_quantity(const YkStudyAnswer *answer, size_t k);
 
+// turns.c: returns whether a study over time can follow the machine; adds a problem if it cannot.
+bool yk_study_check_turns(YkStudyAnswer *answer);
 // Gathers a row into the sum.
 void yk_study_note(YkStudyAnswer *answer, size_t design, const double *row);
 YkMoments yk_study_moments(const YkStudyAnswer *answer, size_t k);

@@ -1,0 +1,42 @@
+// A study moves straight from pose to pose, and so leaves out what a drive does between them. Where it turns back just at a limit,
+// that takes the machine through a dead point: such a study is refused.
+#include "session.h"
+#include "stop.h"
+#include "verbs/study/study.h"
+
+// Follows the motion in time. Returns false, with a problem, if it comes to such a place.
+static bool follow(YkSession *session, YkState *state, double from, double to)
+{
+    YkSweepOptions options = yk_default_sweep_options();
+    options.coordinate = -1;
+    options.from = from, options.to = to, options.steps = 1;
+    YkSweep *sweep = from == to ? NULL : yk_sweep_run(state, &options, NULL, 0, NULL);
+    bool good = true;
+    for (size_t k = 0; sweep && good && k < yk_sweep_event_count(sweep); k++) {
+        YkEvent event = yk_sweep_event(sweep, k);
+        if (!event.is_turned) continue;
+        yk_problem(
+            session->problems, YK_CODE_STUDY_TURNS, (YkPlace){0},
+            "a drive turns back at t = %e s, just where joint %q is at its limit: the machine goes on through its "
+            "dead point there, and a study, which moves straight from pose to pose, cannot follow it",
+            event.at, yk_block_info(session->mech, (size_t)event.block).label);
+        yk_problem_hint(session->problems, "`yoke sweep --over t` does, with `--param` for each design");
+        good = false;
+    }
+    yk_sweep_free(sweep);
+    return good;
+}
+
+bool yk_study_check_turns(YkStudyAnswer *answer)
+{
+    YkSession *session = answer->session;
+    bool is_over_time = answer->over.name && answer->over.coordinate < 0;
+    double from = is_over_time ? answer->over.from : session->time;
+    YkState *state = yk_session_new_state(session, session->mech);
+    if (!state) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    bool good = true, stands = yk_state_set_time(state, 0, NULL) >= 0 && yk_state_assemble(state) >= 0;
+    if (stands) good = follow(session, state, 0, from); // from where the machine was put together
+    if (stands && good && is_over_time) good = follow(session, state, from, answer->over.to);
+    yk_state_free(state);
+    return good;
+}
