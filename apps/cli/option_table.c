@@ -29,7 +29,7 @@ const YkOption yk_options[] = {
     {"centers", 0, YK_OPTION_SWITCH, FIELD(centers), NULL, " solve draw ",
      "also the instant centres of all bodies, in the order in which Kennedy's theorem finds them"},
     {"polygon", 0, YK_OPTION_WORD, FIELD(polygon), "KIND", " solve draw ",
-     "the velocity or acceleration polygon, to scale, with the steps of its construction"},
+     "the polygon of velocities, accelerations or forces, to scale, with its construction in words"},
     {"sketch", 0, YK_OPTION_SWITCH, FIELD(sketch), NULL, " check ",
      "say what the machine still needs before it can move; the file need not be finished"},
     {"modes", 0, YK_OPTION_SWITCH, FIELD(modes), NULL, " rest ", "also the matrices M, C, K of the small motions"},

@@ -42,6 +42,7 @@
 #include <yoke/synthesis.h>
 #include <yoke/centers.h>
 #include <yoke/polygon.h>
+#include <yoke/force_polygon.h>
 #include <yoke/balancing.h>
 #include <yoke/derive.h>
 #include <yoke/train.h>

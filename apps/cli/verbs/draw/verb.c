@@ -147,10 +147,28 @@ static bool add_centers(Drawer *drawer)
     return good;
 }
 
+static bool draw_forces(YkSession *session, YkFileKind kind)
+{
+    bool has_rates = yk_state_has_rates(session->state);
+    YkStatus status = has_rates ? yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED) : YK_SINGULAR;
+    if (status != YK_OK && status != YK_REDUNDANT)
+        return yk_session_refuse(session, YK_CODE_NO_POLYGON, "there is no force polygon: %s",
+                                 has_rates ? yk_dynamics_report(session->dynamics)->message
+                                           : "the rates are not determined at this pose");
+    YkForcePolygons *polygons = yk_force_polygons_of(session);
+    if (!polygons) return false;
+    const char *svg = yk_force_polygons_svg(polygons);
+    bool good = svg ? yk_convert_svg(svg, kind, &session->out, session->problems)
+                    : yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    yk_force_polygons_free(polygons);
+    return good;
+}
+
 // Draws the polygon of the pose in place of the machine.
 static bool draw_polygon(YkSession *session, YkFileKind kind)
 {
     YkPolygonKind what;
+    if (yk_wants_force_polygons(session)) return draw_forces(session, kind);
     if (!yk_polygon_read(session, &what)) return false;
     YkPolygon *polygon = yk_polygon_new(session->state, what, session->problems);
     if (!polygon) return false;
@@ -279,6 +297,8 @@ static bool prepare(Drawer *drawer)
     if (!yk_session_count(session, "--poses", request->poses, POSES_MAX, 0, &drawer->poses)) return false;
     const char *swept = request->over && strcmp(drawer->over.name, "t") != 0 ? drawer->over.name : NULL;
     if (!yk_session_load(session, swept) || !yk_session_inputs(session)) return false;
+    if (yk_wants_force_polygons(session) && (!yk_session_forces(session, false) || !yk_session_has_forces(session)))
+        return false;
     return (!request->over || yk_over_read(session, &drawer->over)) && find_points(drawer);
 }
 

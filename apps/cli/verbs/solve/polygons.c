@@ -12,7 +12,15 @@ bool yk_polygon_read(YkSession *session, YkPolygonKind *kind)
     const char *word = session->request->polygon;
     *kind = word && strcmp(word, "acceleration") == 0 ? YK_POLYGON_ACCELERATION : YK_POLYGON_VELOCITY;
     if (!word || *kind == YK_POLYGON_ACCELERATION || strcmp(word, "velocity") == 0) return true;
-    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is velocity or acceleration, not %q", word);
+    if (yk_wants_force_polygons(session)) return true;
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is velocity, acceleration or force, not %q",
+                             word);
+}
+
+bool yk_wants_force_polygons(const YkSession *session)
+{
+    const char *word = session->request->polygon;
+    return word && strcmp(word, "force") == 0;
 }
 
 bool yk_lacks_construction(const YkSession *session)
@@ -32,6 +40,10 @@ static YkPolygon *polygon_of(YkSession *session, const YkState *state)
 
 void yk_polygon_text(YkSession *session, const YkState *state)
 {
+    if (yk_wants_force_polygons(session)) {
+        yk_force_polygon_text(session);
+        return;
+    }
     static const char *const heads[] = {"from", "to", "part", "of", "x", "y", "size"};
     YkPolygon *p = polygon_of(session, state);
     if (!p) return;
@@ -78,6 +90,10 @@ static void add_vector(const YkSession *session, YkJson *json, const YkPolygonVe
 
 void yk_polygon_json(YkSession *session, YkJson *json, const YkState *state)
 {
+    if (yk_wants_force_polygons(session)) {
+        yk_force_polygon_json(session, json);
+        return;
+    }
     YkPolygon *p = polygon_of(session, state);
     if (!p) return;
     yk_json_object(json, "polygon", YK_JSON_LINES);
