@@ -151,6 +151,7 @@ static bool draw_forces(YkSession *session, YkFileKind kind)
 {
     bool has_rates = yk_state_has_rates(session->state);
     YkStatus status = has_rates ? yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED) : YK_SINGULAR;
+    if (status == YK_NO_MEMORY) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     if (status != YK_OK && status != YK_REDUNDANT)
         return yk_session_refuse(session, YK_CODE_NO_POLYGON, "there is no force polygon: %s",
                                  has_rates ? yk_dynamics_report(session->dynamics)->message
