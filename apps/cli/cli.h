@@ -42,6 +42,7 @@ typedef struct YkRequest {
     const char *what, *svg; // derive
     const char *animate;    // draw
     const char *polygon;    // draw, solve
+    const char *centrodes;  // draw
     const char *assembly;
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
     const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest

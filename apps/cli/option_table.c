@@ -28,6 +28,8 @@ const YkOption yk_options[] = {
      "with --all: stop after this time and say what is proved by then"},
     {"centers", 0, YK_OPTION_SWITCH, FIELD(centers), NULL, " solve draw ",
      "also the instant centres of all bodies, in the order in which Kennedy's theorem finds them"},
+    {"centrodes", 0, YK_OPTION_WORD, FIELD(centrodes), "BODY[,BODY]", " draw ",
+     "also the centrodes of two bodies, or of a body and the ground: they roll on each other"},
     {"polygon", 0, YK_OPTION_WORD, FIELD(polygon), "KIND", " solve draw ",
      "the polygon of velocities, accelerations or forces, to scale, with its construction in words"},
     {"sketch", 0, YK_OPTION_SWITCH, FIELD(sketch), NULL, " check ",

@@ -41,6 +41,7 @@
 #include <yoke/design.h>
 #include <yoke/synthesis.h>
 #include <yoke/centers.h>
+#include <yoke/centrodes.h>
 #include <yoke/polygon.h>
 #include <yoke/force_polygon.h>
 #include <yoke/balancing.h>

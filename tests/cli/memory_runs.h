@@ -64,6 +64,7 @@ static const Run runs[] = {
     {"draw @four-bar --over theta2=0:90deg --poses 3 --trace coupler.P -o told.svg", false},
     {"draw @valve-cam", false},
     {"draw @slider-crank --centers", false},
+    {"draw @slider-crank --centrodes rod", false},
     {"draw @quick-return --polygon acceleration", false},
     {"draw @crank-press --polygon force", false},
     {"draw @epicyclic-drive --no-labels", false},

@@ -227,6 +227,17 @@ units: {length: mm}
         self.wrong(806, "draw", path, "--centers", "--animate", "a.svg")
         self.assertEqual(Run("draw", os.path.join(ROOT, "examples", "double-pendulum.yaml"), "--centers").code, 1)
 
+    def test_centrodes(self):
+        path = os.path.join(ROOT, "examples", "four-bar.yaml")
+        drawn = self.good("draw", path, "--centrodes", "crank,rocker").out
+        self.assertIn('class="centrode" data-body="crank"', drawn)
+        self.assertIn('class="centrode" data-body="rocker"', drawn)
+        self.assertIn('class="centrode" data-body="ground"', self.good("draw", path, "--centrodes", "coupler").out)
+        self.wrong(401, "draw", path, "--centrodes", "crank,nothing")
+        self.wrong(806, "draw", path, "--centrodes", "crank", "--animate", "a.svg")
+        self.wrong(806, "draw", path, "--centrodes", "crank", "--polygon", "velocity")
+        self.assertEqual(Run("draw", path, "--centrodes", "crank,crank").code, 1)
+
     def test_force_polygons(self):
         path = os.path.join(ROOT, "examples", "crank-press.yaml")
         answer = self.good("solve", path, "--polygon", "force", "--format", "json").json()["configurations"][0]
