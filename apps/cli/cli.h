@@ -56,6 +56,7 @@ typedef struct YkRequest {
     const char *within;        // solve --all, synthesize
     const char *task;          // new
     const char *fluctuation;   // balance
+    const char *weights;       // balance
     bool defects, centers;     // synthesize; solve, draw
     bool so_far;               // synthesize
     const char *prefix;        // code

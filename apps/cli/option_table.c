@@ -111,6 +111,8 @@ const YkOption yk_options[] = {
      "how many threads (default: as many as there are processors); the results do not depend on it"},
     {"fresh", 0, YK_OPTION_SWITCH, FIELD(fresh), NULL, " study ",
      "start again instead of continuing an interrupted study"},
+    {"weights", 0, YK_OPTION_WORD, FIELD(weights), "F,M,T", " balance ",
+     "a compromise: how much shaking force, shaking moment and input effort count"},
     {"fluctuation", 0, YK_OPTION_WORD, FIELD(fluctuation), "NUMBER", " balance ",
      "what the flywheel allows: (largest - least speed) / mean (default 0.05)"},
     {"defects", 0, YK_OPTION_SWITCH, FIELD(defects), NULL, " synthesize ",

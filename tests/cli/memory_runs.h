@@ -65,6 +65,7 @@ static const Run runs[] = {
     {"draw @valve-cam", false},
     {"draw @slider-crank --centers", false},
     {"draw @slider-crank --centrodes rod", false},
+    {"balance @rocking-four-bar --weights 1,1,0 --steps 12", false},
     {"draw @quick-return --polygon acceleration", false},
     {"draw @crank-press --polygon force", false},
     {"draw @epicyclic-drive --no-labels", false},

@@ -227,6 +227,15 @@ units: {length: mm}
         self.wrong(806, "draw", path, "--centers", "--animate", "a.svg")
         self.assertEqual(Run("draw", os.path.join(ROOT, "examples", "double-pendulum.yaml"), "--centers").code, 1)
 
+    def test_balance_compromises(self):
+        path = os.path.join(ROOT, "examples", "crank-press.yaml")
+        answer = self.good("balance", path, "--weights", "1,0,0", "--format", "json").json()
+        self.assertFalse(answer["full"])
+        self.assertLess(answer["after"]["force"], answer["before"]["force"])
+        self.assertIn("compromise", self.good("balance", path, "--weights", "1,0.5,0").out)
+        for word in ("1,2", "0,0,0", "1,2,3,4", "1,-1,0", "a,b,c", "1,,0"):
+            self.wrong(806, "balance", path, "--weights", word)
+
     def test_centrodes(self):
         path = os.path.join(ROOT, "examples", "four-bar.yaml")
         drawn = self.good("draw", path, "--centrodes", "crank,rocker").out
