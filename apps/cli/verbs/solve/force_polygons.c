@@ -39,13 +39,6 @@ void yk_force_polygon_text(YkSession *session)
     yk_force_polygons_free(p);
 }
 
-static void add_pair(YkJson *json, const char *key, const double value[2])
-{
-    yk_json_list(json, key, YK_JSON_INLINE);
-    for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, value[i]);
-    yk_json_end(json);
-}
-
 static void add_vector(const YkSession *session, YkJson *json, const YkForceVector *v)
 {
     yk_json_object(json, NULL, YK_JSON_INLINE);
@@ -53,9 +46,9 @@ static void add_vector(const YkSession *session, YkJson *json, const YkForceVect
     yk_json_string(json, "name", v->name);
     yk_json_string(json, "part", parts[v->part]);
     if (v->by != YK_NOT_FOUND) yk_json_string(json, "by", yk_model_body_name(session->model, v->by));
-    add_pair(json, "at", v->at);
-    add_pair(json, "start", v->start);
-    add_pair(json, "value", v->value);
+    yk_polygon_pair(json, "at", v->at);
+    yk_polygon_pair(json, "start", v->start);
+    yk_polygon_pair(json, "value", v->value);
     yk_json_number(json, "moment", v->moment);
     if (!v->is_determinate) yk_json_bool(json, "determinate", false);
     yk_json_end(json);

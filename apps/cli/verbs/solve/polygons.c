@@ -67,7 +67,7 @@ void yk_polygon_text(YkSession *session, const YkState *state)
     yk_polygon_free(p);
 }
 
-static void add_pair(YkJson *json, const char *key, const double value[2])
+void yk_polygon_pair(YkJson *json, const char *key, const double value[2])
 {
     yk_json_list(json, key, YK_JSON_INLINE);
     for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, value[i]);
@@ -83,8 +83,8 @@ static void add_vector(const YkSession *session, YkJson *json, const YkPolygonVe
     yk_json_string(json, "body", yk_model_body_name(session->model, v->body));
     if (v->joint != YK_NOT_FOUND) yk_json_string(json, "joint", yk_model_joint_name(session->model, v->joint));
     yk_json_integer(json, "step", (long long)v->step);
-    add_pair(json, "start", v->start);
-    add_pair(json, "value", v->value);
+    yk_polygon_pair(json, "start", v->start);
+    yk_polygon_pair(json, "value", v->value);
     yk_json_end(json);
 }
 
@@ -109,8 +109,8 @@ void yk_polygon_json(YkSession *session, YkJson *json, const YkState *state)
         YkPolygonImage image = yk_polygon_image(p, k);
         yk_json_object(json, NULL, YK_JSON_INLINE);
         yk_json_string(json, "name", image.name);
-        add_pair(json, "at", image.at);
-        add_pair(json, "value", image.value);
+        yk_polygon_pair(json, "at", image.at);
+        yk_polygon_pair(json, "value", image.value);
         yk_json_end(json);
     }
     yk_json_end(json);
