@@ -42,6 +42,7 @@ typedef struct YkRequest {
     const char *what, *svg; // derive
     const char *animate;    // draw
     const char *polygon;    // draw, solve
+    const char *centrodes;  // draw
     const char *assembly;
     const char *time, *over, *of, *steps, *poses, *plot, *output, *format_word;
     const char *from, *to, *tolerance, *every, *method, *step, *starts; // simulate, rest
@@ -55,6 +56,7 @@ typedef struct YkRequest {
     const char *within;        // solve --all, synthesize
     const char *task;          // new
     const char *fluctuation;   // balance
+    const char *weights;       // balance
     bool defects, centers;     // synthesize; solve, draw
     bool so_far;               // synthesize
     const char *prefix;        // code

@@ -11,6 +11,9 @@ extern "C" {
 typedef struct YkBalancingOptions {
     size_t steps;       // poses of a cycle, default 360
     double fluctuation; // of the speed, (largest - least) / mean: for the flywheel; default 0.05
+    // Of shaking force, shaking moment and input effort, each over its root mean square before: what a compromise keeps
+    // small. All 0, the default: the force alone, in full where counterweights can.
+    double weight[3];
 } YkBalancingOptions;
 YK_API YkBalancingOptions yk_default_balancing_options(void);
 
@@ -33,7 +36,8 @@ typedef struct YkCounterweight {
 typedef struct YkBalancing YkBalancing;
 // Finds counterweights: on the bodies pinned to the ground, and where these do not suffice on others. The state is solved
 // and has one input, whose rate, or 1, is that of the cycle. Least squares over the cycle's poses decide; they are exact
-// where a full balance of force exists. Returns NULL with a problem otherwise. Source: Berkof & Lowen 1969 (four-bars);
+// where a full balance of force exists. With weights, the counterweights are on the bodies pinned to the ground alone,
+// where they make the weighted sum of mean squares least. Returns NULL with a problem otherwise. Source: Berkof & Lowen 1969 (four-bars);
 // Tepper & Lowen 1972 (when a full balance exists).
 YK_API YkBalancing *yk_balancing_new(const YkState *state, const YkBalancingOptions *options, YkProblems *problems);
 YK_API void yk_balancing_free(YkBalancing *balancing);

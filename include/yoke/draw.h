@@ -3,6 +3,7 @@
 #define YOKE_DRAW_H
 
 #include <yoke/centers.h>
+#include <yoke/centrodes.h>
 #include <yoke/sweep.h>
 
 #ifdef __cplusplus
@@ -29,6 +30,9 @@ YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state); // a
 // Adds instant centres, those of the last pose: marks with the names of both bodies, with the lines of Kennedy's theorem;
 // centres far away or at infinity are told below. NULL: none. Returns YK_OK or YK_NO_MEMORY.
 YK_API YkStatus yk_drawing_centers(YkDrawing *drawing, const YkCenters *centers);
+// Adds centrodes, as they lie at the last pose: the first body's drawn out, the second's dashed; what is farther from the
+// machine than it is large is left out. Returns YK_OK or YK_NO_MEMORY.
+YK_API YkStatus yk_drawing_centrodes(YkDrawing *drawing, const YkCentrodes *centrodes);
 YK_API const char *yk_drawing_svg(YkDrawing *drawing); // a whole SVG document; NULL when out of memory
 // Returns the drawing, made with options.moving, at a pose. The elements of body 3 have class b3; the
 // names of joint 2 and body 3 have classes j2 and n3. Returns NULL when out of memory.

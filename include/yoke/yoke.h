@@ -41,7 +41,9 @@
 #include <yoke/design.h>
 #include <yoke/synthesis.h>
 #include <yoke/centers.h>
+#include <yoke/centrodes.h>
 #include <yoke/polygon.h>
+#include <yoke/force_polygon.h>
 #include <yoke/balancing.h>
 #include <yoke/derive.h>
 #include <yoke/train.h>

@@ -42,7 +42,10 @@ static YkStatus balance(YkBalancing *balancing, const YkState *state, const YkBa
         balancing->flywheel = cycle.turns && options->fluctuation > 0
                                   ? yk_cycle_swing(&cycle, torques) / (options->fluctuation * cycle.rate * cycle.rate)
                                   : (double)NAN;
-        status = yk_balancing_weigh(&cycle, state, balancing);
+        const double *weight = options->weight;
+        bool is_compromise = weight[0] + weight[1] + weight[2] > 0;
+        status = is_compromise ? yk_balancing_compromise(&cycle, state, torques, weight, balancing)
+                               : yk_balancing_weigh(&cycle, state, balancing);
     }
     if (status >= 0 && !yk_balancing_write(state->mech->model, balancing)) status = YK_NO_MEMORY;
     if (status >= 0) status = measure_after(balancing, &cycle, state);

@@ -32,8 +32,17 @@ YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPea
 // Returns the energy that flows in and out of the machine about a steady torque, J.
 double yk_cycle_swing(const YkCycle *cycle, const double *torques);
 
+// Finds what inertia does to the frame at a pose: its force, and its moment about the input's pivot.
+YkVec yk_cycle_shaking(const YkState *state, double *moment);
+YkVec yk_cycle_pivot(const YkState *state); // the input's in the world, or the origin
+
 // balancing_weights.c: finds the counterweights.
 YkStatus yk_balancing_weigh(const YkCycle *cycle, const YkState *state, YkBalancing *balancing);
+// Returns how far the counterweight of a body lies from its pin: half as far as its farthest point.
+double yk_balancing_radius(const YkModel *model, size_t joint, size_t body, double size);
+// balancing_compromise.c: finds the counterweights for weights of force, moment and effort. torques: the effort before.
+YkStatus yk_balancing_compromise(const YkCycle *cycle, const YkState *state, const double *torques,
+                                 const double weight[3], YkBalancing *balancing);
 // balancing_model.c: adds the model of the state with the counterweights as text. False when it cannot be written.
 bool yk_balancing_write(const YkModel *model, YkBalancing *balancing);
 

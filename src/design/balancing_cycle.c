@@ -43,8 +43,7 @@ YkStatus yk_cycle_pose(const YkCycle *cycle, YkState *state, size_t k)
     return status >= 0 && !yk_state_has_rates(state) ? YK_BAD_ARGUMENT : status;
 }
 
-// The pivot of the input in the world, or the origin.
-static YkVec pivot_of(const YkState *state)
+YkVec yk_cycle_pivot(const YkState *state)
 {
     size_t coordinate = yk_input_coordinate(state->mech, 0);
     const YkJoint *joint = &state->mech->model->joints[yk_coordinate_info(state->mech, coordinate).joint];
@@ -52,20 +51,26 @@ static YkVec pivot_of(const YkState *state)
     return joint->body[0] == 0 ? yk_add(ground.at, yk_mul(ground.e, joint->at[0])) : yk_vec(0, 0);
 }
 
-// The force and moment of inertia on the frame at a pose.
-static void add_shaking(const YkState *state, YkVec pivot, YkShakingPeaks *peaks)
+YkVec yk_cycle_shaking(const YkState *state, double *moment)
 {
     const YkModel *model = state->mech->model;
-    YkVec force = yk_vec(0, 0);
-    double moment = 0;
+    YkVec force = yk_vec(0, 0), pivot = yk_cycle_pivot(state);
+    *moment = 0;
     for (size_t b = 1; b < model->body_count; b++) {
         const YkBody *body = &model->bodies[b];
         if (!body->has_mass) continue;
         YkBodyMotion m = yk_body_motion(state->mech, &state->space, b);
         YkVec own = yk_scale(-body->mass, m.acceleration);
         force = yk_add(force, own);
-        moment += yk_cross(yk_sub(m.at, pivot), own) - body->inertia * m.a;
+        *moment += yk_cross(yk_sub(m.at, pivot), own) - body->inertia * m.a;
     }
+    return force;
+}
+
+static void add_shaking(const YkState *state, YkShakingPeaks *peaks)
+{
+    double moment;
+    YkVec force = yk_cycle_shaking(state, &moment);
     peaks->force = fmax(peaks->force, yk_norm(force));
     peaks->moment = fmax(peaks->moment, fabs(moment));
 }
@@ -80,7 +85,7 @@ YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPea
     for (size_t k = 0; k < cycle->count && status >= 0; k++) {
         status = yk_cycle_pose(cycle, moving, k);
         if (status < 0) break;
-        add_shaking(moving, pivot_of(moving), peaks);
+        add_shaking(moving, peaks);
         status = yk_dynamics_solve(dynamics, moving, YK_METHOD_REDUCED);
         double torque = yk_dynamics_effort(dynamics, yk_input_coordinate(state->mech, 0));
         peaks->torque = fmax(peaks->torque, fabs(torque));

@@ -103,16 +103,20 @@ static YkVec mean_of(const YkVec *v, size_t count)
     return mean;
 }
 
-// Returns how far the counterweight of a body lies from its pin: half as far as its farthest point.
-static double radius_of(const Weighing *w, size_t body)
+double yk_balancing_radius(const YkModel *model, size_t joint, size_t body, double size)
 {
-    const YkBody *own = &w->model->bodies[body];
-    const YkJoint *pin = &w->model->joints[w->pin[body]];
+    const YkBody *own = &model->bodies[body];
+    const YkJoint *pin = &model->joints[joint];
     YkVec at = pin->at[pin->body[1] == (int32_t)body];
     double reach = 0;
     for (int32_t p = own->first_point; p < own->first_point + own->point_count; p++)
-        reach = fmax(reach, yk_norm(yk_sub(w->model->points[p].at, at)));
-    return reach > 0 ? reach / 2 : w->size / 10;
+        reach = fmax(reach, yk_norm(yk_sub(model->points[p].at, at)));
+    return reach > 0 ? reach / 2 : size / 10;
+}
+
+static double radius_of(const Weighing *w, size_t body)
+{
+    return yk_balancing_radius(w->model, w->pin[body], body, w->size);
 }
 
 // Fills b with what is to be balanced: the sum of m r of the machine and of the counterweights' masses at their pins,

@@ -54,6 +54,7 @@ void yk_drawing_free(YkDrawing *drawing)
     free(drawing->motions);
     free(drawing->traces);
     free(drawing->centers);
+    free(drawing->centrode);
     free(drawing->shows_center);
     yk_text_free(&drawing->svg);
     free(drawing);
@@ -129,6 +130,7 @@ static const char *write_document(YkDrawing *drawing, double seconds, bool to_an
         yk_text_puts(svg, "</g>\n");
     }
     yk_drawing_traces(drawing);
+    yk_drawing_add_centrodes(drawing);
     if (drawing->pose_count > 0) {
         yk_drawing_bodies(drawing, drawing->pose_count - 1);
         if (drawing->options.labels) yk_drawing_labels(drawing);

@@ -43,7 +43,10 @@ struct YkDrawing {
     YkCenter *centers;           // instant centres at the last pose
     bool *shows_center;          // [center_count]: it lies on the page
     size_t center_count;
-    double fixed_scale; // px per metre, for whoever shows it; 0: as large as the page allows
+    YkCentrodePoint *centrode; // [centrode_count]
+    size_t centrode_count, centrode_body[2];
+    YkVec centrode_low, centrode_high; // what of them is shown lies within, m
+    double fixed_scale;                // px per metre, for whoever shows it; 0: as large as the page allows
 };
 
 // Tells whether a joint is not drawn: a free joint, which holds nothing, and what holds a sketch's loose bodies.
@@ -124,6 +127,9 @@ void yk_drawing_labels(YkDrawing *drawing);              // names, at the last p
 void yk_drawing_include_centers(YkDrawing *drawing);
 double yk_drawing_notes(const YkDrawing *drawing);
 void yk_drawing_mark_centers(YkDrawing *drawing);
+// drawing_centrodes.c: makes the page hold what of them is near; draws both.
+void yk_drawing_include_centrodes(YkDrawing *drawing);
+void yk_drawing_add_centrodes(YkDrawing *drawing);
 void yk_drawing_margin(YkDrawing *drawing); // title and scale bar
 
 // Colours of a body: a light one to fill, a dark one for edges and words.

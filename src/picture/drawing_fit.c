@@ -60,6 +60,7 @@ void yk_drawing_fit(YkDrawing *drawing)
     for (size_t i = 0; i < drawing->trace_count * drawing->options.traced_count; i++)
         include(drawing, drawing->traces[i]);
     if (!(drawing->low.x <= drawing->high.x)) drawing->low = drawing->high = yk_vec(0, 0);
+    yk_drawing_include_centrodes(drawing);
     yk_drawing_include_centers(drawing);
     YkVec extent = yk_sub(drawing->high, drawing->low);
     double across = (page - 2 * margin) / extent.x, up = (tallest - 2 * margin) / extent.y;

@@ -1,11 +1,10 @@
 // Draws a polygon of velocities or accelerations to scale, with the steps of its construction below.
 #include <math.h>
-#include <string.h>
-#include "base/escape.h"
 #include "design/polygon.h"
+#include "picture/polygon_sheet.h"
 #include "picture/svg.h"
 
-enum { WIDTH = 800, MARGIN = 60, DRAWING = 560, LINE = 17, COLUMNS = 112 };
+enum { WIDTH = YK_SHEET_WIDTH, MARGIN = 60, DRAWING = 560 };
 
 typedef struct Page {
     YkPolygon *p;
@@ -55,20 +54,9 @@ static YkVec pixel(const Page *page, YkVec at)
 
 static void add_vector(Page *page, const YkPolygonVector *v)
 {
-    YkText style = {0};
-    YkVec a = pixel(page, yk_vec(v->start[0], v->start[1])), b = pixel(page, end_of(v)), way = yk_sub(b, a);
-    double length = yk_norm(way), head = fmin(10, 0.5 * length);
-    if (!(length > 0.05)) return;
-    YkVec along = yk_scale(head / length, way), across = yk_scale(0.35, yk_quarter(along)), back = yk_sub(b, along);
+    YkVec a = pixel(page, yk_vec(v->start[0], v->start[1])), b = pixel(page, end_of(v));
     bool is_thin = v->part == YK_POLYGON_NORMAL || v->part == YK_POLYGON_CORIOLIS;
-    yk_text_format(&style, "class=\"%s\" stroke=\"%s\" stroke-width=\"1.6\"%s", meanings[v->part], colours[v->part],
-                   is_thin ? " stroke-dasharray=\"6 3\"" : "");
-    yk_svg_line(page->svg, a, b, yk_text_get(&style));
-    yk_text_clear(&style);
-    yk_text_format(&style, "fill=\"%s\"", colours[v->part]);
-    yk_svg_polygon(page->svg, (const YkVec[]){b, yk_add(back, across), yk_sub(back, across)}, 3, yk_text_get(&style));
-    page->svg->failed |= style.failed;
-    yk_text_free(&style);
+    yk_sheet_arrow(page->svg, a, b, meanings[v->part], colours[v->part], is_thin);
 }
 
 // Names that would lie on one another are written side by side: images that coincide are one point of the picture.
@@ -94,15 +82,9 @@ static void add_names(Page *page)
 // A bar of 1, 2 or 5 times a power of ten, and what the colours mean.
 static void add_scale(Page *page)
 {
-    double target = 120 / page->scale, size = yk_pow(10, floor(yk_log10(target))), y = page->height - 14;
-    size *= target >= 5 * size ? 5 : target >= 2 * size ? 2 : 1;
-    YkText text = {0};
-    YkVec a = yk_vec(MARGIN, y), b = yk_vec(MARGIN + size * page->scale, y);
-    yk_svg_line(page->svg, a, b, "class=\"scale\" stroke=\"#1d1f21\" stroke-width=\"2\"");
-    yk_text_format(&text, "%e %s", size, page->p->kind == YK_POLYGON_VELOCITY ? "m/s" : "m/s^2");
-    yk_svg_word(page->svg, yk_add(b, yk_vec(8, 4)), yk_text_get(&text), "");
-    yk_text_free(&text);
-    double x = b.x + 130;
+    double y = page->height - 14;
+    const char *unit = page->p->kind == YK_POLYGON_VELOCITY ? "m/s" : "m/s^2";
+    double x = yk_sheet_scale(page->svg, yk_vec(MARGIN, y), page->scale, 120, unit) + 130;
     for (int part = 0; part <= YK_POLYGON_CORIOLIS; part++) {
         bool has = false;
         YkText style = {0};
@@ -115,43 +97,6 @@ static void add_scale(Page *page)
     }
 }
 
-// Breaks a line of words into lines of the page; returns where the next begins.
-static double add_step(Page *page, size_t number, const char *words, double y, bool writes)
-{
-    YkText line = {0};
-    yk_text_format(&line, "%z. ", number + 1);
-    for (size_t at = 0, length = strlen(words); at < length; y += LINE) {
-        size_t room = COLUMNS - 3, end = length - at <= room ? length : at + room;
-        while (end < length && end > at && words[end] != ' ') end--;
-        if (end == at) end = length - at <= room ? length : at + room;
-        if (at > 0) yk_text_puts(&line, "    ");
-        yk_text_add(&line, words + at, end - at);
-        if (writes) yk_svg_word(page->svg, yk_vec(MARGIN / 2, y), yk_text_get(&line), "");
-        yk_text_clear(&line);
-        at = end + (end < length && words[end] == ' ');
-    }
-    page->svg->failed |= line.failed;
-    yk_text_free(&line);
-    return y + 6;
-}
-
-static void open_page(Page *page, double height)
-{
-    YkText *svg = page->svg;
-    bool is_velocity = page->p->kind == YK_POLYGON_VELOCITY;
-    yk_text_format(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"", (int)WIDTH);
-    yk_svg_number(svg, height);
-    yk_text_format(svg, "\" viewBox=\"0 0 %d ", (int)WIDTH);
-    yk_svg_number(svg, height);
-    yk_text_format(
-        svg,
-        "\" data-scale=\"%g\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"13\">\n<title>",
-        page->scale);
-    yk_escape_xml(svg, page->p->model->name);
-    yk_text_format(svg, ": %s polygon</title>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fcfcfa\"/>\n",
-                   is_velocity ? "velocity" : "acceleration");
-}
-
 const char *yk_polygon_svg(YkPolygon *p)
 {
     if (!p) return NULL;
@@ -159,12 +104,17 @@ const char *yk_polygon_svg(YkPolygon *p)
     yk_text_clear(&p->svg);
     fit(&page);
     double y = page.height + 26, end = y;
-    for (size_t k = 0; k < p->step_count; k++) end = add_step(&page, k, p->step[k], end, false);
-    open_page(&page, end + 6);
+    for (size_t k = 0; k < p->step_count; k++) end = yk_sheet_words(&p->svg, k, p->step[k], end, false);
+    YkText scale = {0};
+    yk_text_format(&scale, " data-scale=\"%g\"", page.scale);
+    yk_sheet_open(&p->svg, end + 6, yk_text_get(&scale), p->model->name,
+                 p->kind == YK_POLYGON_VELOCITY ? "velocity polygon" : "acceleration polygon");
+    p->svg.failed |= scale.failed;
+    yk_text_free(&scale);
     for (size_t k = 0; k < p->vector_count; k++) add_vector(&page, &p->vector[k]);
     add_names(&page);
     add_scale(&page);
-    for (size_t k = 0; k < p->step_count; k++) y = add_step(&page, k, p->step[k], y, true);
+    for (size_t k = 0; k < p->step_count; k++) y = yk_sheet_words(&p->svg, k, p->step[k], y, true);
     yk_text_puts(&p->svg, "</svg>\n");
     return p->svg.failed ? NULL : yk_text_get(&p->svg);
 }

@@ -97,6 +97,7 @@ static void reduce(const YkPathProblem *p, YkPathTry *try)
     for (size_t k = 0; k < p->count && p->task->path.timing != YK_TIMING_ANGLES; k++) try->angle[k] += turns;
     if (p->low[YK_BAR_TURN] < p->high[YK_BAR_TURN])
         try->bar.v[YK_BAR_TURN] = yk_remainder(try->bar.v[YK_BAR_TURN], 2 * YK_PI);
+    yk_path_turn_angles(p, try);
 }
 
 // Judges a try that was improved to the end, where it is among the best.

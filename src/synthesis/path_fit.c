@@ -24,6 +24,12 @@ bool yk_path_work(YkArena *arena, size_t count, YkPathWork *work)
     return work->now && work->next && work->row && work->miss && work->A && work->b && work->angle;
 }
 
+void yk_path_turn_angles(const YkPathProblem *problem, YkPathTry *try)
+{
+    for (size_t k = 0; k < problem->count && problem->follows; k++)
+        try->angle[k] = problem->angle[k] + try->bar.v[YK_BAR_TURN];
+}
+
 static double squared(double x)
 {
     return x * x;
@@ -57,11 +63,13 @@ bool yk_path_measure(const YkPathProblem *problem, YkPathWork *work, YkPathTry *
 
 // --- the linear problem
 
-static void add_row(YkPathWork *work, size_t *rows, const YkBarPoint *p, YkVec along, YkVec miss, bool shifts)
+static void add_row(const YkPathProblem *problem, YkPathWork *work, size_t *rows, const YkBarPoint *p, YkVec along,
+                    YkVec miss)
 {
     double *row = &work->row[*rows * N];
     for (size_t j = 0; j < YK_BAR_SIZE; j++) row[j] = yk_dot(along, p->by[j]);
-    row[SHIFT] = shifts ? yk_dot(along, p->by_input) : 0;
+    if (problem->follows) row[YK_BAR_TURN] += yk_dot(along, p->by_input);
+    row[SHIFT] = problem->shifts ? yk_dot(along, p->by_input) : 0;
     work->miss[(*rows)++] = yk_dot(along, miss);
 }
 
@@ -73,11 +81,11 @@ static size_t linearise(const YkPathProblem *problem, YkPathWork *work, const Yk
         YkVec miss = yk_sub(p->at, problem->point[k]);
         double speed = yk_norm(p->by_input);
         if (!problem->is_timed && speed > 0) { // along the curve the angle makes up for the miss
-            add_row(work, &rows, p, yk_scale(1 / speed, yk_quarter(p->by_input)), miss, false);
+            add_row(problem, work, &rows, p, yk_scale(1 / speed, yk_quarter(p->by_input)), miss);
             continue;
         }
-        add_row(work, &rows, p, yk_vec(1, 0), miss, problem->shifts);
-        add_row(work, &rows, p, yk_vec(0, 1), miss, problem->shifts);
+        add_row(problem, work, &rows, p, yk_vec(1, 0), miss);
+        add_row(problem, work, &rows, p, yk_vec(0, 1), miss);
     }
     double excess[YK_PATH_LIMITS], by[YK_PATH_LIMITS][YK_BAR_SIZE];
     size_t limits = yk_path_limits(problem, &try->bar, excess, by);
@@ -126,6 +134,7 @@ static void move(const YkPathProblem *problem, const YkPathWork *work, const YkP
         }
         to->angle[k] = from->angle[k] + turn;
     }
+    yk_path_turn_angles(problem, to);
 }
 
 bool yk_path_improve(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try, size_t steps)

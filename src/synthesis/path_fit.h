@@ -15,6 +15,7 @@ typedef struct YkPathProblem {
     size_t count;
     YkDesignKind kind;
     bool hangs_at_end, has_box, is_timed, shifts, turns; // box: for the pivot that is not a dimension
+    bool follows;                                        // the angles are counted from the ground, and turn with it
     double low[YK_PATH_UNKNOWNS], high[YK_PATH_UNKNOWNS];
     double size; // of the points, m
     YkVec middle;
@@ -38,6 +39,8 @@ typedef struct YkPathWork {
     double weight; // of a limit's excess against a distance
 } YkPathWork;
 
+// Gives a try the angles that follow its ground, if the problem has such.
+void yk_path_turn_angles(const YkPathProblem *problem, YkPathTry *try);
 // Makes the scratch space in an arena. Returns false when out of memory.
 bool yk_path_work(YkArena *arena, size_t count, YkPathWork *work);
 // Finds error and cost. Returns false where the bar does not close at some point.

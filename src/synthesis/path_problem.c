@@ -45,6 +45,7 @@ static void pose(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
     p->middle = yk_scale(0.5, yk_add(low, high));
     p->is_timed = path->timing != YK_TIMING_ANY;
     p->shifts = path->timing == YK_TIMING_STEP;
+    p->follows = path->from_ground;
     p->turns = task->turns || path->is_closed;
     p->has_box = task->pivots[0].is_given && !(path->pivot[0].is_given && path->pivot[1].is_given);
     double near = least * p->size, far = most * p->size, wide = fmax(far, 2 * task->lengths.high);

@@ -144,7 +144,7 @@ static bool is_near_limits(const YkPathProblem *problem, const YkBar *bar)
 
 static bool has_turn(const YkPathProblem *problem)
 {
-    return !problem->angle && !problem->task->path.ground_angle.is_given;
+    return (!problem->angle || problem->follows) && !problem->task->path.ground_angle.is_given;
 }
 
 // Draws all numbers of a bar. Returns whether it is drawn within its bounds; otherwise these are ratios.
@@ -156,12 +156,14 @@ static bool draw_numbers(const YkPathProblem *problem, uint64_t *seed, YkPathTry
     bool is_in_box = problem->task->lengths.is_given && yk_mix_next(seed) & 1;
     if (is_in_box) {
         draw_in_box(problem, seed, &try->bar);
+        yk_path_turn_angles(problem, try);
         return true;
     }
     draw_shape(problem, seed, &try->bar);
     try->bar.v[YK_BAR_TURN] = path->ground_angle.is_given ? path->ground_angle.value
                               : has_turn(problem)         ? 0
                                                           : between(seed, -YK_PI, YK_PI);
+    yk_path_turn_angles(problem, try);
     return false;
 }
 
@@ -175,6 +177,7 @@ bool yk_path_draw(const YkPathProblem *problem, YkPathWork *work, uint64_t *seed
     if (!draw_numbers(problem, seed, try)) {
         if (!is_near_limits(problem, &try->bar) || !place(problem, work, try, has_turn(problem))) return false;
         clip(problem, &try->bar);
+        yk_path_turn_angles(problem, try);
     }
     return is_near_limits(problem, &try->bar) && yk_path_measure(problem, work, try);
 }

@@ -17,13 +17,14 @@ static const Kind kinds[YK_TASK_KINDS] = {
      yk_task_check_function,
      {"of", "x", "input", "output", "samples", "evened", "pairs"}},
     {"stroke", yk_task_read_stroke, yk_task_check_stroke, {"swing", "stroke", "time_ratio"}},
-    {"path", yk_task_read_path, yk_task_check_path, {"points", "closed", "angles"}},
+    {"path", yk_task_read_path, yk_task_check_path, {"points", "closed", "angles", "angles_from"}},
     {"machine", yk_task_read_machine, yk_task_check_machine, {"machine", "free", "over", "goals"}},
 };
-static const char *const keys[] = {"name",    "synthesis", "units",     "parameters", "mechanisms", "fix",    "bounds",
-                                   "require", "best",      "positions", "of",         "x",          "input",  "output",
-                                   "samples", "pairs",     "swing",     "stroke",     "time_ratio", "points", "closed",
-                                   "angles",  "evened",    "machine",   "free",       "over",       "goals",  NULL};
+static const char *const keys[] = {"name",       "synthesis", "units",   "parameters", "mechanisms", "fix",
+                                   "bounds",     "require",   "best",    "positions",  "of",         "x",
+                                   "input",      "output",    "samples", "pairs",      "swing",      "stroke",
+                                   "time_ratio", "points",    "closed",  "angles",     "evened",     "angles_from",
+                                   "machine",    "free",      "over",    "goals",      NULL};
 
 const char *yk_task_kind(const YkTask *task)
 {

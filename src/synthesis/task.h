@@ -71,8 +71,9 @@ typedef struct YkPathTask {
     size_t count;
     bool is_closed;
     YkPathTiming timing;
-    double *angle; // [count], absolute, rad; NULL unless they are given
-    double step;   // between successive points, rad
+    double *angle;    // [count], rad; NULL unless they are given
+    bool from_ground; // they are counted from the line from input to output pivot; otherwise absolute
+    double step;      // between successive points, rad
     YkGivenPoint pivot[YK_SIDES];
     YkGiven ground_angle;
     YkPlace place;

@@ -64,6 +64,24 @@ static void read_angles(YkTaskReader *reader)
     }
 }
 
+// `angles_from: ground`, which asks for angles one by one.
+static void read_angles_from(YkTaskReader *reader)
+{
+    static const char *const words[] = {"x", "ground", NULL};
+    YkLoader *loader = reader->loader;
+    YkPathTask *path = &reader->task->path;
+    size_t found = 0;
+    const YkNode *node = yk_node_get(loader->root, "angles_from");
+    if (!node || !yk_task_word(reader, loader->root, "angles_from", words, &found)) return;
+    path->from_ground = found == 1;
+    const YkNode *angles = yk_node_get(loader->root, "angles");
+    if (angles && angles->kind != YK_NODE_MAP) return;
+    yk_problem(loader->problems, angles ? YK_CODE_RIVAL_KEYS : YK_CODE_MISSING_KEY, node->place,
+               angles ? "the first of the `angles` is free: `angles_from` has nothing to count"
+                      : "`angles_from` says how `angles` are counted, which are not given");
+    yk_problem_hint(loader->problems, "give one angle for each point, as in angles: [30 deg, 60 deg], or leave it out");
+}
+
 void yk_task_read_path(YkTaskReader *reader)
 {
     static const char *const own[] = {"input_pivot", "output_pivot", "ground_angle", NULL};
@@ -76,6 +94,7 @@ void yk_task_read_path(YkTaskReader *reader)
     path->is_closed = yk_task_yes(reader, loader->root, "closed", false);
     read_points(reader);
     read_angles(reader);
+    read_angles_from(reader);
 }
 
 // --- values

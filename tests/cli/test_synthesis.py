@@ -220,12 +220,59 @@ units: {length: mm}
         self.assertIn('class="center"', self.good("draw", path, "--centers").out)
         free = os.path.join(ROOT, "examples", "driven-coupler.yaml")
         for verb in ("solve", "draw"):
-            self.wrong(806, verb, path, "--polygon", "force")
+            self.wrong(806, verb, path, "--polygon", "torque")
             self.assertEqual(Run(verb, free, "--polygon", "velocity").code, 1)
         self.wrong(806, "solve", path, "--polygon", "velocity", "--format", "csv")
         self.wrong(806, "draw", path, "--polygon", "velocity", "--trace", "ram.C")
         self.wrong(806, "draw", path, "--centers", "--animate", "a.svg")
         self.assertEqual(Run("draw", os.path.join(ROOT, "examples", "double-pendulum.yaml"), "--centers").code, 1)
+
+    def test_balance_compromises(self):
+        path = os.path.join(ROOT, "examples", "crank-press.yaml")
+        answer = self.good("balance", path, "--weights", "1,0,0", "--format", "json").json()
+        self.assertFalse(answer["full"])
+        self.assertLess(answer["after"]["force"], answer["before"]["force"])
+        self.assertIn("compromise", self.good("balance", path, "--weights", "1,0.5,0").out)
+        for word in ("1,2", "0,0,0", "1,2,3,4", "1,-1,0", "a,b,c", "1,,0"):
+            self.wrong(806, "balance", path, "--weights", word)
+
+    def test_centrodes(self):
+        path = os.path.join(ROOT, "examples", "four-bar.yaml")
+        drawn = self.good("draw", path, "--centrodes", "crank,rocker").out
+        self.assertIn('class="centrode" data-body="crank"', drawn)
+        self.assertIn('class="centrode" data-body="rocker"', drawn)
+        self.assertIn('class="centrode" data-body="ground"', self.good("draw", path, "--centrodes", "coupler").out)
+        self.wrong(401, "draw", path, "--centrodes", "crank,nothing")
+        self.wrong(806, "draw", path, "--centrodes", "crank", "--animate", "a.svg")
+        self.wrong(806, "draw", path, "--centrodes", "crank", "--polygon", "velocity")
+        self.assertEqual(Run("draw", path, "--centrodes", "crank,crank").code, 1)
+
+    def test_force_polygons(self):
+        path = os.path.join(ROOT, "examples", "crank-press.yaml")
+        answer = self.good("solve", path, "--polygon", "force", "--format", "json").json()["configurations"][0]
+        sums, reactions = {}, 0
+        for v in answer["polygon"]["vectors"]:
+            total = sums.setdefault(v["body"], [0, 0])
+            for axis in range(2):
+                self.assertAlmostEqual(v["start"][axis], total[axis], delta=1e-9)
+                total[axis] += v["value"][axis]
+            if v["part"] == "reaction":
+                told = answer["reactions"][v["name"]]
+                sign = 1 if told["on"] == v["body"] else -1
+                self.assertEqual(v["value"], [sign * x for x in told["force"]])
+                reactions += 1
+        self.assertGreater(reactions, 5)
+        size = max(abs(x) for v in answer["polygon"]["vectors"] for x in v["value"])
+        for total in sums.values():
+            self.assertLess(max(map(abs, total)), 1e-10 * size)
+        self.assertEqual([s.split(":")[0] for s in answer["polygon"]["steps"]], list(sums))
+        told = self.good("solve", path, "--polygon", "force").out
+        for body in sums:
+            self.assertIn(". %s: " % body, told)
+        self.assertIn("force polygons", self.good("draw", path, "--polygon", "force").out)
+        light = os.path.join(ROOT, "examples", "four-bar.yaml")
+        for verb in ("solve", "draw"):
+            self.assertEqual(Run(verb, light, "--polygon", "force").code, 2)
 
     def test_new_writes_tasks_that_work(self):
         self.write("four-bar.yaml", self.good("new", "four-bar").out)

@@ -114,6 +114,104 @@ static void a_six_bar_is_balanced_with_counterweights_on_three_bodies_or_more(vo
     free(text);
 }
 
+// Of the piston's acceleration the part that turns with the crank is that of a very long rod: a counterweight on the crank
+// makes the mean square of the force least where it balances half of the piston.
+static void a_crank_alone_balances_half_of_the_piston(void **state)
+{
+    (void)state;
+    Machine m = open_text("bodies:\n  ground: {points: {O: [0, 0]}}\n"
+                          "  crank: {points: {O: [0, 0], A: [.1, 0]}, mass: 1, center: [.04, 0], inertia: 0}\n"
+                          "  rod: {points: {A: [0, 0], B: [.25, 0]}}\n  piston: {points: {B: [0, 0]}, mass: 3}\n"
+                          "joints:\n  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+                          "  S: {slide: [ground, piston], along: x, distance: s}\n  B: {pin: [rod, piston]}\n"
+                          "drives: {theta: 10 rad/s * t}\nstart: {phi: 0, s: .3}\n");
+    YkBalancingOptions options = yk_default_balancing_options();
+    options.weight[0] = 1;
+    YkBalancing *b = yk_balancing_new(m.state, &options, NULL);
+    assert_int_equal(yk_balancing_count(b), 1);
+    YkCounterweight w = yk_balancing_at(b, 0);
+    CHECK_NEAR(w.product, 1 * .04 + .5 * 3 * .1, 1e-12);
+    CHECK_NEAR(fabs(yk_remainder(w.angle, 2 * YK_PI)), YK_PI, 1e-9);
+    yk_balancing_free(b);
+    close_machine(&m);
+}
+
+// The mean squares of force, moment and effort of a four-bar with point masses at (x, y) and (u, v) of crank and rocker, as
+// the engine has them.
+static void mean_squares(const double p[4], double radius[2], double mean[3])
+{
+    char text[2000];
+    double mass[2] = {yk_hypot(p[0], p[1]) / radius[0] + 1e-12, yk_hypot(p[2], p[3]) / radius[1] + 1e-12};
+    snprintf(text, sizeof text,
+             "bodies:\n  ground: {points: {A0: [0, 0], B0: [.55, 0]}}\n"
+             "  crank: {points: {A0: [0, 0], A: [.2, 0]}, mass: %.17g, center: [%.17g, %.17g], inertia: 0}\n"
+             "  rod: {points: {A: [0, 0], B: [.6, 0]}, mass: 2, center: [.3, .05], inertia: .03}\n"
+             "  rocker: {points: {B0: [0, 0], B: [.3, 0]}, mass: %.17g, center: [%.17g, %.17g], inertia: 0}\n"
+             "joints:\n  A0: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+             "  B0: {pin: [ground, rocker], angle: psi}\n  B: {pin: [rod, rocker]}\n"
+             "drives: {theta: 2 rad/s * t}\nstart: {phi: 0.8, psi: 2}\n",
+             mass[0], p[0] / mass[0], p[1] / mass[0], mass[1], p[2] / mass[1], p[3] / mass[1]);
+    Machine m = open_text(text);
+    YkDynamics *dynamics = yk_dynamics_new(m.mech, NULL);
+    mean[0] = mean[1] = mean[2] = 0;
+    for (int k = 0; k < 90; k++) {
+        yk_state_set_time(m.state, k * YK_PI / 90, NULL);
+        assert_true(yk_state_solve(m.state) >= 0);
+        assert_true(yk_dynamics_solve(dynamics, m.state, YK_METHOD_NEWTON_EULER) >= 0);
+        YkWrench shaking = yk_dynamics_shaking(dynamics); // about the origin, which is the input's pivot
+        double effort = yk_dynamics_effort(dynamics, yk_input_coordinate(m.mech, 0));
+        mean[0] += (shaking.force[0] * shaking.force[0] + shaking.force[1] * shaking.force[1]) / 90;
+        mean[1] += shaking.moment * shaking.moment / 90;
+        mean[2] += effort * effort / 90;
+    }
+    yk_dynamics_free(dynamics);
+    close_machine(&m);
+}
+
+// No neighbour of the counterweights has a smaller weighted sum. The moment of the drive acts on the frame as well.
+static void a_compromise_is_the_least_in_its_neighbourhood(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "bodies:\n  ground: {points: {A0: [0, 0], B0: [.55, 0]}}\n  crank: {points: {A0: [0, 0], A: [.2, 0]}}\n"
+        "  rod: {points: {A: [0, 0], B: [.6, 0]}, mass: 2, center: [.3, .05], inertia: .03}\n"
+        "  rocker: {points: {B0: [0, 0], B: [.3, 0]}}\n"
+        "joints:\n  A0: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+        "  B0: {pin: [ground, rocker], angle: psi}\n  B: {pin: [rod, rocker]}\n"
+        "drives: {theta: 2 rad/s * t}\nstart: {phi: 0.8, psi: 2}\n";
+    static const double weights[][3] = {{1, 1, 0}, {1, 0, 1}, {0.5, 0.3, 2}};
+    for (size_t c = 0; c < 3; c++) {
+        Machine m = open_text(text);
+        YkBalancingOptions options = yk_default_balancing_options();
+        options.steps = 90;
+        memcpy(options.weight, weights[c], sizeof options.weight);
+        YkBalancing *b = yk_balancing_new(m.state, &options, NULL);
+        assert_int_equal(yk_balancing_count(b), c == 0 ? 2 : 1); // where the effort counts, none on the rocker
+        double p[4] = {0}, radius[2] = {0.1, 0.15}, before[3], mean[3], least = 0;
+        mean_squares(p, radius, before);
+        for (size_t k = 0; k < yk_balancing_count(b); k++) {
+            YkCounterweight w = yk_balancing_at(b, k);
+            size_t side = w.body == 1 ? 0 : 1;
+            radius[side] = w.radius;
+            p[2 * side] = w.product * yk_cos(w.angle);
+            p[2 * side + 1] = w.product * yk_sin(w.angle);
+        }
+        mean_squares(p, radius, mean);
+        for (size_t i = 0; i < 3; i++) least += weights[c][i] * mean[i] / before[i];
+        assert_true(least < weights[c][0] + weights[c][1] + weights[c][2]);
+        for (size_t k = 0; k < 8; k++) {
+            double q[4], sum = 0;
+            memcpy(q, p, sizeof q);
+            q[k / 2] += (k % 2 ? 1e-3 : -1e-3) * yk_hypot(yk_hypot(p[0], p[1]), yk_hypot(p[2], p[3]));
+            mean_squares(q, radius, mean);
+            for (size_t i = 0; i < 3; i++) sum += weights[c][i] * mean[i] / before[i];
+            assert_true(sum > least);
+        }
+        yk_balancing_free(b);
+        close_machine(&m);
+    }
+}
+
 static const char slider[] =
     "bodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A: [.1, 0]}, mass: 1, center: [.04, 0], "
     "inertia: 0}\n"
@@ -187,6 +285,8 @@ static void machines_without_masses_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_crank_alone_balances_half_of_the_piston),
+        cmocka_unit_test(a_compromise_is_the_least_in_its_neighbourhood),
         cmocka_unit_test(a_four_bar_gets_the_counterweights_of_berkof_and_lowen),
         cmocka_unit_test(a_six_bar_is_balanced_with_counterweights_on_three_bodies_or_more),
         cmocka_unit_test(a_slider_crank_is_balanced_by_its_rod_and_its_crank),

@@ -99,6 +99,26 @@ static void six_points_at_given_angles_are_met_as_well_as_published(void **state
     answer_free(&a);
 }
 
+// The publications count the angles from the ground link, whose direction is free.
+static void six_points_at_angles_from_the_ground_are_met_as_well_as_published(void **state)
+{
+    (void)state;
+    Answer a = {.task = yk_task_load(YOKE_ROOT "/examples/tasks/arc-at-angles-from-ground.yaml", NULL)};
+    a.synthesis = yk_synthesis_run(a.task, NULL, NULL);
+    assert_non_null(a.synthesis);
+    YkCandidate c = yk_synthesis_candidate(a.synthesis, 0);
+    assert_true(c.error * 1e6 <= 2.5803559); // mm
+    for (size_t k = 0; k < yk_synthesis_count(a.synthesis); k++) {
+        c = yk_synthesis_candidate(a.synthesis, k);
+        double ground = yk_atan2(c.pivots[1][1] - c.pivots[0][1], c.pivots[1][0] - c.pivots[0][0]);
+        for (size_t i = 0; i < 6; i++) {
+            double angle = yk_synthesis_angles(a.synthesis, k, NULL)[i] - ground;
+            CHECK_NEAR(yk_remainder(angle - (double)(i + 1) * YK_PI / 6, 2 * YK_PI), 0, 1e-11);
+        }
+    }
+    answer_free(&a);
+}
+
 static void ten_points_of_an_oval_are_met_as_well_as_published(void **state)
 {
     (void)state;
@@ -171,6 +191,16 @@ static void given_angles_give_the_one_four_bar_that_has_them(void **state)
     snprintf(text + at, sizeof text - at, "]\n");
     Answer a = answer_to(text);
     YkCandidate c = yk_synthesis_candidate(a.synthesis, 0);
+    assert_true(c.error < 1e-20 && is_the_bar(&c));
+    answer_free(&a);
+    // The same bar, whose ground has a direction of 0.4 rad.
+    at = write_points(text, sizeof text, point, 9);
+    at += (size_t)snprintf(text + at, sizeof text - at, "best: 1\nangles_from: ground\nangles: [");
+    for (size_t k = 0; k < 9; k++)
+        at += (size_t)snprintf(text + at, sizeof text - at, "%s%.17g", k ? ", " : "", 0.2 + 0.3 * (double)k);
+    snprintf(text + at, sizeof text - at, "]\n");
+    a = answer_to(text);
+    c = yk_synthesis_candidate(a.synthesis, 0);
     assert_true(c.error < 1e-20 && is_the_bar(&c));
     answer_free(&a);
     at = write_points(text, sizeof text, point, 9);
@@ -409,6 +439,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(six_points_of_a_line_are_met_to_rounding),
         cmocka_unit_test(six_points_at_given_angles_are_met_as_well_as_published),
+        cmocka_unit_test(six_points_at_angles_from_the_ground_are_met_as_well_as_published),
         cmocka_unit_test(ten_points_of_an_oval_are_met_as_well_as_published),
         cmocka_unit_test(a_closed_curve_gives_its_four_bar_and_the_cognate_with_a_crank),
         cmocka_unit_test(given_angles_give_the_one_four_bar_that_has_them),

@@ -91,6 +91,10 @@ static void every_mistake_has_its_code_and_place(void **state)
     refuse("synthesis: function\nof: x*1 m\nx: [1, 2]\ninput: 1\noutput: 1\n", YK_CODE_WRONG_DIMENSION, 2);
     refuse("synthesis: function\npairs: [[0, 0], [1, 1]]\n", YK_CODE_TASK_POSITIONS, 2);
     refuse("synthesis: function\npairs: [[0, 0], [1, 1], [.5, 2]]\n", YK_CODE_TASK_FUNCTION, 2);
+    refuse("synthesis: path\npoints: [[0, 0], [1, 1]]\nangles_from: ground\n", YK_CODE_MISSING_KEY, 3);
+    refuse("synthesis: path\npoints: [[0, 0], [1, 1]]\nangles: {from: free, step: 1}\nangles_from: ground\n",
+           YK_CODE_RIVAL_KEYS, 4);
+    refuse("synthesis: path\npoints: [[0, 0], [1, 1]]\nangles: [0, 1]\nangles_from: y\n", YK_CODE_WRONG_WORD, 4);
     refuse("synthesis: stroke\n", YK_CODE_MISSING_KEY, 1);
     refuse("synthesis: stroke\nswing: 1\nstroke: 1\n", YK_CODE_RIVAL_KEYS, 3);
     refuse("synthesis: stroke\nswing: 200 deg\n", YK_CODE_TASK_FUNCTION, 2);

@@ -66,8 +66,9 @@ static void write_text(YkSession *session, const YkBalancing *b, double fluctuat
     YkText *out = &session->out;
     double flywheel = yk_balancing_flywheel(b);
     yk_text_format(out, "%s: %s\n", yk_model_name(session->model),
-                   yk_balancing_is_full(b) ? "counterweights keep the centre of mass still"
-                                           : "no counterweights keep the centre of mass still; these move it least");
+                   session->request->weights ? "a compromise of shaking force, shaking moment and input effort"
+                   : yk_balancing_is_full(b) ? "counterweights keep the centre of mass still"
+                                             : "no counterweights keep the centre of mass still; these move it least");
     if (yk_balancing_count(b) > 0) write_weights(session, b);
     write_shaking(session, b);
     if (isfinite(flywheel))
@@ -128,6 +129,25 @@ static bool write_files(YkSession *session, const YkBalancing *b, double fluctua
     return good;
 }
 
+// Reads --weights F,M,T: three numbers, none below 0 and one above.
+static bool read_weights(YkSession *session, double weight[3])
+{
+    const char *at = session->request->weights;
+    bool good = true;
+    if (!at) return true;
+    for (size_t k = 0; k < 3 && good; k++) {
+        size_t length = strcspn(at, ",");
+        good = length > 0 && yk_number_read(at, length, &weight[k]) == length && weight[k] >= 0 && weight[k] <= 1e6;
+        good = good && (at[length] == ',') == (k < 2);
+        at += length + (k < 2);
+    }
+    if (good && weight[0] + weight[1] + weight[2] > 0) return true;
+    return yk_session_refuse(
+        session, YK_CODE_OPTION_VALUE,
+        "--weights takes three numbers from 0, as in 1,0.5,0.5, for force, moment and effort, not %q",
+        session->request->weights);
+}
+
 static bool read_options(YkSession *session, YkBalancingOptions *options)
 {
     enum { STEPS_MAX = 20000 };
@@ -140,6 +160,7 @@ static bool read_options(YkSession *session, YkBalancingOptions *options)
                  !(options->fluctuation > 0) || options->fluctuation >= 2))
         return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--fluctuation takes a number between 0 and 2, not %q",
                                  word);
+    if (!read_weights(session, options->weight)) return false;
     if (!yk_session_count(session, "--steps", request->steps, STEPS_MAX, options->steps, &options->steps)) return false;
     return !request->output || yk_folder_is_free(request->output, session->problems);
 }

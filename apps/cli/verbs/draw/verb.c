@@ -7,6 +7,7 @@
 #include "range.h"
 #include "reach.h"
 #include "stop.h"
+#include "verbs/draw/polygons.h"
 #include "verbs/solve/solve.h"
 #include "write/file.h"
 
@@ -18,7 +19,8 @@ typedef struct Drawer {
     YkOver over;
     bool has_range; // over.from, over.to are set
     size_t poses;
-    size_t *points; // traced
+    size_t *points;      // traced
+    size_t centrodes[2]; // the bodies of --centrodes
     YkDrawing *drawing;
 } Drawer;
 
@@ -147,23 +149,43 @@ static bool add_centers(Drawer *drawer)
     return good;
 }
 
-// Draws the polygon of the pose in place of the machine.
-static bool draw_polygon(YkSession *session, YkFileKind kind)
+// Finds the bodies of --centrodes: two with a comma between them, or one and the ground.
+static bool find_bodies(YkSession *session, size_t body[2])
 {
-    YkPolygonKind what;
-    if (!yk_polygon_read(session, &what)) return false;
-    YkPolygon *polygon = yk_polygon_new(session->state, what, session->problems);
-    if (!polygon) return false;
-    const char *svg = yk_polygon_svg(polygon);
-    bool good = svg ? yk_convert_svg(svg, kind, &session->out, session->problems)
-                    : yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    yk_polygon_free(polygon);
+    const char *words = session->request->centrodes, *comma = strchr(words, ',');
+    YkText names[2] = {{0}, {0}};
+    bool good = true;
+    yk_text_puts(&names[0], comma ? "" : "ground");
+    if (comma) yk_text_add(&names[0], words, (size_t)(comma - words));
+    yk_text_puts(&names[1], comma ? comma + 1 : words);
+    for (size_t k = 0; k < 2 && good; k++) {
+        body[k] = yk_model_find_body(session->model, yk_text_get(&names[k]));
+        if (body[k] != YK_NOT_FOUND) continue;
+        good = yk_session_refuse(session, YK_CODE_UNKNOWN_BODY, "the machine has no body %q", yk_text_get(&names[k]));
+        yk_problem_hint(session->problems,
+                        "--centrodes takes two bodies, as in `crank,rocker`, or one, against the ground");
+    }
+    session->out.failed |= names[0].failed || names[1].failed;
+    for (size_t k = 0; k < 2; k++) yk_text_free(&names[k]);
+    return good;
+}
+
+static bool add_centrodes(Drawer *drawer)
+{
+    enum { STEPS = 720 };
+    YkSession *session = drawer->session;
+    if (!session->request->centrodes) return true;
+    YkCentrodes *centrodes =
+        yk_centrodes_new(session->state, drawer->centrodes[0], drawer->centrodes[1], STEPS, session->problems);
+    bool good = centrodes && yk_drawing_centrodes(drawer->drawing, centrodes) == YK_OK;
+    if (centrodes && !good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    yk_centrodes_free(centrodes);
     return good;
 }
 
 static bool draw(Drawer *drawer, YkFileKind kind)
 {
-    if (drawer->session->request->polygon) return draw_polygon(drawer->session, kind);
+    if (drawer->session->request->polygon) return yk_draw_polygon(drawer->session, kind);
     YkSession *session = drawer->session;
     YkDrawOptions options = yk_default_draw_options();
     options.labels = !session->request->no_labels;
@@ -171,7 +193,7 @@ static bool draw(Drawer *drawer, YkFileKind kind)
     options.traced_count = session->request->trace.count;
     drawer->drawing = yk_drawing_new(session->mech, &options);
     YkStatus status = drawer->drawing ? gather(drawer) : YK_NO_MEMORY;
-    if (status == YK_OK && !add_centers(drawer)) return false;
+    if (status == YK_OK && (!add_centers(drawer) || !add_centrodes(drawer))) return false;
     const char *svg = status == YK_OK ? yk_drawing_svg(drawer->drawing) : NULL;
     if (!svg) {
         bool is_memory = status == YK_OK || status == YK_NO_MEMORY;
@@ -268,17 +290,23 @@ static bool prepare(Drawer *drawer)
         return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--steps %s needs --animate FILE", request->steps);
     YkPolygonKind kind;
     if (!yk_polygon_read(drawer->session, &kind)) return false;
-    if (request->animate && (request->polygon || request->centers))
+    if (request->animate && (request->polygon || request->centers || request->centrodes))
         return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--animate draws no %s",
-                                 request->polygon ? "polygon" : "instant centres");
-    if (request->polygon && (request->over || request->trace.count > 0 || request->centers))
-        return yk_session_refuse(session, YK_CODE_OPTION_VALUE,
-                                 "--polygon is a picture of its own: leave out --over, --trace and --centers%s", "");
+                                 request->polygon   ? "polygon"
+                                 : request->centers ? "instant centres"
+                                                    : "centrodes");
+    if (request->polygon && (request->over || request->trace.count > 0 || request->centers || request->centrodes))
+        return yk_session_refuse(
+            session, YK_CODE_OPTION_VALUE,
+            "--polygon is a picture of its own: leave out --over, --trace, --centers and --centrodes%s", "");
     drawer->has_range = request->over != NULL;
     if (request->over && !yk_over_split(session, request->over, &drawer->over)) return false;
     if (!yk_session_count(session, "--poses", request->poses, POSES_MAX, 0, &drawer->poses)) return false;
     const char *swept = request->over && strcmp(drawer->over.name, "t") != 0 ? drawer->over.name : NULL;
     if (!yk_session_load(session, swept) || !yk_session_inputs(session)) return false;
+    if (request->centrodes && !find_bodies(session, drawer->centrodes)) return false;
+    if (yk_wants_force_polygons(session) && (!yk_session_forces(session, false) || !yk_session_has_forces(session)))
+        return false;
     return (!request->over || yk_over_read(session, &drawer->over)) && find_points(drawer);
 }
 

@@ -12,7 +12,15 @@ bool yk_polygon_read(YkSession *session, YkPolygonKind *kind)
     const char *word = session->request->polygon;
     *kind = word && strcmp(word, "acceleration") == 0 ? YK_POLYGON_ACCELERATION : YK_POLYGON_VELOCITY;
     if (!word || *kind == YK_POLYGON_ACCELERATION || strcmp(word, "velocity") == 0) return true;
-    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is velocity or acceleration, not %q", word);
+    if (yk_wants_force_polygons(session)) return true;
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is velocity, acceleration or force, not %q",
+                             word);
+}
+
+bool yk_wants_force_polygons(const YkSession *session)
+{
+    const char *word = session->request->polygon;
+    return word && strcmp(word, "force") == 0;
 }
 
 bool yk_lacks_construction(const YkSession *session)
@@ -32,6 +40,10 @@ static YkPolygon *polygon_of(YkSession *session, const YkState *state)
 
 void yk_polygon_text(YkSession *session, const YkState *state)
 {
+    if (yk_wants_force_polygons(session)) {
+        yk_force_polygon_text(session);
+        return;
+    }
     static const char *const heads[] = {"from", "to", "part", "of", "x", "y", "size"};
     YkPolygon *p = polygon_of(session, state);
     if (!p) return;
@@ -55,7 +67,7 @@ void yk_polygon_text(YkSession *session, const YkState *state)
     yk_polygon_free(p);
 }
 
-static void add_pair(YkJson *json, const char *key, const double value[2])
+void yk_polygon_pair(YkJson *json, const char *key, const double value[2])
 {
     yk_json_list(json, key, YK_JSON_INLINE);
     for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, value[i]);
@@ -71,13 +83,17 @@ static void add_vector(const YkSession *session, YkJson *json, const YkPolygonVe
     yk_json_string(json, "body", yk_model_body_name(session->model, v->body));
     if (v->joint != YK_NOT_FOUND) yk_json_string(json, "joint", yk_model_joint_name(session->model, v->joint));
     yk_json_integer(json, "step", (long long)v->step);
-    add_pair(json, "start", v->start);
-    add_pair(json, "value", v->value);
+    yk_polygon_pair(json, "start", v->start);
+    yk_polygon_pair(json, "value", v->value);
     yk_json_end(json);
 }
 
 void yk_polygon_json(YkSession *session, YkJson *json, const YkState *state)
 {
+    if (yk_wants_force_polygons(session)) {
+        yk_force_polygon_json(session, json);
+        return;
+    }
     YkPolygon *p = polygon_of(session, state);
     if (!p) return;
     yk_json_object(json, "polygon", YK_JSON_LINES);
@@ -93,8 +109,8 @@ void yk_polygon_json(YkSession *session, YkJson *json, const YkState *state)
         YkPolygonImage image = yk_polygon_image(p, k);
         yk_json_object(json, NULL, YK_JSON_INLINE);
         yk_json_string(json, "name", image.name);
-        add_pair(json, "at", image.at);
-        add_pair(json, "value", image.value);
+        yk_polygon_pair(json, "at", image.at);
+        yk_polygon_pair(json, "value", image.value);
         yk_json_end(json);
     }
     yk_json_end(json);

@@ -19,6 +19,12 @@ void yk_centers_text(YkSession *session, const YkState *state);
 void yk_centers_json(YkSession *session, YkJson *json, const YkState *state);
 // Write the polygon of --polygon; at a pose without one there is a problem, and nothing is written.
 bool yk_polygon_read(YkSession *session, YkPolygonKind *kind); // false with a problem: --polygon has another word
+bool yk_wants_force_polygons(const YkSession *session);        // --polygon force
+// Makes the force polygons of session->dynamics. Returns NULL with a problem where the pose has no forces.
+YkForcePolygons *yk_force_polygons_of(YkSession *session);
+void yk_polygon_pair(YkJson *json, const char *key, const double value[2]); // "key": [x, y]
+void yk_force_polygon_text(YkSession *session);
+void yk_force_polygon_json(YkSession *session, YkJson *json);
 // Returns whether instant centres or a polygon were asked for where there are none.
 bool yk_lacks_construction(const YkSession *session);
 void yk_polygon_text(YkSession *session, const YkState *state);

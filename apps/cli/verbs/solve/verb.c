@@ -205,6 +205,7 @@ int yk_run_solve(YkSession *session)
         good = yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--centers are written as text or json, not %q", "csv");
     YkPolygonKind kind;
     good = good && yk_polygon_read(session, &kind);
+    good = good && (!yk_wants_force_polygons(session) || yk_session_has_forces(session));
     if (good && session->request->polygon && session->request->format == YK_FORMAT_CSV)
         good = yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--polygon is written as text or json, not %q", "csv");
     writer.dynamics = session->dynamics;

@@ -1,0 +1,75 @@
+// yoke solve --polygon force: the force polygon of every body, with words.
+#include <math.h>
+#include "session.h"
+#include "verbs/solve/solve.h"
+#include "write/table.h"
+
+static const char *const parts[] = {"weight", "loads", "inertia", "planets", "contact", "reaction"};
+
+YkForcePolygons *yk_force_polygons_of(YkSession *session)
+{
+    if (session->dynamics) return yk_force_polygons_new(session->dynamics, session->problems);
+    yk_session_refuse(session, YK_CODE_NO_POLYGON, "there is no force polygon: %s",
+                      session->forces_message ? session->forces_message : "the forces are not determined at this pose");
+    return NULL;
+}
+
+void yk_force_polygon_text(YkSession *session)
+{
+    static const char *const heads[] = {"on", "force", "from", "x", "y", "size", "moment"};
+    YkForcePolygons *p = yk_force_polygons_of(session);
+    if (!p) return;
+    YkTable *table = yk_table_new(7);
+    for (size_t k = 0; k < 7; k++) yk_table_head(table, heads[k], k < 3 ? NULL : k < 6 ? "N" : "N m");
+    for (size_t k = 0; k < yk_force_polygons_vector_count(p); k++) {
+        YkForceVector v = yk_force_polygons_vector(p, k);
+        yk_table_word(table, yk_model_body_name(session->model, v.body));
+        yk_table_word(table, v.name);
+        yk_table_word(table, v.by == YK_NOT_FOUND ? "" : yk_model_body_name(session->model, v.by));
+        for (size_t i = 0; i < 2; i++) yk_table_number(table, v.value[i], YK_DIGITS);
+        yk_table_number(table, sqrt(v.value[0] * v.value[0] + v.value[1] * v.value[1]), YK_DIGITS);
+        yk_table_number(table, v.moment, YK_DIGITS);
+    }
+    yk_text_puts(&session->out, "\nForce polygons\n");
+    for (size_t k = 0; k < yk_force_polygons_step_count(p); k++)
+        yk_text_format(&session->out, "  %z. %s\n", k + 1, yk_force_polygons_step(p, k));
+    yk_text_puts(&session->out, "\n");
+    yk_table_write(table, 2, &session->out);
+    yk_table_free(table);
+    yk_force_polygons_free(p);
+}
+
+static void add_vector(const YkSession *session, YkJson *json, const YkForceVector *v)
+{
+    yk_json_object(json, NULL, YK_JSON_INLINE);
+    yk_json_string(json, "body", yk_model_body_name(session->model, v->body));
+    yk_json_string(json, "name", v->name);
+    yk_json_string(json, "part", parts[v->part]);
+    if (v->by != YK_NOT_FOUND) yk_json_string(json, "by", yk_model_body_name(session->model, v->by));
+    yk_polygon_pair(json, "at", v->at);
+    yk_polygon_pair(json, "start", v->start);
+    yk_polygon_pair(json, "value", v->value);
+    yk_json_number(json, "moment", v->moment);
+    if (!v->is_determinate) yk_json_bool(json, "determinate", false);
+    yk_json_end(json);
+}
+
+void yk_force_polygon_json(YkSession *session, YkJson *json)
+{
+    YkForcePolygons *p = yk_force_polygons_of(session);
+    if (!p) return;
+    yk_json_object(json, "polygon", YK_JSON_LINES);
+    yk_json_string(json, "kind", "force");
+    yk_json_list(json, "vectors", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_force_polygons_vector_count(p); k++) {
+        YkForceVector v = yk_force_polygons_vector(p, k);
+        add_vector(session, json, &v);
+    }
+    yk_json_end(json);
+    yk_json_list(json, "steps", YK_JSON_LINES);
+    for (size_t k = 0; k < yk_force_polygons_step_count(p); k++)
+        yk_json_string(json, NULL, yk_force_polygons_step(p, k));
+    yk_json_end(json);
+    yk_json_end(json);
+    yk_force_polygons_free(p);
+}
