@@ -141,6 +141,8 @@ static void test_workspaces_are_annuli(void **unused)
     uint64_t seed = 5;
     const FiveBar usual = {0.06, {0.2, 0.2}, {0.26, 0.26}};
     check_workspace(&usual, &seed);
+    const FiveBar equal = {0.6, {1.5, 1.2}, {1.5, 1.2}}; // the dyads fold where the point is at a motor
+    check_workspace(&equal, &seed);
     for (uint64_t k = 0; k < check_cases(8); k++) {
         FiveBar f;
         f.w = check_uniform(&seed, 0.1, 0.5);
@@ -220,22 +222,52 @@ static void test_cranks_reach_what_the_couplers_span(void **unused)
     }
 }
 
-// Where both couplers are equally long and the cranks' ends meet, the couplers turn freely: told, not proved.
+// Where both couplers are equally long and the cranks' ends meet, the couplers turn freely. There cos u = w / crank, above
+// and below the motors; all about these places there are two configurations.
 static void test_places_where_a_dyad_turns_freely_are_told(void **unused)
 {
     (void)unused;
-    const FiveBar f = {0.06, {0.2, 0.2}, {0.26, 0.26}};
+    const FiveBar f = {0.06, {0.2, 0.2}, {0.3, 0.3}};
     Machine m = five_bar(&f, 2, 1);
     assert_true(stand(&m));
     YkRegions *r = regions_of(&m, 5e-3);
-    bool proved = true;
-    double u = acos(0.3); // the cranks' ends meet above the middle: cos u = w / crank
-    assert_false(yk_regions_are_complete(r));
-    assert_non_null(strstr(yk_regions_message(r), "may meet"));
-    yk_regions_at(r, u, YK_PI - u, &proved);
-    assert_false(proved);
+    double u = acos(0.3);
+    assert_true(yk_regions_are_complete(r));
+    assert_int_equal(yk_regions_count(r), 1);
+    assert_int_equal(yk_regions_region(r, 0).configurations, 2);
+    const char *places = strstr(yk_regions_message(r), "turns freely: joint `P` at ");
+    assert_non_null(places);
+    for (int k = 0; k < 2; k++) { // the place below comes first
+        char *end;
+        bool proved = true;
+        double sign = k == 0 ? -1 : 1, first = strtod(strstr(places, " at ") + 4, &end);
+        double second = strtod(strstr(end, ", ") + 2, &end);
+        CHECK_NEAR(first, sign * u, 1e-5);
+        CHECK_NEAR(second, sign * (YK_PI - u), 1e-5);
+        assert_int_equal(yk_regions_at(r, sign * u, sign * (YK_PI - u), &proved), 2);
+        assert_false(proved);
+        places = end;
+    }
+    assert_null(strstr(places, " at "));
     yk_regions_free(r);
     machine_free(&m);
+}
+
+// Where the couplers are just long enough for the cranks stretched apart, two configurations meet at one pose. Couplers
+// that differ by more than rounding do not turn freely, but fail to close within a circle narrower than the tolerance.
+static void test_places_at_which_configurations_only_touch_are_not_proved(void **unused)
+{
+    (void)unused;
+    const FiveBar touching = {0.06, {0.2, 0.2}, {0.26, 0.26}}, unequal = {0.06, {0.2, 0.2}, {0.3, 0.3 + 1e-9}};
+    for (int k = 0; k < 2; k++) {
+        Machine m = five_bar(k == 0 ? &touching : &unequal, 2, 1);
+        assert_true(stand(&m));
+        YkRegions *r = regions_of(&m, 5e-3);
+        assert_false(yk_regions_are_complete(r));
+        assert_non_null(strstr(yk_regions_message(r), "may meet"));
+        yk_regions_free(r);
+        machine_free(&m);
+    }
 }
 
 // --- groups
@@ -363,6 +395,7 @@ int main(void)
         cmocka_unit_test(test_workspaces_are_annuli),
         cmocka_unit_test(test_cranks_reach_what_the_couplers_span),
         cmocka_unit_test(test_places_where_a_dyad_turns_freely_are_told),
+        cmocka_unit_test(test_places_at_which_configurations_only_touch_are_not_proved),
         cmocka_unit_test(test_counts_are_those_of_solve_all),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
         cmocka_unit_test(test_wrong_indices_get_nothing),
