@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "map/dyad.h"
+#include "map/polygon.h"
 
 typedef struct Visit {
     YkTracer *tracer;
@@ -114,6 +115,7 @@ static int count_group(Visit *v, size_t level, const YkDiscCoefficients *c)
 {
     YkTracer *t = v->tracer;
     const YkPiece *piece = &t->pieces[level];
+    if (yk_polygon_is_open(&piece->shape, c)) return 0;
     if (!enumerate(t, level, c->at)) return YK_BOX_UNCLEAR;
     const YkGroupSolutions *all = &t->solutions[level];
     size_t n = piece->shape.unknowns, real = 0;

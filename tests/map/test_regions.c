@@ -3,6 +3,7 @@
 #include <yoke/configurations.h>
 #include <yoke/regions.h>
 #include "configurations/truss.h"
+#include "map/box.h"
 
 // A five-bar: motors at (-w, 0) and (w, 0), cranks, couplers.
 typedef struct FiveBar {
@@ -339,6 +340,61 @@ static void test_counts_are_those_of_solve_all(void **unused)
     assert_true((seen[0] > 0) + (seen[2] > 0) + (seen[4] > 0) + (seen[6] > 0) >= 2);
 }
 
+// A platform of three legs whose lengths l1 and l2 are the inputs, l3 is 0.9: |l1| is at most AC + DF + l3, |l2| at most
+// BC + EF + l3.
+static Machine three_legs(void)
+{
+    static const char text[] =
+        "bodies:\n  ground: {points: {A: [0, 0], B: [2, 0], C: [1, 1.7]}}\n  t1: {points: {A: [0, 0]}}\n"
+        "  t2: {points: {B: [0, 0]}}\n  r1: {points: {D: [0, 0]}}\n  r2: {points: {E: [0, 0]}}\n"
+        "  leg: {points: {C: [0, 0], F: [0.9, 0]}}\n"
+        "  plate: {points: {D: [0, 0], E: [0.6, 0], F: [0.35, 0.5]}}\njoints:\n  A: {pin: [ground, t1], angle: a}\n"
+        "  B: {pin: [ground, t2]}\n  C: {pin: [ground, leg]}\n"
+        "  P1: {slide: [t1, r1], along: x, from: A, distance: l1}\n"
+        "  P2: {slide: [t2, r2], along: x, from: B, distance: l2}\n"
+        "  D: {pin: [r1, plate]}\n  E: {pin: [r2, plate]}\n  F: {pin: [leg, plate]}\n"
+        "drives: {l1: 1, l2: 1.1}\nstart: {a: 50 deg}\n";
+    return machine_parse_with(text, NULL, 0);
+}
+
+static void test_loops_of_a_group_that_cannot_close_empty_a_square(void **unused)
+{
+    (void)unused;
+    enum { CASES = 60 };
+    Machine m = three_legs();
+    assert_true(stand(&m));
+    YkConfigurations *all = yk_configurations_new(m.mech);
+    YkTracer t = {0};
+    const double most[2] = {hypot(1, 1.7) + hypot(0.35, 0.5) + 0.9, hypot(1, 1.7) + hypot(0.25, 0.5) + 0.9}, half = 0.2;
+    double inputs[2] = {0};
+    uint64_t seed = 13;
+    size_t empty = 0, filled = 0;
+    assert_true(yk_tracer_begin(&t, m.mech) && yk_tracer_read(&t, m.problems));
+    t.discs.mapped = 0;
+    t.discs.second = 1;
+    t.discs.others = inputs;
+    for (int p = 0; p < CASES; p++) {
+        double low[2], high[2], at[2];
+        bool is_out = false;
+        for (int k = 0; k < 2; k++) {
+            at[k] = check_uniform(&seed, -6, 6);
+            low[k] = at[k] - half;
+            high[k] = at[k] + half;
+            is_out |= fabs(at[k]) > most[k] + 2 * half;
+        }
+        int count = yk_box_count(&t, low, high, NULL);
+        if (is_out) assert_int_equal(count, 0);
+        int expected = count_all(&m, all, at[0], at[1]);
+        if (count >= 0 && expected >= 0) assert_int_equal(count, expected);
+        empty += count == 0;
+        filled += expected > 0;
+    }
+    assert_true(empty > CASES / 4 && filled > CASES / 20);
+    yk_tracer_end(&t);
+    yk_configurations_free(all);
+    machine_free(&m);
+}
+
 // --- what is refused
 
 static void test_what_cannot_be_mapped_is_refused(void **unused)
@@ -397,6 +453,7 @@ int main(void)
         cmocka_unit_test(test_places_where_a_dyad_turns_freely_are_told),
         cmocka_unit_test(test_places_at_which_configurations_only_touch_are_not_proved),
         cmocka_unit_test(test_counts_are_those_of_solve_all),
+        cmocka_unit_test(test_loops_of_a_group_that_cannot_close_empty_a_square),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
         cmocka_unit_test(test_wrong_indices_get_nothing),
     };
