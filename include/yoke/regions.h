@@ -34,7 +34,8 @@ YK_API YkRegions *yk_regions_new(YkState *start, size_t first, size_t second, co
                                  YkProblems *problems);
 YK_API void yk_regions_free(YkRegions *regions);
 
-// Returns whether all that is not proved lies along the curves that were found.
+// Returns whether all that is not proved lies along the curves that were found, and at single places where a dyad of equal
+// links turns freely, which the message names.
 YK_API bool yk_regions_are_complete(const YkRegions *regions);
 YK_API const char *yk_regions_message(const YkRegions *regions); // what is proved, or what is not, in one sentence
 YK_API size_t yk_regions_coordinate(const YkRegions *regions, int axis); // 0 or 1

@@ -101,15 +101,15 @@ static YkGroupStatus follow_all(const YkGroupKept *kept, const YkVec *between, c
     return YK_GROUP_SOLVED;
 }
 
-// Returns a generic system on the way to a pose: its own, with other right-hand sides. Its loops are multiplied by a
-// complex number, which changes no solution: on the straight way from a pose to one with a negative coefficient, that
-// coefficient would vanish.
+// Returns a generic system on the way to a pose: its own, with other right-hand sides. Its loops and their conjugates are
+// multiplied by complex numbers, which changes no solution: on the straight way from a pose to one with a coefficient of
+// the opposite sign, that coefficient would vanish in both.
 static void make_detour(const YkShape *shape, const YkVec *pose, uint64_t *seed, YkVec *between)
 {
     size_t half = yk_coefficient_count(shape), width = shape->unknowns + 1;
     YkVec turn = yk_unit(2 + yk_mix_unit(seed));
     for (size_t k = 0; k < half; k++) between[k] = yk_mul(turn, pose[k]);
-    memcpy(between + half, pose + half, half * sizeof *between);
+    for (size_t k = half; k < 2 * half; k++) between[k] = yk_mul(yk_conj(turn), pose[k]);
     for (size_t k = 0; k < shape->unknowns; k++) {
         YkVec way = yk_unit(2 * YK_PI * yk_mix_unit(seed)); // in a statement of its own: the order of draws is fixed
         YkVec scale = yk_scale(0.5 + yk_mix_unit(seed), way);

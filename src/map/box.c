@@ -3,11 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "map/dyad.h"
+#include "map/polygon.h"
 
 typedef struct Visit {
     YkTracer *tracer;
     int *counts;
     bool is_within_hull; // a dyad below is taken in pieces
+    YkFold *fold;        // NULL: not asked for; its level is YK_NOT_FOUND until there is one
 } Visit;
 
 static int count_from(Visit *v, size_t level);
@@ -64,8 +66,19 @@ static int unless_empty_above(Visit *v, size_t level, const YkDiscCoefficients *
     return is_empty ? 0 : YK_BOX_UNCLEAR;
 }
 
+// Notes a dyad that can fold, if its ends are nearer to each other than those of the one noted before.
+static void note_fold(Visit *v, size_t level, const YkDiscCoefficients *c)
+{
+    const double rounding = 1e-13;
+    if (v->tracer->pieces[level].shape.angles != 2) return;
+    if (!(fabs(yk_norm(c->at[0]) - yk_norm(c->at[1])) < rounding)) return;
+    if (v->fold->level != YK_NOT_FOUND && yk_norm(v->fold->apart) <= yk_norm(c->at[2])) return;
+    *v->fold = (YkFold){level, c->at[2]};
+}
+
 static int count_dyad(Visit *v, size_t level, const YkDiscCoefficients *c)
 {
+    if (v->fold) note_fold(v, level, c);
     YkTracer *t = v->tracer;
     const YkShape *shape = &t->pieces[level].shape;
     YkBall x[2];
@@ -102,6 +115,7 @@ static int count_group(Visit *v, size_t level, const YkDiscCoefficients *c)
 {
     YkTracer *t = v->tracer;
     const YkPiece *piece = &t->pieces[level];
+    if (yk_polygon_is_open(&piece->shape, c)) return 0;
     if (!enumerate(t, level, c->at)) return YK_BOX_UNCLEAR;
     const YkGroupSolutions *all = &t->solutions[level];
     size_t n = piece->shape.unknowns, real = 0;
@@ -140,11 +154,10 @@ static int count_from(Visit *v, size_t level)
     return t->pieces[level].shape.loops == 1 ? count_dyad(v, level, &c) : count_group(v, level, &c);
 }
 
-int yk_box_count(YkTracer *t, const double low[2], const double high[2], int *counts)
+static int visit(Visit *v, const double low[2], const double high[2])
 {
+    YkTracer *t = v->tracer;
     YkBall input[2];
-    Visit v = {t, counts, false};
-    if (counts) memset(counts, 0, (t->piece_count + 1) * sizeof *counts);
     if (!yk_pace_spend(t->pace, 1000 * (t->piece_count + 1))) return YK_BOX_UNCLEAR;
     for (int k = 0; k < 2; k++) {
         double middle = low[k] + 0.5 * (high[k] - low[k]);
@@ -153,5 +166,20 @@ int yk_box_count(YkTracer *t, const double low[2], const double high[2], int *co
     }
     t->discs.input = input[0];
     t->discs.second_input = input[1];
-    return count_from(&v, 0);
+    return count_from(v, 0);
+}
+
+int yk_box_count(YkTracer *t, const double low[2], const double high[2], int *counts)
+{
+    Visit v = {t, counts, false, NULL};
+    if (counts) memset(counts, 0, (t->piece_count + 1) * sizeof *counts);
+    return visit(&v, low, high);
+}
+
+bool yk_box_fold(YkTracer *t, const double at[2], YkFold *fold)
+{
+    Visit v = {t, NULL, false, fold};
+    fold->level = YK_NOT_FOUND;
+    visit(&v, at, at);
+    return fold->level != YK_NOT_FOUND;
 }

@@ -11,4 +11,13 @@ enum { YK_BOX_UNCLEAR = -1, YK_BOX_LEVELS = 64 };
 // Source of the proof: docs/configurations.md, "Two freedoms".
 int yk_box_count(YkTracer *tracer, const double low[2], const double high[2], int *counts);
 
+// A dyad of two pinned links that are equally long to rounding: where its ends meet it turns freely.
+typedef struct YkFold {
+    size_t level; // of the piece
+    YkVec apart;  // from one end to the other, over the machine's size
+} YkFold;
+// Finds the dyad of that kind whose ends are nearest to each other at a pose, over all branches of the dyads below.
+// Returns false if there is none.
+bool yk_box_fold(YkTracer *tracer, const double at[2], YkFold *fold);
+
 #endif

@@ -172,24 +172,3 @@ YkCrossing yk_field_crossing(YkField *f, size_t x, size_t y, int axis)
     if (!yk_crossings_add(&f->crossings, found)) f->tracer.out_of_memory = true;
     return found;
 }
-
-// --- what is not proved, and not near a curve
-
-static void mark_near(YkField *f, size_t x, size_t y, size_t reach)
-{
-    size_t left = x > reach ? x - reach : 0, low = y > reach ? y - reach : 0;
-    for (size_t row = low; row <= y + reach && row < f->n; row++)
-        for (size_t k = left; k <= x + reach && k < f->n; k++) f->state[row * f->n + k] |= YK_CELL_NEAR;
-}
-
-size_t yk_field_stray(YkField *f)
-{
-    enum { REACH = 12 };
-    for (size_t k = 0; k < f->crossings.capacity; k++) {
-        const YkCrossing *c = &f->crossings.items[k];
-        if (c->key != 0) mark_near(f, yk_crossing_cell(c) % f->n, yk_crossing_cell(c) / f->n, REACH);
-    }
-    for (size_t k = 0; k < f->n * f->n; k++)
-        if (!(f->state[k] & (YK_CELL_PROVED | YK_CELL_NEAR))) return k;
-    return f->n * f->n;
-}

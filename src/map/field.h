@@ -8,6 +8,13 @@
 // WALKED on, a bit for each of its sides: an outline runs along it.
 enum { YK_CELL_PROVED = 1, YK_CELL_LOST = 2, YK_CELL_NEAR = 4, YK_CELL_WALKED = 8 };
 
+// A place where a dyad turns freely: all about it the number of configurations is the same, at it there is a continuum.
+typedef struct YkFoldPlace {
+    double at[2];
+    size_t level; // of the piece
+} YkFoldPlace;
+enum { YK_FOLD_PLACES = 32 };
+
 typedef struct YkField {
     YkTracer tracer;
     bool is_angle[2];
@@ -17,6 +24,8 @@ typedef struct YkField {
     unsigned char *state; // [n][n]
     YkCrossings crossings;
     size_t proved, lost; // cells
+    YkFoldPlace folds[YK_FOLD_PLACES];
+    size_t fold_count;
 } YkField;
 
 static inline double yk_field_center(const YkField *f, int axis, size_t index)
@@ -30,8 +39,8 @@ bool yk_field_fill(YkField *field, double tolerance);
 void yk_field_end(YkField *field); // with its tracer
 // Finds where the number changes between the centres of a cell and its right (axis 0) or upper (axis 1) neighbour.
 YkCrossing yk_field_crossing(YkField *field, size_t x, size_t y, int axis);
-// Returns a cell that is not proved and has none of the curves near it, as an index; n * n if there is none. Crossings
-// must all have been found.
+// Returns a cell that is not proved and has none of the curves and of the places of folds near it, as an index; n * n if
+// there is none. Crossings must all have been found; folds are found here.
 size_t yk_field_stray(YkField *field);
 
 #endif

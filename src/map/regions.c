@@ -98,6 +98,23 @@ static int compare(const void *a, const void *b)
     return p->cell < q->cell ? -1 : p->cell > q->cell;
 }
 
+static void tell_proved(const YkRegions *r, double percent, YkText *text)
+{
+    enum { SHOWN = 4 };
+    const YkField *f = &r->field;
+    yk_text_format(text, "the number of configurations is proved in %g %% of the map, all but strips along the curves",
+                   percent);
+    if (f->fold_count == 0) return;
+    yk_text_puts(text, " and places where a dyad of equal links turns freely: ");
+    for (size_t k = 0; k < f->fold_count && k < SHOWN; k++) {
+        const YkFoldPlace *p = &f->folds[k];
+        yk_text_format(text, "%sjoint `%s` at %e %s, %e %s", k == 0 ? "" : "; ",
+                       r->mech->blocks[f->tracer.pieces[p->level].block].label, p->at[0], f->is_angle[0] ? "rad" : "m",
+                       p->at[1], f->is_angle[1] ? "rad" : "m");
+    }
+    if (f->fold_count > SHOWN) yk_text_format(text, "; and %z others", f->fold_count - SHOWN);
+}
+
 static void tell(YkRegions *r)
 {
     YkField *f = &r->field;
@@ -118,9 +135,7 @@ static void tell(YkRegions *r)
             percent, yk_field_center(f, 0, stray % f->n), f->is_angle[0] ? "rad" : "m",
             yk_field_center(f, 1, stray / f->n), f->is_angle[1] ? "rad" : "m");
     else
-        yk_text_format(&text,
-                       "the number of configurations is proved in %g %% of the map, all but strips along the curves",
-                       percent);
+        tell_proved(r, percent, &text);
     f->tracer.out_of_memory |= text.failed;
     const char *words = text.failed ? "" : yk_text_get(&text);
     size_t length = strlen(words) < sizeof r->message ? strlen(words) : sizeof r->message - 1;

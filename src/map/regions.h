@@ -30,7 +30,7 @@ struct YkRegions {
     YkTract *parts;
     size_t count, capacity;
     bool is_complete;
-    char message[320];
+    char message[480];
     YkText picture;
 };
 

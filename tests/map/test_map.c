@@ -354,6 +354,36 @@ static void test_a_geared_five_bar_repeats_after_whole_turns_of_both(void **unus
     }
 }
 
+// A crank and a rod of equal lengths reach from -2 to 2 of them, and turn freely where they fold.
+static void test_a_slider_on_equal_links_has_both_limits(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse_with("bodies:\n  ground: {points: {O: [0, 0]}}\n"
+                                   "  crank: {points: {O: [0, 0], A: [0.3, 0]}}\n"
+                                   "  rod: {points: {A: [0, 0], B: [0.3, 0]}}\n  piston: {points: {B: [0, 0]}}\n"
+                                   "joints:\n  O: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, rod]}\n"
+                                   "  B: {pin: [rod, piston]}\n  S: {slide: [ground, piston], along: x, distance: s}\n"
+                                   "drives: {s: 0.5}\nstart: {th: 0.5}\n",
+                                   NULL, 0);
+    assert_true(yk_state_set_time(m.state, 0, m.problems) >= 0 && yk_state_assemble(m.state) >= 0);
+    YkMap *map = map_of(&m);
+    double limits[8];
+    size_t count = 0;
+    for (size_t c = 0; c < yk_map_circuit_count(map); c++)
+        for (size_t e = 0; e < yk_map_circuit(map, c).events; e++) {
+            YkMapEvent event = yk_map_event(map, c, e);
+            if (event.kind != YK_MAP_LIMIT) CHECK_NEAR(event.at, 0, 1e-9);
+            if (event.kind == YK_MAP_LIMIT && count < 8) limits[count++] = event.at;
+        }
+    assert_int_equal(count, 2);
+    CHECK_NEAR(limits[0], -0.6, 1e-10);
+    CHECK_NEAR(limits[1], 0.6, 1e-10);
+    assert_false(yk_map_is_complete(map)); // where they fold there is a continuum
+    CHECK_NEAR(strtod(strstr(yk_map_message(map), "near ") + 5, NULL), 0, 1e-9);
+    yk_map_free(map);
+    machine_free(&m);
+}
+
 static void test_a_slider_turns_back_at_its_dead_centres(void **unused)
 {
     (void)unused;
@@ -688,6 +718,7 @@ int main(void)
         cmocka_unit_test(test_branches_cross_at_change_points),
         cmocka_unit_test(test_a_geared_five_bar_repeats_after_whole_turns_of_both),
         cmocka_unit_test(test_a_slider_turns_back_at_its_dead_centres),
+        cmocka_unit_test(test_a_slider_on_equal_links_has_both_limits),
         cmocka_unit_test(test_dead_points_are_limits_of_the_drive),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
         cmocka_unit_test(test_a_cam_limits_what_it_moves),

@@ -3,6 +3,7 @@
 #include <yoke/configurations.h>
 #include <yoke/regions.h>
 #include "configurations/truss.h"
+#include "map/box.h"
 
 // A five-bar: motors at (-w, 0) and (w, 0), cranks, couplers.
 typedef struct FiveBar {
@@ -141,6 +142,8 @@ static void test_workspaces_are_annuli(void **unused)
     uint64_t seed = 5;
     const FiveBar usual = {0.06, {0.2, 0.2}, {0.26, 0.26}};
     check_workspace(&usual, &seed);
+    const FiveBar equal = {0.6, {1.5, 1.2}, {1.5, 1.2}}; // the dyads fold where the point is at a motor
+    check_workspace(&equal, &seed);
     for (uint64_t k = 0; k < check_cases(8); k++) {
         FiveBar f;
         f.w = check_uniform(&seed, 0.1, 0.5);
@@ -220,22 +223,52 @@ static void test_cranks_reach_what_the_couplers_span(void **unused)
     }
 }
 
-// Where both couplers are equally long and the cranks' ends meet, the couplers turn freely: told, not proved.
+// Where both couplers are equally long and the cranks' ends meet, the couplers turn freely. There cos u = w / crank, above
+// and below the motors; all about these places there are two configurations.
 static void test_places_where_a_dyad_turns_freely_are_told(void **unused)
 {
     (void)unused;
-    const FiveBar f = {0.06, {0.2, 0.2}, {0.26, 0.26}};
+    const FiveBar f = {0.06, {0.2, 0.2}, {0.3, 0.3}};
     Machine m = five_bar(&f, 2, 1);
     assert_true(stand(&m));
     YkRegions *r = regions_of(&m, 5e-3);
-    bool proved = true;
-    double u = acos(0.3); // the cranks' ends meet above the middle: cos u = w / crank
-    assert_false(yk_regions_are_complete(r));
-    assert_non_null(strstr(yk_regions_message(r), "may meet"));
-    yk_regions_at(r, u, YK_PI - u, &proved);
-    assert_false(proved);
+    double u = acos(0.3);
+    assert_true(yk_regions_are_complete(r));
+    assert_int_equal(yk_regions_count(r), 1);
+    assert_int_equal(yk_regions_region(r, 0).configurations, 2);
+    const char *places = strstr(yk_regions_message(r), "turns freely: joint `P` at ");
+    assert_non_null(places);
+    for (int k = 0; k < 2; k++) { // the place below comes first
+        char *end;
+        bool proved = true;
+        double sign = k == 0 ? -1 : 1, first = strtod(strstr(places, " at ") + 4, &end);
+        double second = strtod(strstr(end, ", ") + 2, &end);
+        CHECK_NEAR(first, sign * u, 1e-5);
+        CHECK_NEAR(second, sign * (YK_PI - u), 1e-5);
+        assert_int_equal(yk_regions_at(r, sign * u, sign * (YK_PI - u), &proved), 2);
+        assert_false(proved);
+        places = end;
+    }
+    assert_null(strstr(places, " at "));
     yk_regions_free(r);
     machine_free(&m);
+}
+
+// Where the couplers are just long enough for the cranks stretched apart, two configurations meet at one pose. Couplers
+// that differ by more than rounding do not turn freely, but fail to close within a circle narrower than the tolerance.
+static void test_places_at_which_configurations_only_touch_are_not_proved(void **unused)
+{
+    (void)unused;
+    const FiveBar touching = {0.06, {0.2, 0.2}, {0.26, 0.26}}, unequal = {0.06, {0.2, 0.2}, {0.3, 0.3 + 1e-9}};
+    for (int k = 0; k < 2; k++) {
+        Machine m = five_bar(k == 0 ? &touching : &unequal, 2, 1);
+        assert_true(stand(&m));
+        YkRegions *r = regions_of(&m, 5e-3);
+        assert_false(yk_regions_are_complete(r));
+        assert_non_null(strstr(yk_regions_message(r), "may meet"));
+        yk_regions_free(r);
+        machine_free(&m);
+    }
 }
 
 // --- groups
@@ -307,6 +340,61 @@ static void test_counts_are_those_of_solve_all(void **unused)
     assert_true((seen[0] > 0) + (seen[2] > 0) + (seen[4] > 0) + (seen[6] > 0) >= 2);
 }
 
+// A platform of three legs whose lengths l1 and l2 are the inputs, l3 is 0.9: |l1| is at most AC + DF + l3, |l2| at most
+// BC + EF + l3.
+static Machine three_legs(void)
+{
+    static const char text[] =
+        "bodies:\n  ground: {points: {A: [0, 0], B: [2, 0], C: [1, 1.7]}}\n  t1: {points: {A: [0, 0]}}\n"
+        "  t2: {points: {B: [0, 0]}}\n  r1: {points: {D: [0, 0]}}\n  r2: {points: {E: [0, 0]}}\n"
+        "  leg: {points: {C: [0, 0], F: [0.9, 0]}}\n"
+        "  plate: {points: {D: [0, 0], E: [0.6, 0], F: [0.35, 0.5]}}\njoints:\n  A: {pin: [ground, t1], angle: a}\n"
+        "  B: {pin: [ground, t2]}\n  C: {pin: [ground, leg]}\n"
+        "  P1: {slide: [t1, r1], along: x, from: A, distance: l1}\n"
+        "  P2: {slide: [t2, r2], along: x, from: B, distance: l2}\n"
+        "  D: {pin: [r1, plate]}\n  E: {pin: [r2, plate]}\n  F: {pin: [leg, plate]}\n"
+        "drives: {l1: 1, l2: 1.1}\nstart: {a: 50 deg}\n";
+    return machine_parse_with(text, NULL, 0);
+}
+
+static void test_loops_of_a_group_that_cannot_close_empty_a_square(void **unused)
+{
+    (void)unused;
+    enum { CASES = 60 };
+    Machine m = three_legs();
+    assert_true(stand(&m));
+    YkConfigurations *all = yk_configurations_new(m.mech);
+    YkTracer t = {0};
+    const double most[2] = {hypot(1, 1.7) + hypot(0.35, 0.5) + 0.9, hypot(1, 1.7) + hypot(0.25, 0.5) + 0.9}, half = 0.2;
+    double inputs[2] = {0};
+    uint64_t seed = 13;
+    size_t empty = 0, filled = 0;
+    assert_true(yk_tracer_begin(&t, m.mech) && yk_tracer_read(&t, m.problems));
+    t.discs.mapped = 0;
+    t.discs.second = 1;
+    t.discs.others = inputs;
+    for (int p = 0; p < CASES; p++) {
+        double low[2], high[2], at[2];
+        bool is_out = false;
+        for (int k = 0; k < 2; k++) {
+            at[k] = check_uniform(&seed, -6, 6);
+            low[k] = at[k] - half;
+            high[k] = at[k] + half;
+            is_out |= fabs(at[k]) > most[k] + 2 * half;
+        }
+        int count = yk_box_count(&t, low, high, NULL);
+        if (is_out) assert_int_equal(count, 0);
+        int expected = count_all(&m, all, at[0], at[1]);
+        if (count >= 0 && expected >= 0) assert_int_equal(count, expected);
+        empty += count == 0;
+        filled += expected > 0;
+    }
+    assert_true(empty > CASES / 4 && filled > CASES / 20);
+    yk_tracer_end(&t);
+    yk_configurations_free(all);
+    machine_free(&m);
+}
+
 // --- what is refused
 
 static void test_what_cannot_be_mapped_is_refused(void **unused)
@@ -363,7 +451,9 @@ int main(void)
         cmocka_unit_test(test_workspaces_are_annuli),
         cmocka_unit_test(test_cranks_reach_what_the_couplers_span),
         cmocka_unit_test(test_places_where_a_dyad_turns_freely_are_told),
+        cmocka_unit_test(test_places_at_which_configurations_only_touch_are_not_proved),
         cmocka_unit_test(test_counts_are_those_of_solve_all),
+        cmocka_unit_test(test_loops_of_a_group_that_cannot_close_empty_a_square),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
         cmocka_unit_test(test_wrong_indices_get_nothing),
     };
