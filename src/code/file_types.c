@@ -150,15 +150,17 @@ static void write_statuses(YkFile *file)
               "                             without inertia: positions are valid, rates and forces are not */\n");
     if (is_dry)
         yk_file_template(
-            file, "    @_AT_REST = 4,        /* a joint with dry friction is at rest, so that its friction is any in an\n"
-                  "                             interval: the results are those without it */\n");
+            file,
+            "    @_AT_REST = 4,        /* a joint with dry friction is at rest, so that its friction is any in an\n"
+            "                             interval: the results are those without it */\n");
+    yk_file_template(file,
+                     "    @_LIMIT = -1,         /* past a limit position: this configuration does not close here */\n"
+                     "    @_NO_ASSEMBLY = -2,   /* a loop that repeats others does not close */\n");
     yk_file_template(
-        file, "    @_LIMIT = -1,         /* past a limit position: this configuration does not close here */\n"
-              "    @_NO_ASSEMBLY = -2,   /* a loop that repeats others does not close */\n");
-    yk_file_template(
-        file, is_dry ? "    @_NOT_CONVERGED = -3, /* dry friction does not settle: the joints jam; or Newton's method did "
-                       "not\n                             reach its tolerance */\n"
-                     : "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n");
+        file, is_dry
+                  ? "    @_NOT_CONVERGED = -3, /* dry friction does not settle: the joints jam; or Newton's method did "
+                    "not\n                             reach its tolerance */\n"
+                  : "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n");
     yk_file_template(file, "    @_BAD_INPUT = -5,     /* an input is not a finite number");
     yk_text_puts(&file->text, file->single ? " */\n" : ", or an angle is beyond 1e5 rad */\n");
     yk_file_template(file, "    @_NOT_FINITE = -8     /* a load, or what it does, has no finite value here */\n"

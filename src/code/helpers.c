@@ -118,9 +118,11 @@ static const char equations[] =
     "}\n\n";
 
 static const char friction[] =
-    "/* Dry friction: x_k = a_k |V_k + W_k x|, from n rows a_k, V_k, W_k of plane vectors; the first m are forces of teeth, "
+    "/* Dry friction: x_k = a_k |V_k + W_k x|, from n rows a_k, V_k, W_k of plane vectors; the first m are forces of "
+    "teeth, "
     "which\n"
-    "   follow from the others. Found by repetition, in half steps after a while. Returns 1 once they agree, 0 where they\n"
+    "   follow from the others. Found by repetition, in half steps after a while. Returns 1 once they agree, 0 where "
+    "they\n"
     "   never do: the joints jam. x has n places more to work with. */\n"
     "static $ @_friction(int n, int m, const $ *rows, $ *x)\n"
     "{\n"

@@ -21,12 +21,12 @@ typedef struct YkBalanceSystem {
     size_t count;
     size_t n,
         sides; // unknowns, those of least_norm.c after the columns; right sides: 1 and the radial forces of gears, N for each newton across the teeth
-    YkRef *system;    // [n][n + sides]; while it is made, [3 for each moving body][n + sides]
-    YkRef *solution;  // [n][sides], once it is solved
+    YkRef *system;               // [n][n + sides]; while it is made, [3 for each moving body][n + sides]
+    YkRef *solution;             // [n][sides], once it is solved
     size_t first_dry, dry_count; // right sides of dry friction; 0: none
     YkRef *factor;               // [sides], with dry friction: by which a right side counts
     YkRefVec *radial;            // [sides]: what a gear's radial force is on its second wheel
-    bool ran_out;     // of memory, where making or solving it failed
+    bool ran_out;                // of memory, where making or solving it failed
 } YkBalanceSystem;
 
 // reactions.c: makes the unknowns, then the equations for a pose with these rates, with this unit of length. Returns

@@ -87,7 +87,8 @@ static YkRef sliding(YkBalanceSystem *w, const YkDryJoint *dry, const Scales *no
         begins = yk_graph_choose(g, steady, against(g, change, dry->limit), begins);
         moves = yk_graph_binary(g, YK_VALUE_LARGEST, moves, yk_graph_minus(g, steady));
     }
-    moves = yk_graph_choose(g, yk_graph_minus(g, dry->limit), moves, yk_graph_number(g, 1)); // without friction it may rest
+    moves =
+        yk_graph_choose(g, yk_graph_minus(g, dry->limit), moves, yk_graph_number(g, 1)); // without friction it may rest
     *all = *all == YK_NONE ? moves : yk_graph_binary(g, YK_VALUE_LEAST, *all, moves);
     return yk_graph_choose(g, slow, against(g, rate, dry->limit), begins);
 }

@@ -46,7 +46,7 @@ typedef struct YkForces {
     const char *why_no_reactions;
     YkDryJoint *dry;
     size_t dry_count;
-    bool balances_dry; // each of them is a right side of the balance
+    bool balances_dry;                                // each of them is a right side of the balance
     YkDryResult dry_result, dry_inverse, dry_forward; // dry_result: the latest
     bool takes_least; // where constraints repeat others, the reactions are those of least norm;
     bool is_least;    // some are

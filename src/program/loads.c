@@ -228,7 +228,8 @@ static void add_friction(YkForces *f)
         push_along(f, (int32_t)j, slides, yk_graph_minus(g, yk_graph_multiply(g, viscous, rate)));
         if (!may_be_dry(p, &joint->friction)) continue;
         YkRef limit = value_of(p, joint->friction.coulomb_expr, joint->friction.coulomb);
-        if (!slides) limit = yk_graph_multiply(g, limit, value_of(p, joint->friction.radius_expr, joint->friction.radius));
+        if (!slides)
+            limit = yk_graph_multiply(g, limit, value_of(p, joint->friction.radius_expr, joint->friction.radius));
         f->dry[f->dry_count++] = (YkDryJoint){.joint = (int32_t)j, .slides = slides, .limit = limit};
     }
 }
