@@ -22,6 +22,8 @@ typedef struct YkRoutine {
     size_t count;
     YkRef witness;       // 0 if the inputs that it depends on are finite, except those of loads
     YkRef regular;       // above 0 if its equations have a solution; -1: they always have
+    YkRef settled;       // 1 if dry friction agrees with the reactions; -1: there is none
+    YkRef moves;         // above 0 if no joint with dry friction is at rest; -1: none has any
     bool checks_results; // results may be infinite at a regular pose
     bool has_designs;    // a batch over parameters too
     YkRoutineKind kind;
@@ -68,7 +70,7 @@ bool yk_file_members(YkFile *file);
 bool yk_file_routines(YkFile *file);
 void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
                         const char *format, ...);
-// Finds the roots of a routine's body: its results and the values for its status; room for 6 more.
+// Finds the roots of a routine's body: its results and the values for its status; room for 8 more.
 size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
 // names.c: chooses program->names for the prefix. Returns false when out of memory.
 bool yk_file_choose_names(YkProgram *program);

@@ -66,7 +66,9 @@ static void write_status(YkFile *file, const YkRoutine *r)
         r->kind == YK_ROUTINE_INVERSE ? "margin > 1e-7" : "margin > 5e-10"; // as the engine, for all rates
     if (has_margin) check_local(file, file->single ? "margin > 1e-7f" : clear, "SINGULAR");
     if (r->regular >= 0) check(file, r->regular, " > 0", "SINGULAR");
+    if (r->settled >= 0) check(file, r->settled, " > 0", "NOT_CONVERGED");
     if (r->checks_results) check_local(file, "finite == 0", "NOT_FINITE");
+    if (r->moves >= 0) check(file, r->moves, " > 0", "AT_REST");
     yk_text_format(&file->text, "%s_OK;\n}\n\n", file->prefix);
 }
 
@@ -83,6 +85,8 @@ size_t yk_file_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
     roots[count++] = p->gap;
     roots[count++] = p->missed;
     if (r->regular >= 0) roots[count++] = r->regular;
+    if (r->settled >= 0) roots[count++] = r->settled;
+    if (r->moves >= 0) roots[count++] = r->moves;
     return count;
 }
 

@@ -139,23 +139,39 @@ static void write_prototypes(YkFile *file)
     yk_file_declare_residuals(file);
 }
 
-void yk_file_write_types(YkFile *file)
+static void write_statuses(YkFile *file)
 {
-    yk_file_template(file, "#ifndef @_DECLARED\n#define @_DECLARED\n#include <stddef.h>\n\n"
-                           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
+    bool is_dry = file->forces.dry_count > 0;
     yk_file_template(
         file, "/* The status of a call. Below 0 the results are meaningless and may be NaN. */\n"
               "enum {\n"
               "    @_OK = 0,\n"
               "    @_SINGULAR = 3,       /* a dead point or so close to one that rounding decides, or a freedom\n"
-              "                             without inertia: positions are valid, rates and forces are not */\n"
-              "    @_LIMIT = -1,         /* past a limit position: this configuration does not close here */\n"
-              "    @_NO_ASSEMBLY = -2,   /* a loop that repeats others does not close */\n"
-              "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n"
-              "    @_BAD_INPUT = -5,     /* an input is not a finite number");
+              "                             without inertia: positions are valid, rates and forces are not */\n");
+    if (is_dry)
+        yk_file_template(
+            file,
+            "    @_AT_REST = 4,        /* a joint with dry friction is at rest, so that its friction is any in an\n"
+            "                             interval: the results are those without it */\n");
+    yk_file_template(file,
+                     "    @_LIMIT = -1,         /* past a limit position: this configuration does not close here */\n"
+                     "    @_NO_ASSEMBLY = -2,   /* a loop that repeats others does not close */\n");
+    yk_file_template(
+        file, is_dry
+                  ? "    @_NOT_CONVERGED = -3, /* dry friction does not settle: the joints jam; or Newton's method did "
+                    "not\n                             reach its tolerance */\n"
+                  : "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n");
+    yk_file_template(file, "    @_BAD_INPUT = -5,     /* an input is not a finite number");
     yk_text_puts(&file->text, file->single ? " */\n" : ", or an angle is beyond 1e5 rad */\n");
     yk_file_template(file, "    @_NOT_FINITE = -8     /* a load, or what it does, has no finite value here */\n"
                            "};\n\n");
+}
+
+void yk_file_write_types(YkFile *file)
+{
+    yk_file_template(file, "#ifndef @_DECLARED\n#define @_DECLARED\n#include <stddef.h>\n\n"
+                           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
+    write_statuses(file);
     write_parameters(file);
     write_machine_type(file);
     write_notes(file, "How the machine is assembled.", "configuration", file->configuration, file->configuration_count);

@@ -117,6 +117,54 @@ static const char equations[] =
     "    return determinant;\n"
     "}\n\n";
 
+static const char friction[] =
+    "/* Dry friction: x_k = a_k |V_k + W_k x|, from n rows a_k, V_k, W_k of plane vectors; the first m are forces of "
+    "teeth, "
+    "which\n"
+    "   follow from the others. Found by repetition, in half steps after a while. Returns 1 once they agree, 0 where "
+    "they\n"
+    "   never do: the joints jam. x has n places more to work with. */\n"
+    "static $ @_friction(int n, int m, const $ *rows, $ *x)\n"
+    "{\n"
+    "    const int w = 3 + 2 * n;\n"
+    "    $ whole = 0;\n"
+    "    for (int k = 0; k < n * w; k++) whole += 0 * rows[k];\n"
+    "    for (int k = 0; k < n; k++) x[k] = whole; /* 0, or NaN where a load is not finite */\n"
+    "    for (int round = 0; round < 400 && whole == 0; round++) {\n"
+    "        const $ share = round < 100 ? 1 : 0.5~, tolerance = round < 100 ? %t;\n"
+    "        int agree = 1;\n"
+    "        for (int k = 0; k < n; k++) {\n"
+    "            const $ *r = rows + k * w;\n"
+    "            $ along = r[1], across = r[2];\n"
+    "            for (int i = 0; i < n; i++) {\n"
+    "                along += r[3 + 2 * i] * x[i];\n"
+    "                across += r[4 + 2 * i] * x[i];\n"
+    "            }\n"
+    "            x[n + k] = r[0] * sqrt~(along * along + across * across);\n"
+    "            if (k < m) x[k] = x[n + k];\n"
+    "        }\n"
+    "        for (int k = m; k < n; k++) {\n"
+    "            const $ step = x[n + k] - x[k];\n"
+    "            agree = agree && fabs~(step) <= tolerance * (fabs~(x[n + k]) + fabs~(x[k]));\n"
+    "            x[k] += share * step;\n"
+    "        }\n"
+    "        if (agree) return 1;\n"
+    "    }\n"
+    "    return whole == 0 ? 0 : 1;\n"
+    "}\n\n";
+
+static void write_friction(YkFile *file)
+{
+    const char *rest = strstr(friction, "%t");
+    YkText filled = {0};
+    yk_text_add(&filled, friction, (size_t)(rest - friction));
+    yk_text_puts(&filled, file->single ? "1e-6f : 1e-5f" : "1e-13 : 1e-10");
+    yk_text_puts(&filled, rest + 2);
+    yk_file_template(file, yk_text_get(&filled));
+    file->text.failed |= filled.failed;
+    yk_text_free(&filled);
+}
+
 static const char piece[] =
     "/* A piece of a law: sum c_k T_k(u) + sum amplitude cos(frequency u + phase), u = (x - middle) scale; its value "
     "and two\n"
@@ -192,6 +240,7 @@ void yk_file_write_helpers(YkFile *file, const char *body)
                   "    const double turns = ((a - to) * 0.15915494309189535 + to_integer) - to_integer;\n"
                   "    return a - turns * 6.283185307179586;\n}\n\n");
     if (uses[YK_HELPER_SOLVE]) yk_file_template(file, equations);
+    if (uses[YK_HELPER_FRICTION]) write_friction(file);
     if (uses[YK_HELPER_LAW]) {
         yk_file_template(file, piece);
         yk_file_write_laws(file);

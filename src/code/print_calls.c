@@ -8,7 +8,7 @@ static const char *real(const YkPrinter *pr)
 
 static const char *call_array(YkPrinter *pr, const YkCall *call)
 {
-    static const char *const endings[] = {"system", "solution", "law"};
+    static const char *const endings[] = {"system", "solution", "law", "friction"};
     return yk_printer_unique(pr, yk_graph_text(pr->graph, "%s_%s", call->name, endings[call->kind]));
 }
 
@@ -58,6 +58,15 @@ static void call_law(YkPrinter *pr, const YkCall *call, const char *name)
     yk_text_format(pr->out, ", %s);\n", name);
 }
 
+static void call_friction(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    int at = (int)call->argument_count, n = (int)call->n;
+    pr->uses[YK_HELPER_FRICTION] = true;
+    yk_printer_array(pr, name, call->arguments, call->argument_count, call->result_count);
+    yk_text_format(pr->out, "    %s[%d] = %s_friction(%d, %d, %s, %s + %d);\n", name, at + 2 * n, pr->prefix, n,
+                   (int)call->m, name, name, at);
+}
+
 const char *yk_call_print(YkPrinter *pr, const YkCall *call)
 {
     const char *name = call_array(pr, call);
@@ -65,6 +74,8 @@ const char *yk_call_print(YkPrinter *pr, const YkCall *call)
         call_solve(pr, call, name);
     else if (call->kind == YK_CALL_GROUP)
         call_group(pr, call, name);
+    else if (call->kind == YK_CALL_FRICTION)
+        call_friction(pr, call, name);
     else
         call_law(pr, call, name);
     return name;

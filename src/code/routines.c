@@ -19,7 +19,8 @@ void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, con
 static YkRoutine *begin(YkFile *file, const char *name, const char *about, size_t room)
 {
     YkRoutine *r = &file->routines[file->routine_count++];
-    *r = (YkRoutine){.name = name, .about = about, .witness = file->program.witness, .regular = -1};
+    *r = (YkRoutine){.name = name, .about = about, .witness = file->program.witness};
+    r->regular = r->settled = r->moves = -1;
     r->results = YK_NEW(file->program.arena, YkResult, room + 1);
     if (!r->results) file->program.failed = true;
     return r;
@@ -122,6 +123,22 @@ static void add_points(YkFile *file, const Rates *r)
     if (routine->count == 0) file->routine_count--;
 }
 
+static YkRef above_rounding(YkGraph *g, YkRef determinant)
+{
+    return yk_graph_subtract(g, yk_graph_unary(g, YK_VALUE_SIZE, determinant), yk_graph_number(g, 1e-14));
+}
+
+// Enters what dry friction asks of a routine.
+static void meet_dry(YkFile *file, YkRoutine *routine, const YkDryResult *dry)
+{
+    YkGraph *g = &file->program.graph;
+    if (file->forces.dry_count == 0) return;
+    YkRef regular = above_rounding(g, dry->determinant);
+    routine->regular = routine->regular < 0 ? regular : yk_graph_binary(g, YK_VALUE_LEAST, routine->regular, regular);
+    routine->settled = dry->settled;
+    routine->moves = dry->moves;
+}
+
 static void add_efforts(YkFile *file)
 {
     YkProgram *p = &file->program;
@@ -141,6 +158,7 @@ static void add_efforts(YkFile *file)
     routine->checks_results = routine->has_designs = true;
     routine->kind = YK_ROUTINE_INVERSE;
     routine->witness = rates_witness(p);
+    meet_dry(file, routine, &file->forces.dry_inverse);
 }
 
 static void add_accelerations(YkFile *file)
@@ -161,6 +179,7 @@ static void add_accelerations(YkFile *file)
     routine->regular = file->forces.inertia;
     routine->kind = YK_ROUTINE_FORWARD;
     routine->checks_results = routine->has_designs = true;
+    meet_dry(file, routine, &file->forces.dry_forward);
 }
 
 // Returns whether some joint bears: free joints transmit nothing.
@@ -174,7 +193,7 @@ static void add_reactions(YkFile *file, const Rates *r)
     YkProgram *p = &file->program;
     YkForces *f = &file->forces;
     if (!has_bearing(p->model)) return;
-    yk_forces_reactions(f, &r->velocities, &r->accelerations);
+    if (f->dry_count == 0) yk_forces_reactions(f, &r->velocities, &r->accelerations);
     if (!f->reaction) {
         if (!f->why_no_reactions) return;
         yk_problem(p->problems, YK_CODE_NOT_PRINTED, (YkPlace){0}, "the reactions in the joints are not printed: %s",
@@ -195,11 +214,11 @@ static void add_reactions(YkFile *file, const Rates *r)
             yk_file_add_result(file, routine, of(YK_CHANNEL_MOMENT, j, 0), "N m", f->reaction[3 * j + 2], "%s_moment",
                                name);
     }
-    YkRef size = yk_graph_unary(&p->graph, YK_VALUE_SIZE, f->determinant);
-    routine->regular = yk_graph_subtract(&p->graph, size, yk_graph_number(&p->graph, 1e-14));
+    routine->regular = above_rounding(&p->graph, f->determinant);
     routine->checks_results = true;
     routine->kind = YK_ROUTINE_INVERSE;
     routine->witness = rates_witness(p);
+    meet_dry(file, routine, &f->dry_inverse);
 }
 
 // --- drives
@@ -253,6 +272,7 @@ bool yk_file_routines(YkFile *file)
     add_points(file, &r);
     if (file->has_forces) {
         if (!yk_forces_build(&file->forces, p)) return false;
+        if (file->forces.dry_count > 0 && !yk_forces_dry(&file->forces, &r.velocities, &r.accelerations)) return false;
         add_efforts(file);
         add_accelerations(file);
         add_reactions(file, &r);

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <yoke/dynamics.h>
 #include "code/file.h"
+#include "loads/loads.h"
 
 enum { POSES = 5, SOLVE = 1000 }; // SOLVE: work for each step of a pose with forces
 
@@ -53,6 +54,19 @@ static void find_pose(YkFile *file, YkState *state, size_t pose, double *row)
     yk_state_solve(state);
 }
 
+// Returns whether all joints with dry friction slide, clearly.
+static bool slides(const YkFile *file, const YkState *state)
+{
+    const YkMechanism *mech = file->program.mech;
+    bool all = true;
+    for (size_t k = 0; k < file->forces.dry_count; k++) {
+        const YkDryJoint *dry = &file->forces.dry[k];
+        double rate = yk_joint_rate(mech, &state->space, dry->joint, dry->slides);
+        all = all && fabs(rate) > 1e-6 * (dry->slides ? mech->size : 1);
+    }
+    return all;
+}
+
 // Finds the engine's values of a routine's results at the state's inputs. Returns false if it has no answer.
 static bool wanted_at(YkFile *file, YkState *state, YkDynamics *dynamics, const YkRoutine *r, double *wanted)
 {
@@ -63,6 +77,7 @@ static bool wanted_at(YkFile *file, YkState *state, YkDynamics *dynamics, const 
         YkStatus status = yk_dynamics_solve(dynamics, state, YK_METHOD_REDUCED);
         file->program.failed |= status == YK_NO_MEMORY;
         if ((status != YK_OK && status != YK_REDUNDANT) || !yk_state_has_rates(state)) return false;
+        if (!slides(file, state)) return false;
     }
     for (size_t k = 0; k < r->count; k++) {
         YkChannel c = r->results[k].channel;

@@ -18,6 +18,7 @@ typedef enum YkHelper {
     YK_HELPER_SIGN,
     YK_HELPER_SOLVE,
     YK_HELPER_LAW,
+    YK_HELPER_FRICTION,
     YK_HELPER_COUNT
 } YkHelper;
 

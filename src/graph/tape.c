@@ -19,7 +19,7 @@ static void use_call(YkTapeMaker *m, int32_t index)
     const YkCall *call = &m->graph->calls[index];
     if (m->of_call[index] != YK_NONE) return; // another result of it has counted them
     m->of_call[index] = (int32_t)m->call_count++;
-    m->failed |= call->kind == YK_CALL_GROUP;
+    m->failed |= call->kind != YK_CALL_SOLVE && call->kind != YK_CALL_LAW;
     for (size_t k = 0; k < call->argument_count; k++) m->uses[call->arguments[k]]++;
 }
 

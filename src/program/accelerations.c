@@ -84,6 +84,34 @@ static void solve_pivoted(YkForces *f, const size_t *free, YkRef *b)
     f->inertia = yk_graph_subtract(&p->graph, size, yk_graph_number(&p->graph, 1e-14));
 }
 
+static void solve(YkForces *f, const size_t *free, YkRef *b)
+{
+    if (f->free_count == 2)
+        solve_pair(f, free, b);
+    else if (f->free_count <= STRAIGHT_MAX)
+        solve_straight(f, free, b);
+    else
+        solve_pivoted(f, free, b);
+}
+
+YkRef *yk_forces_response(YkForces *f, const YkRef *along)
+{
+    YkProgram *p = f->program;
+    size_t n = p->mech->input_count, free[YK_FORCES_INPUTS_MAX] = {0}, count = 0;
+    YkRef b[YK_FORCES_INPUTS_MAX], *response = YK_NEW(p->arena, YkRef, n + 1), inertia = f->inertia;
+    if (!response) return NULL;
+    for (size_t i = 0; i < n; i++) {
+        response[i] = yk_graph_number(&p->graph, 0);
+        if (!f->is_free[i]) continue;
+        b[count] = along[i];
+        free[count++] = i;
+    }
+    solve(f, free, b);
+    f->inertia = inertia;
+    for (size_t k = 0; k < count; k++) response[free[k]] = b[k];
+    return response;
+}
+
 void yk_forces_accelerations(YkForces *f)
 {
     YkProgram *p = f->program;
@@ -108,11 +136,6 @@ void yk_forces_accelerations(YkForces *f)
             b[k] = yk_graph_subtract(g, b[k], part);
         }
     }
-    if (f->free_count == 2)
-        solve_pair(f, free, b);
-    else if (f->free_count <= STRAIGHT_MAX)
-        solve_straight(f, free, b);
-    else
-        solve_pivoted(f, free, b);
+    solve(f, free, b);
     for (size_t k = 0; k < f->free_count; k++) f->acceleration[free[k]] = b[k];
 }

@@ -21,10 +21,12 @@ typedef struct YkBalanceSystem {
     size_t count;
     size_t n,
         sides; // unknowns, those of least_norm.c after the columns; right sides: 1 and the radial forces of gears, N for each newton across the teeth
-    YkRef *system;    // [n][n + sides]; while it is made, [3 for each moving body][n + sides]
-    YkRef *solution;  // [n][sides], once it is solved
-    YkRefVec *radial; // [sides]: what a gear's radial force is on its second wheel
-    bool ran_out;     // of memory, where making or solving it failed
+    YkRef *system;               // [n][n + sides]; while it is made, [3 for each moving body][n + sides]
+    YkRef *solution;             // [n][sides], once it is solved
+    size_t first_dry, dry_count; // right sides of dry friction; 0: none
+    YkRef *factor;               // [sides], with dry friction: by which a right side counts
+    YkRefVec *radial;            // [sides]: what a gear's radial force is on its second wheel
+    bool ran_out;                // of memory, where making or solving it failed
 } YkBalanceSystem;
 
 // reactions.c: makes the unknowns, then the equations for a pose with these rates, with this unit of length. Returns
@@ -44,6 +46,9 @@ bool yk_balance_solve(YkBalanceSystem *balance);
 // force_channels.c: the value of a channel of forces or energies, once the balance is solved. Returns YK_NONE for what
 // is none.
 YkRef yk_balance_channel(YkBalanceSystem *balance, YkChannel channel);
+
+// dry_friction.c: enters the right sides of dry friction: 1 N or N m along each joint, and what it accelerates.
+void yk_dry_enter(YkBalanceSystem *balance);
 
 // Adds a wrench on a body, about its centre of mass, to a column or right side.
 void yk_balance_add(YkBalanceSystem *balance, size_t column, int32_t body, YkRefVec force, YkRef moment);

@@ -14,6 +14,7 @@ bool yk_forces_start(YkForces *f, YkProgram *p)
     f->rest = YK_NEW(p->arena, YkRef, n + 1);
     f->effort = YK_NEW(p->arena, YkRef, n + 1);
     f->acceleration = YK_NEW(p->arena, YkRef, n + 1);
+    f->dry = YK_NEW(p->arena, YkDryJoint, p->model->joint_count + 1);
     f->is_free = YK_NEW(p->arena, bool, n + 1);
     return !yk_arena_failed(p->arena);
 }

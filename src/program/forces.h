@@ -12,6 +12,20 @@ typedef struct YkWrenchRef { // on a body: force, and moment about its reference
     YkRef moment;
 } YkWrenchRef;
 
+typedef struct YkDryJoint { // a joint with dry friction
+    int32_t joint;
+    bool slides;
+    YkRef limit;     // of its friction, for 1 N in the joint
+    YkRef *along;    // per input: its rate for the rate 1 of that input
+    YkRef *response; // per input: the acceleration of a free one that 1 N or N m along it adds; NULL: all are given
+} YkDryJoint;
+
+typedef struct YkDryResult {
+    YkRef moves;       // above 0 if no joint with dry friction is at rest
+    YkRef settled;     // 1 if frictions and reactions agree
+    YkRef determinant; // of the equations
+} YkDryResult;
+
 typedef struct YkForces {
     YkProgram *program;
     YkMotionRef *motion;      // per coordinate of the tree: position and velocity
@@ -30,6 +44,10 @@ typedef struct YkForces {
     YkRef *reaction;   // per joint: force x, y, moment; NULL: not printed
     YkRef determinant; // of the reactions' equations
     const char *why_no_reactions;
+    YkDryJoint *dry;
+    size_t dry_count;
+    bool balances_dry;                                // each of them is a right side of the balance
+    YkDryResult dry_result, dry_inverse, dry_forward; // dry_result: the latest
     bool takes_least; // where constraints repeat others, the reactions are those of least norm;
     bool is_least;    // some are
 } YkForces;
@@ -58,6 +76,13 @@ bool yk_forces_equations(YkForces *forces);
 bool yk_forces_lumped(YkForces *forces, YkEquations *out);
 // accelerations.c: those of the free inputs.
 void yk_forces_accelerations(YkForces *forces);
+// Returns the accelerations of the free inputs that forces along the inputs add, 0 of the others; NULL when out of memory.
+YkRef *yk_forces_response(YkForces *forces, const YkRef *along);
+// loads.c: makes the wrenches of an effort of 1 along a joint's freedom, into load[body].
+void yk_forces_unit_effort(YkForces *forces, int32_t joint, bool is_distance, YkWrenchRef *load);
+// dry_friction.c: adds dry friction to the efforts and the accelerations, and finds the reactions with it; for machines
+// with dry_count > 0. Returns false if it cannot be printed, which is reported, or when out of memory.
+bool yk_forces_dry(YkForces *forces, const YkRates *velocities, const YkRates *accelerations);
 // reactions.c: the equations of the free bodies.
 void yk_forces_reactions(YkForces *forces, const YkRates *velocities, const YkRates *accelerations);
 // Returns whether it has mass or load.

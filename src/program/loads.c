@@ -1,5 +1,4 @@
 // Loads: the action of gravity, efforts, forces, springs, dampers and viscous friction on the bodies.
-#include "base/problems.h"
 #include "program/forces.h"
 
 YkRefVec yk_forces_center(YkProgram *p, int32_t body)
@@ -196,27 +195,43 @@ static void add_spring(YkForces *f, const YkSpring *s)
     push(f, s->body[1], arm[1], yk_graph_vec_scale(g, yk_graph_number(g, -1), force));
 }
 
-static bool add_friction(YkForces *f)
+void yk_forces_unit_effort(YkForces *f, int32_t joint, bool is_distance, YkWrenchRef *load)
+{
+    YkGraph *g = &f->program->graph;
+    YkWrenchRef *before = f->load;
+    YkRef zero = yk_graph_number(g, 0);
+    for (size_t b = 0; b < f->program->model->body_count; b++) load[b] = (YkWrenchRef){{zero, zero}, zero};
+    f->load = load;
+    push_along(f, joint, is_distance, yk_graph_number(g, 1));
+    f->load = before;
+}
+
+// Returns whether a joint has dry friction, or has some for other parameters.
+static bool may_be_dry(const YkProgram *p, const YkFriction *friction)
+{
+    bool may = friction->coulomb != 0;
+    for (size_t k = 0; k < p->model->parameter_count && friction->coulomb_expr && !may; k++)
+        may = yk_expr_mentions(friction->coulomb_expr, p->model->parameters[k].name);
+    return may;
+}
+
+static void add_friction(YkForces *f)
 {
     YkProgram *p = f->program;
     YkGraph *g = &p->graph;
     for (size_t j = 0; j < p->model->joint_count; j++) {
         const YkJoint *joint = &p->model->joints[j];
         if (!joint->has_friction) continue;
-        if (joint->friction.coulomb != 0) {
-            yk_problem(p->problems, YK_CODE_NOT_PRINTABLE, joint->friction.place,
-                       "joint %q has dry friction, which depends on the reactions it changes; it is not printed",
-                       joint->name);
-            yk_problem_hint(p->problems, "`--kinematics` prints the motion alone; `yoke simulate` computes with it");
-            p->failed = true;
-            return false;
-        }
         bool slides = yk_part(joint->kind)->slides;
         YkRef viscous = value_of(p, joint->friction.viscous_expr, joint->friction.viscous);
         YkRef rate = yk_program_joint_rate(p, (int32_t)j, slides, &f->velocities);
         push_along(f, (int32_t)j, slides, yk_graph_minus(g, yk_graph_multiply(g, viscous, rate)));
+        if (!may_be_dry(p, &joint->friction)) continue;
+        YkRef limit = value_of(p, joint->friction.coulomb_expr, joint->friction.coulomb);
+        if (!slides)
+            limit = yk_graph_multiply(g, limit, value_of(p, joint->friction.radius_expr, joint->friction.radius));
+        f->dry[f->dry_count++] = (YkDryJoint){.joint = (int32_t)j, .slides = slides, .limit = limit};
     }
-    return true;
 }
 
 static void make_gravity(YkForces *f)
@@ -246,5 +261,6 @@ bool yk_forces_loads(YkForces *f)
     add_efforts(f);
     add_forces(f);
     for (size_t k = 0; k < p->model->spring_count; k++) add_spring(f, &p->model->springs[k]);
-    return add_friction(f) && !p->failed;
+    add_friction(f);
+    return !p->failed;
 }

@@ -116,12 +116,18 @@ static void make_system(YkBalanceSystem *w)
         enter_joint(w, k);
     }
     for (size_t b = 1; b < p->model->body_count; b++) enter_right(w, (int32_t)b);
+    if (w->dry_count > 0) yk_dry_enter(w);
 }
 
 YkRef yk_balance_value(const YkBalanceSystem *w, size_t k)
 {
     YkGraph *g = &w->f->program->graph;
     YkRef value = w->solution[k * w->sides];
+    for (size_t side = 1; w->factor && side < w->sides; side++) {
+        YkRef part = yk_graph_multiply(g, w->factor[side], w->solution[k * w->sides + side]);
+        value = yk_graph_add(g, value, part);
+    }
+    if (w->factor) return value;
     for (size_t c = 0; c < w->count; c++) {
         size_t side = w->columns[c].radial;
         if (side == 0) continue;
@@ -189,6 +195,11 @@ bool yk_balance_make(YkBalanceSystem *w, YkForces *f, const YkRates *r, const Yk
     make_columns(w);
     yk_meshes_columns(w);
     w->n = w->count;
+    if (f->balances_dry) {
+        w->first_dry = w->sides;
+        w->dry_count = f->dry_count;
+        w->sides += f->dry_count;
+    }
     if (w->count < rows || (w->count > rows && !f->takes_least)) {
         f->why_no_reactions = "constraints repeat others, so that they are not determined";
         return false;

@@ -22,13 +22,14 @@ static bool make_room(YkWorker *w, size_t parameters, size_t channels)
     w->block_status = calloc(YK_STUDY_BLOCK, 1);
     w->last = calloc(inputs + 1, sizeof *w->last);
     w->end = calloc(inputs + 1, sizeof *w->end);
-    w->lane = calloc(inputs * YK_STUDY_BLOCK + 1, sizeof *w->lane);
+    w->lane = calloc(inputs * YK_STUDY_LANES + 1, sizeof *w->lane);
     w->lane_output = calloc((channels + 1) * YK_STUDY_BLOCK, sizeof *w->lane_output);
-    w->lane_pose = calloc(YK_STUDY_BLOCK, sizeof *w->lane_pose);
+    w->lane_pose = calloc(YK_STUDY_LANES, sizeof *w->lane_pose);
+    w->planned_from = calloc(inputs + 1, sizeof *w->planned_from);
     w->row = calloc(inputs + 1, sizeof *w->row);
     w->row_output = calloc(channels + 1, sizeof *w->row_output);
     return w->value && w->inputs && w->outputs && w->extent && w->count && w->block && w->block_status && w->last &&
-           w->end && w->lane && w->lane_output && w->lane_pose && w->row && w->row_output;
+           w->end && w->lane && w->lane_output && w->lane_pose && w->planned_from && w->row && w->row_output;
 }
 
 static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, const YkStudyOptions *options,
@@ -74,6 +75,7 @@ static void end_worker(YkWorker *w)
     free(w->lane);
     free(w->lane_output);
     free(w->lane_pose);
+    free(w->planned_from);
     free((void *)w->row);
     free((void *)w->row_output);
 }

@@ -12,7 +12,8 @@
 #include "batch/pose_forces.h"
 #include "solve/state.h"
 
-enum { YK_STUDY_BLOCK = 192 }; // poses reduced at a time: their rows stay in the first two caches
+enum { YK_STUDY_BLOCK = 192 }; // poses reduced at a time, lanes run at a time: their rows stay in the first two caches
+enum { YK_STUDY_LANES = 512 }; // lanes that may stay from design to design
 
 typedef struct YkJob { // one call, for all workers
     const YkStudyCase *asked;
@@ -64,11 +65,14 @@ typedef struct YkWorker {
     YkMotion *goal;       // [input]
     YkWay way;
     double *last, *end;   // [3 * input + k]: of the last lane known to be on the way; of the last one filled in
-    double *lane;         // [3 * input + k][YK_STUDY_BLOCK]: a block of lanes on the way,
+    double *lane;         // [3 * input + k][YK_STUDY_LANES]: lanes on the way,
     double *lane_output;  // [channel][YK_STUDY_BLOCK]: their results,
-    ptrdiff_t *lane_pose; // [YK_STUDY_BLOCK]: and the pose of each lane, or -1
-    bool lane_is_pose[YK_STUDY_BLOCK];
-    double lane_time[YK_STUDY_BLOCK];
+    ptrdiff_t *lane_pose; // [YK_STUDY_LANES]: and the pose of each lane, or -1
+    bool lane_is_pose[YK_STUDY_LANES];
+    double lane_time[YK_STUDY_LANES];
+    bool plans;                // all designs of the job have the same few poses, so that their lanes stay
+    size_t planned, turned;    // lanes of the whole way, 0: they are not those; the first of them, up to the first stretch
+    double *planned_from;      // [input]: where they start
     const double **row;    // [3 * input + k]: what the batch reads,
     double **row_output;   // [channel]: and writes
     double *value;         // [parameter]

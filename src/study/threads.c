@@ -115,6 +115,8 @@ YkStatus yk_study_go(YkStudy *study, YkJob *job)
         w->job = job;
         w->worst = YK_OK;
         w->is_fine = is_fine;
+        w->plans = asked->inputs && !asked->inputs_per_design && asked->pose_count <= YK_STUDY_BLOCK;
+        w->planned = 0;
         watch(w, job, t == 0);
     }
     if (pthread_mutex_init(&job->lock, NULL) != 0) return YK_NO_MEMORY;
@@ -124,5 +126,6 @@ YkStatus yk_study_go(YkStudy *study, YkJob *job)
         pthread_cond_destroy(&job->sign);
     }
     pthread_mutex_destroy(&job->lock);
+    for (size_t t = 0; t < study->thread_count; t++) study->worker[t].plans = false; // others may ask for other poses
     return status;
 }

@@ -28,10 +28,11 @@ static double steps_to(const YkWorker *w, size_t pose)
     for (size_t i = 0; i < w->mech->input_count; i++) {
         double way = fabs(input_at(w, 3 * i, pose) - w->end[3 * i]);
         if (!(way - way == 0)) return INFINITY;
-        longest = fmax(longest, way / yk_input_unit(w->mech, i));
+        way /= yk_input_unit(w->mech, i);
+        longest = way > longest ? way : longest;
     }
-    bool is_second = w->way.lanes == 1; // three lanes at least tell what lies between them
-    return fmax(longest <= FINE ? 1 : ceil(longest / STEP), is_second ? 2 : 1);
+    double steps = longest <= FINE ? 1 : ceil(longest / STEP), least = w->way.lanes == 1 ? 2 : 1;
+    return steps > least ? steps : least; // three lanes at least tell what lies between them
 }
 
 typedef struct Answers { // of one call
@@ -46,41 +47,59 @@ static size_t lane_work(const YkWorker *w)
     return 10 * (w->mech->step_count + w->study->channel_count + 1);
 }
 
-// Runs the lanes that were put in. Returns false if not all of them are surely on the way.
-static bool run_lanes(YkWorker *w, size_t *put, Answers *a)
+// Runs n of the lanes that were put in. Returns false if not all of them are surely on the way.
+static bool run_lanes(YkWorker *w, size_t from, size_t n, Answers *a)
 {
-    size_t inputs = 3 * w->mech->input_count, channels = w->study->channel_count, n = *put;
+    size_t inputs = 3 * w->mech->input_count, channels = w->study->channel_count;
     if (!yk_pace_spend(&w->pace, n * lane_work(w))) return false;
-    for (size_t i = 0; i < inputs; i++) w->row[i] = w->lane + i * YK_STUDY_BLOCK;
+    for (size_t i = 0; i < inputs; i++) w->row[i] = w->lane + i * YK_STUDY_LANES + from;
     for (size_t c = 0; c < channels; c++) w->row_output[c] = w->lane_output + c * YK_STUDY_BLOCK;
-    size_t clear =
-        n > 0 ? yk_batch_run_along(w->batch, w->row, w->row_output, NULL, (YkAlong){w->lane_is_pose, w->lane_time}, n)
-              : 0;
+    YkAlong along = {w->lane_is_pose + from, w->lane_time + from};
+    size_t clear = n > 0 ? yk_batch_run_along(w->batch, w->row, w->row_output, NULL, along, n) : 0;
     for (size_t k = 0; k < clear; k++) {
-        if (w->lane_pose[k] < 0) continue;
-        size_t pose = (size_t)w->lane_pose[k];
+        if (w->lane_pose[from + k] < 0) continue;
+        size_t pose = (size_t)w->lane_pose[from + k];
         for (size_t c = 0; c < channels; c++) a->outputs[c][pose] = w->row_output[c][k];
         if (a->status) a->status[pose] = YK_OK;
         a->done = pose + 1;
     }
     for (size_t i = 0; clear > 0 && i < inputs; i++) w->last[i] = w->row[i][clear - 1];
     w->way.lanes += clear;
-    *put = 0;
     return clear == n;
 }
 
-// Puts in a lane at `part` of the way from the last pose to the next one; at 1 it is that pose.
-static void put_lane(YkWorker *w, size_t *put, size_t pose, double part)
+static bool run_put(YkWorker *w, size_t *put, Answers *a)
 {
-    size_t k = (*put)++;
+    size_t n = *put;
+    *put = 0;
+    return run_lanes(w, 0, n, a);
+}
+
+// Puts in lanes `first` to `last` of `steps` on the way from the last pose to the next one; the last of all is that pose.
+static void put_lanes(YkWorker *w, size_t *put, size_t pose, double first, double last, double steps)
+{
+    size_t at = *put, n = (size_t)(last - first) + 1;
+    bool is_there = last == steps;
+    double time = time_at(w, pose);
     for (size_t i = 0; i < w->mech->input_count; i++) {
-        double from = w->end[3 * i], to = input_at(w, 3 * i, pose);
-        w->lane[3 * i * YK_STUDY_BLOCK + k] = part == 1 ? to : from + part * (to - from);
-        for (size_t o = 1; o < 3; o++) w->lane[(3 * i + o) * YK_STUDY_BLOCK + k] = input_at(w, 3 * i + o, pose);
+        double from = w->end[3 * i], to = input_at(w, 3 * i, pose), way = to - from;
+        double *x = w->lane + 3 * i * YK_STUDY_LANES + at, *v = x + YK_STUDY_LANES, *a = v + YK_STUDY_LANES;
+        double rate = input_at(w, 3 * i + 1, pose), accel = input_at(w, 3 * i + 2, pose);
+        for (size_t k = 0; k < n; k++) {
+            x[k] = from + (first + (double)k) / steps * way;
+            v[k] = rate;
+            a[k] = accel;
+        }
+        if (is_there) x[n - 1] = to;
     }
-    w->lane_pose[k] = part == 1 ? (ptrdiff_t)pose : -1;
-    w->lane_is_pose[k] = part == 1;
-    w->lane_time[k] = time_at(w, pose);
+    for (size_t k = 0; k < n; k++) {
+        w->lane_pose[at + k] = -1;
+        w->lane_is_pose[at + k] = false;
+        w->lane_time[at + k] = time;
+    }
+    if (is_there) w->lane_pose[at + n - 1] = (ptrdiff_t)pose;
+    w->lane_is_pose[at + n - 1] = is_there;
+    *put += n;
 }
 
 static bool is_there(const YkWorker *w, const double *from, size_t pose)
@@ -90,15 +109,21 @@ static bool is_there(const YkWorker *w, const double *from, size_t pose)
     return true;
 }
 
-// Runs the first lane: the start itself, which may be the first pose.
+// Puts in the first lane: the start itself. Returns whether it is the first pose.
+static bool put_start(YkWorker *w, size_t *put)
+{
+    bool is_pose = is_there(w, w->begun->valid_input, 0);
+    memcpy(w->end, w->begun->valid_input, 3 * w->mech->input_count * sizeof *w->end);
+    put_lanes(w, put, 0, is_pose ? 1 : 0, is_pose ? 1 : 0, 1);
+    return is_pose;
+}
+
 static bool run_start(YkWorker *w, Answers *a)
 {
     size_t put = 0;
-    bool is_pose = is_there(w, w->begun->valid_input, 0);
-    memcpy(w->end, w->begun->valid_input, 3 * w->mech->input_count * sizeof *w->end);
-    put_lane(w, &put, 0, is_pose ? 1 : 0);
+    put_start(w, &put);
     yk_batch_begin(w->batch, w->begun);
-    return run_lanes(w, &put, a);
+    return run_put(w, &put, a);
 }
 
 static void end_at(YkWorker *w, size_t pose)
@@ -109,9 +134,11 @@ static void end_at(YkWorker *w, size_t pose)
 // Adds lanes up to a pose; they run when there is no room for more.
 static bool add_lanes(YkWorker *w, size_t *put, size_t pose, double steps, Answers *a)
 {
-    for (double k = 1; k <= steps; k++) {
-        put_lane(w, put, pose, k == steps ? 1 : k / steps);
-        if (*put == YK_STUDY_BLOCK && !run_lanes(w, put, a)) return false;
+    for (double k = 1, last; k <= steps; k = last + 1) {
+        double room = (double)(YK_STUDY_BLOCK - *put);
+        last = steps - k < room ? steps : k + room - 1;
+        put_lanes(w, put, pose, k, last, steps);
+        if (*put == YK_STUDY_BLOCK && !run_put(w, put, a)) return false;
     }
     end_at(w, pose);
     return true;
@@ -159,26 +186,79 @@ static bool run_poses(YkWorker *w, Answers *a)
     return true;
 }
 
+// --- lanes that stay from design to design
+
+// Returns whether the lanes of the last design lead from the start of this one.
+static bool is_planned(const YkWorker *w)
+{
+    bool is_same = w->planned > 0;
+    for (size_t i = 0; i < w->mech->input_count && is_same; i++)
+        is_same = w->planned_from[i] == w->begun->valid_input[3 * i];
+    return is_same;
+}
+
+// Puts in the lanes of a stretch. Returns false if there is no room for all of them.
+static bool plan_stretch(YkWorker *w, size_t *put, size_t pose, double least)
+{
+    double steps = fmax(steps_to(w, pose), least);
+    if (!(steps <= (double)(YK_STUDY_LANES - *put))) return false;
+    put_lanes(w, put, pose, 1, steps, steps);
+    end_at(w, pose);
+    return true;
+}
+
+// Puts in the lanes of the whole way. Returns false if they are too many, or poses are so close that none are needed.
+static bool plan(YkWorker *w, size_t count)
+{
+    size_t put = 0, pose = put_start(w, &put) ? 1 : 0;
+    if (pose < count && !plan_stretch(w, &put, pose++, 2)) return false; // run by themselves, as in go_by_lanes
+    w->turned = put;
+    if (pose < count && is_fine(w, pose, count)) return false;
+    for (; pose < count; pose++)
+        if (!plan_stretch(w, &put, pose, 1)) return false;
+    for (size_t i = 0; i < w->mech->input_count; i++) w->planned_from[i] = w->begun->valid_input[3 * i];
+    w->planned = put;
+    return true;
+}
+
+// Runs the lanes of the whole way in the same blocks as go_by_lanes.
+static bool run_plan(YkWorker *w, Answers *a)
+{
+    yk_batch_begin(w->batch, w->begun);
+    if (!run_lanes(w, 0, 1, a) || !run_lanes(w, 1, w->turned - 1, a)) return false;
+    for (size_t from = w->turned, n; from < w->planned; from += n) {
+        n = w->planned - from < YK_STUDY_BLOCK ? w->planned - from : YK_STUDY_BLOCK;
+        if (!run_lanes(w, from, n, a)) return false;
+    }
+    end_at(w, a->count - 1);
+    return true;
+}
+
 // Goes on as far as lanes can tell. Returns false if the rest must be moved.
 static bool go_by_lanes(YkWorker *w, Answers *a)
 {
     size_t put = 0, pose;
+    if (w->way.lanes == 0 && w->plans) {
+        w->plans = is_planned(w) || plan(w, a->count);
+        if (w->plans) return run_plan(w, a);
+        w->planned = 0;
+    }
     if (w->way.lanes == 0 && !run_start(w, a)) return false;
     if (w->way.lanes == 1 && a->done < a->count) { // the first stretch
         double steps = steps_to(w, a->done);
-        if (!(steps <= LANES_MAX) || !add_lanes(w, &put, a->done, steps, a) || !run_lanes(w, &put, a)) return false;
+        if (!(steps <= LANES_MAX) || !add_lanes(w, &put, a->done, steps, a) || !run_put(w, &put, a)) return false;
     }
     if (a->done == a->count) return true;
     if (is_fine(w, a->done, a->count)) return run_poses(w, a);
     for (pose = a->done; pose < a->count; pose++) {
         double steps = steps_to(w, pose);
         if (!(steps <= LANES_MAX)) {
-            run_lanes(w, &put, a);
+            run_put(w, &put, a);
             return false;
         }
         if (!add_lanes(w, &put, pose, steps, a)) return false;
     }
-    return run_lanes(w, &put, a);
+    return run_put(w, &put, a);
 }
 
 // --- pose by pose

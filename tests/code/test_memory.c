@@ -45,6 +45,7 @@ static void code_is_printed_or_refused_whichever_allocation_fails(void **state)
     check_all("double-butterfly"); // a group
     check_all("valve-cam");        // a law
     check_all("double-pendulum");
+    check_all("crank-press"); // dry friction
 }
 
 int main(void)

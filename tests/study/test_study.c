@@ -101,6 +101,31 @@ static void test_designs_that_do_not_close_have_a_status_and_no_nan(void **unuse
     machine_free(&m);
 }
 
+// All designs have the same poses, whose lanes stay from design to design where they are few; or each has its own.
+static void test_poses_of_all_designs_give_the_bits_of_poses_of_each(void **unused)
+{
+    (void)unused;
+    static const double steps[] = {0.02, 0.15, 0.5, -0.15}; // close together; lanes between; too many of them; back
+    static double shared[3][DESIGNS * POSES], pose[POSES];
+    static signed char shared_status[DESIGNS * POSES];
+    Machine m = machine_load("four-bar");
+    YkStudy *study = study_of(&m, LENGTHS, 3, OF, 3, 2);
+    const double *parameters[] = {a, b, c}, *own[] = {theta, NULL, NULL}, *same[] = {pose, NULL, NULL};
+    double *outputs[] = {out[0], out[1], out[2]}, *others[] = {shared[0], shared[1], shared[2]};
+    draw(0.6, 5);
+    for (int k = 0; k < 4; k++) {
+        for (size_t i = 0; i < DESIGNS * POSES; i++) theta[i] = 0.7 + steps[k] * (double)(i % POSES);
+        memcpy(pose, theta, sizeof pose);
+        YkStudyCase each = ask(parameters, own, POSES, true), all = ask(parameters, same, POSES, false);
+        YkStatus worst = yk_study_run(study, &each, outputs, status);
+        assert_int_equal(yk_study_run(study, &all, others, shared_status), worst);
+        assert_memory_equal(status, shared_status, sizeof status);
+        assert_memory_equal(out, shared, sizeof out);
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
 static void check_threads(const char *file, const char *const *parameters, size_t count, const double *const *values,
                           const char *const *of)
 {
@@ -379,6 +404,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_pose_with_its_own_lengths_is_the_closed_form),
         cmocka_unit_test(test_designs_that_do_not_close_have_a_status_and_no_nan),
+        cmocka_unit_test(test_poses_of_all_designs_give_the_bits_of_poses_of_each),
         cmocka_unit_test(test_any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(test_extents_are_those_of_the_poses),
         cmocka_unit_test(test_forces_follow_masses_and_lengths),
