@@ -63,8 +63,8 @@ static void keep(YkField *f, YkFoldPlace place)
         if (f->is_angle[k]) place.at[k] -= length * floor((place.at[k] - f->low[k]) / length);
     }
     for (size_t k = 0; k < f->fold_count; k++)
-        is_known |= fabs(f->folds[k].at[0] - place.at[0]) < f->step[0] &&
-                    fabs(f->folds[k].at[1] - place.at[1]) < f->step[1];
+        is_known |=
+            fabs(f->folds[k].at[0] - place.at[0]) < f->step[0] && fabs(f->folds[k].at[1] - place.at[1]) < f->step[1];
     if (!is_known) f->folds[f->fold_count++] = place;
 }
 

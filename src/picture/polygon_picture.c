@@ -108,7 +108,7 @@ const char *yk_polygon_svg(YkPolygon *p)
     YkText scale = {0};
     yk_text_format(&scale, " data-scale=\"%g\"", page.scale);
     yk_sheet_open(&p->svg, end + 6, yk_text_get(&scale), p->model->name,
-                 p->kind == YK_POLYGON_VELOCITY ? "velocity polygon" : "acceleration polygon");
+                  p->kind == YK_POLYGON_VELOCITY ? "velocity polygon" : "acceleration polygon");
     p->svg.failed |= scale.failed;
     yk_text_free(&scale);
     for (size_t k = 0; k < p->vector_count; k++) add_vector(&page, &p->vector[k]);

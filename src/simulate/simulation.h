@@ -86,7 +86,7 @@ struct YkSimulation {
     YkNear *near, *near_next, *near_memory;
     size_t near_count;
     bool keeps_apart; // the blocks that are near keep their signs: branches come close there, and do not meet (apart.c)
-    double near_time;                 // of the step at which they were examined
+    double near_time; // of the step at which they were examined
     double *moved, *sampled, *looked; // scratch, as y
     double *pose_sum;                 // an interpolated pose, like the state's space
     YkState *guide;                   // where drives alone move the machine: the same pose, followed as sweeps do

@@ -31,7 +31,7 @@ struct YkState {
     YkGroupWork groups;
     double *valid_x; // group columns at the valid pose
     // Where the last motion ended: at a change point the branches are those of the side it came from.
-    double *arrival, *heading; // [input]: the inputs there, and the direction in which they moved; 0: unknown
+    double *arrival, *heading;         // [input]: the inputs there, and the direction in which they moved; 0: unknown
     double arrival_time, time_heading; // the same of time, if the pose was reached over time
     double time;
     bool has_pose, has_rates;

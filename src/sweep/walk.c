@@ -103,7 +103,8 @@ static void pass(YkWalk *w, size_t block, double at, double way)
     w->path.side = way;
     s->branch[block] = (signed char)-s->branch[block];
     w->flipped_at[block] = at;
-    YkEvent event = {.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true, .is_turned = is_turned};
+    YkEvent event = {
+        .kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true, .is_turned = is_turned};
     if (is_seen) yk_walk_note(w, event);
 }
 

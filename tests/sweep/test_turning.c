@@ -45,7 +45,10 @@ static const Drive drives[] = {
     {"0.1 m - 0.1 m * cos(2*t/(1 s) - 2)", by_cosine, {1, 1 + YK_PI / 2, INFINITY}, true},
     {"0.02 m * (t/(1 s) - 1)^2 + 0.004 m * (t/(1 s) - 1)^3", by_square, {1, INFINITY, INFINITY}, true},
     {"0.02 m * (t/(1 s) - 1)^4", by_fourth_power, {INFINITY, INFINITY, INFINITY}, true},
-    {"1e-8 m + (1 - 1.5e-7)*(0.1 m - 0.1 m * cos(2*t/(1 s) - 2))", by_short_stroke, {INFINITY, INFINITY, INFINITY}, false},
+    {"1e-8 m + (1 - 1.5e-7)*(0.1 m - 0.1 m * cos(2*t/(1 s) - 2))",
+     by_short_stroke,
+     {INFINITY, INFINITY, INFINITY},
+     false},
 };
 enum { DRIVES = sizeof drives / sizeof *drives, ROWS = 61 };
 
