@@ -1,5 +1,6 @@
 // Finds what is not proved and lies neither along the curves nor at places where a dyad turns freely.
 #include <math.h>
+#include "elementary/elementary.h"
 #include "map/field.h"
 
 enum { REACH = 12, STEPS = 40 };
@@ -27,7 +28,7 @@ static double approach(YkField *f, double at[2], const YkFold *here)
     if (!(fabs(area) > 1e-4 * yk_norm(slope[0]) * yk_norm(slope[1]))) return INFINITY;
     double change[2] = {-yk_cross(here->apart, slope[1]) / area, yk_cross(here->apart, slope[0]) / area};
     for (int k = 0; k < 2; k++) at[k] += change[k] * f->step[k];
-    return hypot(change[0], change[1]);
+    return yk_hypot(change[0], change[1]);
 }
 
 // Finds the place near a cell where the ends of a dyad with equal links meet, by Newton's method.

@@ -1,5 +1,6 @@
 // The equilibria of a machine with one freedom: on each circuit of its map, the loads' effort along the motion changes its sign.
 // The map comes as near to a limit of the free coordinate as one likes, where random poses hardly ever lie.
+#include "base/problems.h"
 #include "rest/rest.h"
 
 enum { BLOCKS_MAX = 8 }; // a map follows every branch, and there are 2^8 of as many dyads
@@ -7,7 +8,11 @@ enum { BLOCKS_MAX = 8 }; // a map follows every branch, and there are 2^8 of as 
 YkMap *yk_rest_map(YkRest *rest)
 {
     if (rest->freedom != 1 || rest->mech->block_count > BLOCKS_MAX) return NULL;
-    return yk_map_new(rest->state, yk_rest_input(rest, 0), NULL);
+    YkProblems *quiet = yk_problems_new(); // a machine that cannot be mapped is searched otherwise
+    YkMap *map = quiet ? yk_map_new(rest->state, yk_rest_input(rest, 0), quiet) : NULL;
+    rest->ran_out |= !quiet || yk_problems_ran_out(quiet);
+    yk_problems_free(quiet);
+    return map;
 }
 
 // Stands at a value of the free coordinate, in the configuration of a row near to it, and finds how the loads accelerate it.
@@ -20,7 +25,9 @@ static bool stand(YkRest *rest, const double *row, double at, double *accel)
         s->is_guessed[c] = true;
     }
     yk_state_set_input(s, (size_t)rest->input[0], (YkMotion){at, 0, 0});
-    return yk_state_assemble(s) >= 0 && yk_rest_accelerations(rest, &at, NULL, accel) && isfinite(*accel);
+    YkStatus status = yk_state_assemble(s);
+    rest->ran_out |= status == YK_NO_MEMORY;
+    return status >= 0 && yk_rest_accelerations(rest, &at, NULL, accel) && isfinite(*accel);
 }
 
 // Narrows an interval at whose ends the loads accelerate in different directions down to an equilibrium, and keeps it.
@@ -30,14 +37,15 @@ static bool bracket(YkRest *rest, const double *row, double from, double to, dou
     double now;
     for (int k = 0; k < 30; k++) {
         double middle = 0.5 * (from + to);
-        if (!stand(rest, row, middle, &now)) return true;
+        if (!stand(rest, row, middle, &now)) return !rest->ran_out;
         if (now * accel > 0)
             from = middle;
         else
             to = middle;
     }
     rest->q[0] = 0.5 * (from + to);
-    return !stand(rest, row, rest->q[0], &now) || !yk_rest_descend(rest) || yk_rest_keep(rest);
+    bool comes_there = stand(rest, row, rest->q[0], &now) && yk_rest_descend(rest);
+    return comes_there ? yk_rest_keep(rest) : !rest->ran_out;
 }
 
 static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t index)
@@ -51,7 +59,9 @@ static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t
         if (!branch.is_closed && k == 0) at += beside; // at a limit itself there is no acceleration
         if (!branch.is_closed && k + 1 == branch.rows) at -= beside;
         if (!yk_pace_spend(rest->pace, rest->mech->step_count + 1)) return false;
-        if (!stand(rest, row, at, &now)) continue;
+        bool stands = stand(rest, row, at, &now);
+        if (rest->ran_out) return false;
+        if (!stands) continue;
         if (now * accel < 0 && !bracket(rest, row, last, at, accel)) return false;
         last = at, accel = now;
     }

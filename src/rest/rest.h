@@ -34,6 +34,7 @@ struct YkRest {
     double force_scale; // the largest acceleration seen: the scale for zero
     bool has_inertia;   // in some pose from which the search started
     bool is_complete;   // all circuits were searched
+    bool ran_out;       // of memory, in that search
     YkReport lack;      // report of the first such pose without accelerations
 };
 

@@ -129,7 +129,7 @@ bool yk_rest_search(YkRest *rest, size_t starts)
     uint64_t seed = 0x9E3779B97F4A7C15ull;
     yk_pace_stage(rest->pace, YK_REST_STARTED, 1);
     YkMap *map = starts > 0 ? yk_rest_map(rest) : NULL; // from the start, which the search leaves
-    bool ok = search_here(rest);
+    bool ok = !rest->ran_out && search_here(rest);
     rest->of_start = rest->count;
     ok = ok && (!map || yk_rest_search_circuits(rest, map));
     yk_map_free(map);
