@@ -13,7 +13,7 @@ async function compile(source: Source): Promise<WebAssembly.Module> {
 }
 
 // The verbs of panels.wasm, and the calls that core.wasm does not have.
-const PANELS = new Set(["check", "solve", "sweep", "simulate", "rest", "draw", "cam", "derive", "gears"]);
+const PANELS = new Set(["check", "solve", "sweep", "simulate", "draw", "cam", "derive", "gears"]);
 const BEHIND = new Set(["curves", "forces", "trace", "release", "step", "hold"]);
 const SO_FAR = "--so-far"; // the command tells what it has found while it runs
 const PAUSE = 400; // ms after the first machine, before the module behind is fetched
