@@ -19,13 +19,15 @@ PLUGIN = os.path.join(os.path.dirname(YOKE), "yoke-mpi.so")
 MPIRUN = shutil.which("mpirun")
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
                    OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_btl="self,vader", OMPI_MCA_orte_abort_print_stack="0")
-# A study of some seconds: long enough to be killed in the middle.
-LONG = ["--vary", "a=39mm:41mm:100000", "--over", "theta2=0:360deg", "--steps", "720", "--of", "gamma,theta4"]
+# A study of a second or two: long enough to be killed in the middle.
+LONG = ["--vary", "a=39mm:41mm:40000", "--over", "theta2=0:360deg", "--steps", "720", "--of", "gamma,theta4"]
 SHORT = ["--vary", "a=20mm:60mm:1500", "--vary", "b=118mm:122mm:3", "--over", "theta2=0:360deg", "--steps", "36", "--of",
          "theta4,coupler.P.x"]
 
 
 class Ranks(Case):
+    whole = None
+
     def words(self, ranks, *words, yoke=YOKE):
         return [MPIRUN, "-n", str(ranks), yoke, *words]
 
@@ -43,6 +45,12 @@ class Ranks(Case):
     def alone(self, name, *words):
         self.good("study", FOUR_BAR, *words, "-o", self.path(name))
         return self.read(self.path(name))
+
+    def long(self):
+        """The bytes of the long study by one process, computed once."""
+        if Ranks.whole is None:
+            Ranks.whole = self.alone("alone.csv", *LONG)
+        return Ranks.whole
 
     def test_the_bytes_are_those_of_one_process(self):
         for ending in "csv", "npy", "jsonl", "json", "txt":
@@ -189,7 +197,7 @@ class Ranks(Case):
         return rows
 
     def test_killed_ranks_lose_no_whole_block(self):
-        whole, out = self.alone("alone.csv", *LONG), self.path("out.csv")
+        whole, out = self.long(), self.path("out.csv")
         numbers = random.Random(3)
         kills = 100 if os.environ.get("YOKE_FULL") else 3
         rows = killed = 0
@@ -219,7 +227,7 @@ class Ranks(Case):
         self.assertEqual(self.read(out), whole)
 
     def test_one_process_goes_on_where_ranks_stopped(self):
-        whole, out = self.alone("alone.csv", *LONG), self.path("out.csv")
+        whole, out = self.long(), self.path("out.csv")
         child = self.start_long(out, 2, 20000)
         child.send_signal(signal.SIGTERM) # mpirun passes it on
         child.communicate(timeout=60)
@@ -228,7 +236,7 @@ class Ranks(Case):
         self.assertEqual(self.alone("out.csv", *LONG), whole)
 
     def test_a_full_disk_is_told_and_the_study_goes_on(self):
-        whole, out = self.alone("alone.csv", *LONG), self.path("out.csv")
+        whole, out = self.long(), self.path("out.csv")
         child = self.start_long(out, 3, 1000)
         size = os.path.getsize(out + ".partial") + 100000
         for pid in self.ranks_of(child.pid): # only now: Open MPI has files of its own
@@ -241,7 +249,7 @@ class Ranks(Case):
         self.assertEqual((done.returncode, self.read(out)), (0, whole), done.stderr)
 
     def test_two_runs_on_one_output(self):
-        whole, out = self.alone("alone.csv", *LONG), self.path("out.csv")
+        whole, out = self.long(), self.path("out.csv")
         child = self.start_long(out, 2, 1000)
         pids = self.ranks_of(child.pid)
         self.assertEqual(len(pids), 2)
