@@ -224,12 +224,13 @@ static bool plan(YkWorker *w, size_t count)
 // Runs the lanes of the whole way in the same blocks as go_by_lanes.
 static bool run_plan(YkWorker *w, Answers *a)
 {
+    const size_t parts[] = {0, 1, w->turned, w->planned};
     yk_batch_begin(w->batch, w->begun);
-    if (!run_lanes(w, 0, 1, a) || !run_lanes(w, 1, w->turned - 1, a)) return false;
-    for (size_t from = w->turned, n; from < w->planned; from += n) {
-        n = w->planned - from < YK_STUDY_BLOCK ? w->planned - from : YK_STUDY_BLOCK;
-        if (!run_lanes(w, from, n, a)) return false;
-    }
+    for (size_t k = 0; k < 3; k++)
+        for (size_t from = parts[k], n; from < parts[k + 1]; from += n) {
+            n = parts[k + 1] - from < YK_STUDY_BLOCK ? parts[k + 1] - from : YK_STUDY_BLOCK;
+            if (!run_lanes(w, from, n, a)) return false;
+        }
     end_at(w, a->count - 1);
     return true;
 }

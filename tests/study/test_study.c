@@ -105,7 +105,8 @@ static void test_designs_that_do_not_close_have_a_status_and_no_nan(void **unuse
 static void test_poses_of_all_designs_give_the_bits_of_poses_of_each(void **unused)
 {
     (void)unused;
-    static const double steps[] = {0.02, 0.15, 0.5, -0.15}; // close together; lanes between; too many of them; back
+    // close together; lanes between; too many of them; back; and far from the start, so that many lanes lead to the first
+    static const double steps[] = {0.02, 0.15, 0.5, -0.15, 0.1}, from[] = {0.7, 0.7, 0.7, 0.7, 12.7};
     static double shared[3][DESIGNS * POSES], pose[POSES];
     static signed char shared_status[DESIGNS * POSES];
     Machine m = machine_load("four-bar");
@@ -113,8 +114,8 @@ static void test_poses_of_all_designs_give_the_bits_of_poses_of_each(void **unus
     const double *parameters[] = {a, b, c}, *own[] = {theta, NULL, NULL}, *same[] = {pose, NULL, NULL};
     double *outputs[] = {out[0], out[1], out[2]}, *others[] = {shared[0], shared[1], shared[2]};
     draw(0.6, 5);
-    for (int k = 0; k < 4; k++) {
-        for (size_t i = 0; i < DESIGNS * POSES; i++) theta[i] = 0.7 + steps[k] * (double)(i % POSES);
+    for (int k = 0; k < 5; k++) {
+        for (size_t i = 0; i < DESIGNS * POSES; i++) theta[i] = from[k] + steps[k] * (double)(i % POSES);
         memcpy(pose, theta, sizeof pose);
         YkStudyCase each = ask(parameters, own, POSES, true), all = ask(parameters, same, POSES, false);
         YkStatus worst = yk_study_run(study, &each, outputs, status);
