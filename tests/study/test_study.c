@@ -106,7 +106,7 @@ static void test_poses_of_all_designs_give_the_bits_of_poses_of_each(void **unus
 {
     (void)unused;
     // close together; lanes between; too many of them; back; and far from the start, so that many lanes lead to the first
-    static const double steps[] = {0.02, 0.15, 0.5, -0.15, 0.1}, from[] = {0.7, 0.7, 0.7, 0.7, 12.7};
+    static const double steps[] = {0.02, 0.15, 0.5, -0.15, 0.05}, from[] = {0.7, 0.7, 0.7, 0.7, 15.2};
     static double shared[3][DESIGNS * POSES], pose[POSES];
     static signed char shared_status[DESIGNS * POSES];
     Machine m = machine_load("four-bar");
