@@ -4,17 +4,8 @@ import type { Machine, Pose } from "../../../core/door";
 export type Point = readonly [number, number];
 export interface Frame { x: number; y: number; angle: number }
 
-const orders = new WeakMap<Machine, Map<string, number>>();
-
-// Returns where bodies are in the machine's list, by name: asked for each of them in each frame, so found once a machine.
-function orderOf(machine: Machine): Map<string, number> {
-  let order = orders.get(machine);
-  if (!order) orders.set(machine, (order = new Map(machine.bodies.map((body, index) => [body.name, index]))));
-  return order;
-}
-
 export function frameOf(machine: Machine, pose: Pose, body: string): Frame {
-  const index = orderOf(machine).get(body) ?? -1, at = 3 * index;
+  const index = machine.bodies.findIndex((one) => one.name === body), at = 3 * index;
   if (index < 0 || machine.bodies[index].ground || at + 2 >= pose.bodies.length) return { x: 0, y: 0, angle: 0 };
   return { x: pose.bodies[at], y: pose.bodies[at + 1], angle: pose.bodies[at + 2] };
 }

@@ -30,10 +30,9 @@ function bodyAt(session: Session, view: View, world: Point, client: Point | null
     }
   }
   let best: string | undefined, least = reach / view.scale;
-  let at = 0; // where the body's own corners begin
   for (const body of session.machine?.bodies ?? []) {
-    const own = places.slice(at, (at += body.points.length));
     if (body.ground) continue;
+    const own = places.filter((corner) => corner.body === body.name);
     own.forEach((corner, k) => {
       const far = toSegment(world, corner.world, own[(k + 1) % own.length].world);
       if (far < least) [best, least] = [body.name, far];
