@@ -30,8 +30,8 @@ YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state); // a
 // Adds instant centres, those of the last pose: marks with the names of both bodies, with the lines of Kennedy's theorem;
 // centres far away or at infinity are told below. NULL: none. Returns YK_OK or YK_NO_MEMORY.
 YK_API YkStatus yk_drawing_centers(YkDrawing *drawing, const YkCenters *centers);
-// Adds centrodes, as they lie at the last pose: the first body's drawn out, the second's dashed; what is farther from the
-// machine than it is large is left out. Returns YK_OK or YK_NO_MEMORY.
+// Adds centrodes, as they lie at the last pose: the first body's solid, the second's dashed. What lies farther than the
+// machine's size from it is left out. Returns YK_OK or YK_NO_MEMORY.
 YK_API YkStatus yk_drawing_centrodes(YkDrawing *drawing, const YkCentrodes *centrodes);
 YK_API const char *yk_drawing_svg(YkDrawing *drawing); // a whole SVG document; NULL when out of memory
 // Returns the drawing, made with options.moving, at a pose. The elements of body 3 have class b3; the

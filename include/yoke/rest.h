@@ -20,8 +20,9 @@ typedef struct YkRestOptions {
 YK_API YkRestOptions yk_default_rest_options(void);
 
 typedef struct YkRest YkRest;
-// Searches for equilibria by Newton's method from `start:`, between all poses of the circuits of a machine with one freedom
-// where the loads' effort changes its sign, and from seeded random poses of all configurations. Returns all that it finds: first that of `start:`, if there is one, then the others by energy. None found is not an error.
+// Searches for equilibria: from `start:` by Newton's method; on all circuits of a machine with one freedom, where the
+// effort of the loads changes sign; and from seeded random poses of all configurations. Returns all that it finds: first
+// that of `start:`, if there is one, then the others by energy. None found is not an error.
 // The model must outlive the answer. Returns NULL with problems added: no assembly, a freedom without inertia, stopped.
 // Cost: about starts * 20 * freedom^2 evaluations, and for one freedom the machine's map (yoke/map.h) of up to 8 blocks.
 YK_API YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProblems *problems);

@@ -73,8 +73,7 @@ YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExte
 // by_derivative: by the implicit function theorem on the loops of the tree (only positions, of machines with at most
 // 300 unknowns and without gears, belts and cams; otherwise NaN). by_difference: from the solved pose, extrapolated from
 // central differences (Richardson 1911). The two share only the pose. Designs that are machines of their own are only
-// differenced. Returns YK_OK, or the status of a neighbouring pose that is not valid: half a tooth
-// makes no machine.
+// differenced. Returns YK_OK, or the status of a neighbouring pose that is not valid: half a tooth makes no machine.
 YK_API YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, double *by_derivative,
                                        double *by_difference);
 

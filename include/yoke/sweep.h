@@ -32,8 +32,7 @@ typedef struct YkEvent {
     double value;   // EXTREME: the channel's value there
     bool is_maximum;
     bool is_passed; // CHANGE_POINT: the machine goes on beyond it; otherwise its drive turns back or rests there
-    bool
-        is_turned; // CHANGE_POINT: a drive turns back there, just at a limit, and the machine goes on to its other side
+    bool is_turned; // CHANGE_POINT: a drive turns back just at a limit there; the machine goes on to the other side
 } YkEvent;
 
 typedef struct YkSweep YkSweep;

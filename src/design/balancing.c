@@ -58,7 +58,7 @@ YkBalancing *yk_balancing_new(const YkState *state, const YkBalancingOptions *op
     YkBalancingOptions defaults = yk_default_balancing_options();
     if (!state || !yk_state_has_pose(state)) return NULL;
     const YkModel *model = state->mech->model;
-    const char *why = yk_input_count(state->mech) != 1    ? "it has not one freedom"
+    const char *why = yk_input_count(state->mech) != 1    ? "it does not have exactly one freedom"
                       : yk_model_loads(model).masses == 0 ? "it has no masses"
                                                           : NULL;
     YkBalancing *balancing = why ? NULL : calloc(1, sizeof *balancing);

@@ -246,7 +246,7 @@ static YkState *moving_copy(const YkState *state, YkStatus *status)
 
 static bool is_fit(const YkState *state, YkProblems *problems)
 {
-    const char *why = yk_input_count(state->mech) != 1              ? "the machine has not one freedom"
+    const char *why = yk_input_count(state->mech) != 1              ? "the machine does not have exactly one freedom"
                       : state->mech->model->body_count > BODIES_MAX ? "the machine has more than 200 bodies"
                                                                     : NULL;
     if (why) yk_problem(problems, YK_CODE_NO_CENTERS, (YkPlace){0}, "there are no instant centres: %s", why);

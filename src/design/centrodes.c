@@ -70,9 +70,9 @@ YkCentrodes *yk_centrodes_new(const YkState *state, size_t first, size_t second,
     YkCycle cycle = {0};
     bool is_one = yk_input_count(state->mech) == 1;
     YkStatus status = is_one ? yk_cycle_find(state, steps, &cycle) : YK_OK;
-    const char *why = first == second ? "a body and itself have none"
-                      : !is_one       ? "the machine has not one freedom"
-                      : status < 0    ? "the input has no range around this pose"
+    const char *why = first == second ? "a body has none with itself"
+                      : !is_one       ? "the machine does not have exactly one freedom"
+                      : status < 0    ? "the input cannot move from this pose"
                                       : NULL;
     YkCentrodes *c = !why ? calloc(1, sizeof *c) : NULL;
     YkState *moving = c ? yk_state_new(state->mech) : NULL;
@@ -80,11 +80,11 @@ YkCentrodes *yk_centrodes_new(const YkState *state, size_t first, size_t second,
     if (good) c->body[0] = first, c->body[1] = second;
     good = good && follow(c, &cycle, moving);
     yk_state_free(moving);
-    if (good && !has_points(c)) why = "these bodies only slide on each other, or move as one";
+    if (good && !has_points(c)) why = "these bodies only slide along each other, or move as one";
     if (good && !why) return c;
     bool ran_out = !why || status == YK_NO_MEMORY;
     yk_problem(problems, ran_out ? YK_CODE_OUT_OF_MEMORY : YK_CODE_NO_CENTERS, (YkPlace){0},
-               ran_out ? "out of memory while following an instant centre%s" : "there are no centrodes: %s",
+               ran_out ? "out of memory while following an instant centre%s" : "no centrodes can be drawn: %s",
                ran_out ? "" : why);
     yk_centrodes_free(c);
     return NULL;

@@ -26,7 +26,7 @@ static YkVec place_of(const YkDrawing *drawing, const YkCentrodePoint *point, si
     return yk_frame_apply(frames[drawing->centrode_body[side]], yk_vec(point->on[side][0], point->on[side][1]));
 }
 
-// What is no farther from the machine than it is large is shown, and the page is made to hold it.
+// Shows what lies within one machine's size of the machine, and enlarges the page to hold it.
 void yk_drawing_include_centrodes(YkDrawing *drawing)
 {
     YkVec low = drawing->low, high = drawing->high;
