@@ -6,18 +6,18 @@
 
 static const char *const parts[] = {"weight", "loads", "inertia", "planets", "contact", "reaction"};
 
-YkForcePolygons *yk_force_polygons_of(YkSession *session)
+YkForcePolygons *yk_force_polygons_of(YkSession *session, const YkDynamics *dynamics, const char *why)
 {
-    if (session->dynamics) return yk_force_polygons_new(session->dynamics, session->problems);
-    yk_session_refuse(session, YK_CODE_NO_POLYGON, "there is no force polygon: %s",
-                      session->forces_message ? session->forces_message : "the forces are not determined at this pose");
+    if (dynamics) return yk_force_polygons_new(dynamics, session->problems);
+    yk_session_refuse(session, YK_CODE_NO_POLYGON, "no force polygon can be drawn: %s",
+                      why ? why : "the forces are not determined at this pose");
     return NULL;
 }
 
 void yk_force_polygon_text(YkSession *session)
 {
     static const char *const heads[] = {"on", "force", "from", "x", "y", "size", "moment"};
-    YkForcePolygons *p = yk_force_polygons_of(session);
+    YkForcePolygons *p = yk_force_polygons_of(session, session->dynamics, session->forces_message);
     if (!p) return;
     YkTable *table = yk_table_new(7);
     for (size_t k = 0; k < 7; k++) yk_table_head(table, heads[k], k < 3 ? NULL : k < 6 ? "N" : "N m");
@@ -56,7 +56,7 @@ static void add_vector(const YkSession *session, YkJson *json, const YkForceVect
 
 void yk_force_polygon_json(YkSession *session, YkJson *json)
 {
-    YkForcePolygons *p = yk_force_polygons_of(session);
+    YkForcePolygons *p = yk_force_polygons_of(session, session->dynamics, session->forces_message);
     if (!p) return;
     yk_json_object(json, "polygon", YK_JSON_LINES);
     yk_json_string(json, "kind", "force");
