@@ -1,4 +1,4 @@
-// The equilibria of a machine with one freedom: on each circuit of its map, the loads' effort along the motion changes its sign.
+// Finds the equilibria of a machine with one freedom: on each circuit of its map the effort of the loads changes sign there.
 // The map comes as near to a limit of the free coordinate as one likes, where random poses hardly ever lie.
 #include "base/problems.h"
 #include "rest/rest.h"
@@ -56,7 +56,7 @@ static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t
     for (size_t k = 0; k < branch.rows; k++) {
         const double *row = yk_map_row(map, circuit, index, k);
         double at = row[c];
-        if (!branch.is_closed && k == 0) at += beside; // at a limit itself there is no acceleration
+        if (!branch.is_closed && k == 0) at += beside; // exactly at a limit no acceleration is determined
         if (!branch.is_closed && k + 1 == branch.rows) at -= beside;
         if (!yk_pace_spend(rest->pace, rest->mech->step_count + 1)) return false;
         bool stands = stand(rest, row, at, &now);

@@ -33,7 +33,6 @@ bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double 
     size_t f = rest->freedom;
     double *x = rest->trial, *a = rest->step;
     memset(matrix, 0, f * f * sizeof *matrix);
-    if (!yk_rest_accelerations(rest, q, NULL, a)) return false;
     double unit = of_rates ? 1e-3 : step_here(rest->state);
     for (size_t j = 0; j < f; j++) {
         double h = unit * rest->scale[j];

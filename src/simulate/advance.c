@@ -292,9 +292,7 @@ static bool take_acts(YkSimulation *sim)
 // Begins again at a time of the last step, with the signs that near blocks keep from then on.
 static bool begin_again(YkSimulation *sim, double t)
 {
-    if (yk_ode_dense(sim->ode, t, sim->y) != YK_ODE_OK) return false;
-    if (!yk_simulation_pose(sim, t, sim->y)) return false;
-    yk_simulation_look_near(sim, t);
+    if (yk_ode_dense(sim->ode, t, sim->y) != YK_ODE_OK || !yk_simulation_pose(sim, t, sim->y)) return false;
     return restart(sim) && look_round(sim);
 }
 

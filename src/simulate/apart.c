@@ -76,9 +76,8 @@ static double predicted_passage(const YkNear *near, double from, double to)
 
 bool yk_simulation_must_keep_apart(YkSimulation *sim)
 {
-    bool is_start = sim->is_flat && sim->near_time == sim->options.start;
-    if (sim->keeps_apart || is_start || sim->free_count == 0 || sim->options.integrator == YK_INTEGRATOR_RK4)
-        return false;
+    bool is_fixed = sim->options.integrator == YK_INTEGRATOR_RK4; // its steps cannot be repeated
+    if (sim->keeps_apart || yk_begins_flat(sim) || sim->free_count == 0 || is_fixed) return false;
     double end = yk_ode_time(sim->ode), dt = end - sim->near_time;
     for (size_t k = 0; k < sim->near_count; k++) {
         const YkNear *near = &sim->near[k];
@@ -97,14 +96,16 @@ bool yk_simulation_look_whether_apart(YkSimulation *sim)
     if (sim->keeps_apart || !is_line || sim->is_flat) return true;
     const double BLIND = 1e-3; // sine below which the way to there is not known well enough
     double at = sim->y[0], rate = sim->y[1], most = 0.5 * yk_simulation_input_scale(sim, 0);
+    bool has_left = false;
     for (size_t k = 0; k < sim->near_count && !sim->keeps_apart; k++) {
         double angle = sim->near[k].angle, gap = yk_asin(yk_sin(angle)) * (yk_cos(angle) < 0 ? -1 : 1);
         double slope = sim->near[k].rate / rate, way = -gap / slope;
         if (fabs(yk_sin(angle)) < BLIND || !isfinite(way) || !isfinite(1 / slope) || fabs(way) > most) continue;
         Line line = {sim, sim->near[k].block, false, at - most, at + most, 3e-4}; // nearer, signs are guesses
         sim->keeps_apart = !is_touched(&line, at + way, slope);
+        has_left = true;
     }
-    return yk_simulation_pose(sim, sim->time, sim->y);
+    return !has_left || yk_simulation_pose(sim, sim->time, sim->y);
 }
 
 double yk_simulation_reach_apart(const YkSimulation *sim)

@@ -56,8 +56,7 @@ static double time_of_passage(const YkNear *old, const YkNear *now, double from,
 
 static void note_passage(YkSimulation *sim, const YkNear *old, const YkNear *now, double t)
 {
-    bool is_start = sim->is_flat && sim->near_time == sim->options.start; // it begins there, and does not pass
-    if (!old || is_start || sim->keeps_apart || !(yk_sin(old->angle) * yk_sin(now->angle) < 0)) return;
+    if (!old || yk_begins_flat(sim) || sim->keeps_apart || !(yk_sin(old->angle) * yk_sin(now->angle) < 0)) return;
     double at = time_of_passage(old, now, sim->near_time, t);
     yk_simulation_note(sim, YK_HAPPENING_CHANGE_POINT, at, sim->mech->blocks[now->block].label, 0);
 }
