@@ -70,19 +70,20 @@ typedef struct YkWorker {
     ptrdiff_t *lane_pose; // [YK_STUDY_LANES]: and the pose of each lane, or -1
     bool lane_is_pose[YK_STUDY_LANES];
     double lane_time[YK_STUDY_LANES];
-    bool plans;             // all designs of the job have the same few poses, so that their lanes stay
-    size_t planned, turned; // lanes of the whole way, 0: they are not those; the first of them, up to the first stretch
-    double *planned_from;   // [input]: where they start
-    const double **row;     // [3 * input + k]: what the batch reads,
-    double **row_output;    // [channel]: and writes
-    double *value;          // [parameter]
-    bool is_fine;           // the poses of the job lie close together
-    const double **inputs;  // [3 * input + k]
-    const double *times;    // [pose], or NULL
-    double **outputs;       // [channel]
-    YkExtent *extent;       // [channel]
-    size_t *count;          // [channel] poses in it
-    double *block;          // [channel][YK_STUDY_BLOCK]
+    bool plans; // all designs of the job have the same few poses, so that their lanes stay
+    size_t planned,
+        first_stretch;     // lanes of the whole way (0: they are others); of these, those up to its first stretch
+    double *planned_from;  // [input]: where they start
+    const double **row;    // [3 * input + k]: what the batch reads,
+    double **row_output;   // [channel]: and writes
+    double *value;         // [parameter]
+    bool is_fine;          // the poses of the job lie close together
+    const double **inputs; // [3 * input + k]
+    const double *times;   // [pose], or NULL
+    double **outputs;      // [channel]
+    YkExtent *extent;      // [channel]
+    size_t *count;         // [channel] poses in it
+    double *block;         // [channel][YK_STUDY_BLOCK]
     signed char *block_status;
     YkJob *job;
     YkStatus worst;

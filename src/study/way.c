@@ -47,7 +47,7 @@ static size_t lane_work(const YkWorker *w)
     return 10 * (w->mech->step_count + w->study->channel_count + 1);
 }
 
-// Runs n of the lanes that were put in. Returns false if not all of them are surely on the way.
+// Runs n of the lanes that were filled in. Returns false if not all of them are surely on the way.
 static bool run_lanes(YkWorker *w, size_t from, size_t n, Answers *a)
 {
     size_t inputs = 3 * w->mech->input_count, channels = w->study->channel_count;
@@ -75,7 +75,7 @@ static bool run_put(YkWorker *w, size_t *put, Answers *a)
     return run_lanes(w, 0, n, a);
 }
 
-// Puts in lanes `first` to `last` of `steps` on the way from the last pose to the next one; the last of all is that pose.
+// Fills in lanes `first` to `last` of `steps` on the way from the last pose to the next one; the last of all is that pose.
 static void put_lanes(YkWorker *w, size_t *put, size_t pose, double first, double last, double steps)
 {
     size_t at = *put, n = (size_t)(last - first) + 1;
@@ -109,7 +109,7 @@ static bool is_there(const YkWorker *w, const double *from, size_t pose)
     return true;
 }
 
-// Puts in the first lane: the start itself. Returns whether it is the first pose.
+// Fills in the first lane, the start itself. Returns whether it is the first pose.
 static bool put_start(YkWorker *w, size_t *put)
 {
     bool is_pose = is_there(w, w->begun->valid_input, 0);
@@ -197,7 +197,7 @@ static bool is_planned(const YkWorker *w)
     return is_same;
 }
 
-// Puts in the lanes of a stretch. Returns false if there is no room for all of them.
+// Fills in the lanes of one stretch. Returns false if they do not all fit.
 static bool plan_stretch(YkWorker *w, size_t *put, size_t pose, double least)
 {
     double steps = fmax(steps_to(w, pose), least);
@@ -207,12 +207,12 @@ static bool plan_stretch(YkWorker *w, size_t *put, size_t pose, double least)
     return true;
 }
 
-// Puts in the lanes of the whole way. Returns false if they are too many, or poses are so close that none are needed.
+// Fills in the lanes of the whole way. Returns false if there are too many, or if the poses are so close that none are needed.
 static bool plan(YkWorker *w, size_t count)
 {
     size_t put = 0, pose = put_start(w, &put) ? 1 : 0;
     if (pose < count && !plan_stretch(w, &put, pose++, 2)) return false; // run by themselves, as in go_by_lanes
-    w->turned = put;
+    w->first_stretch = put;
     if (pose < count && is_fine(w, pose, count)) return false;
     for (; pose < count; pose++)
         if (!plan_stretch(w, &put, pose, 1)) return false;
@@ -224,7 +224,7 @@ static bool plan(YkWorker *w, size_t count)
 // Runs the lanes of the whole way in the same blocks as go_by_lanes.
 static bool run_plan(YkWorker *w, Answers *a)
 {
-    const size_t parts[] = {0, 1, w->turned, w->planned};
+    const size_t parts[] = {0, 1, w->first_stretch, w->planned};
     yk_batch_begin(w->batch, w->begun);
     for (size_t k = 0; k < 3; k++)
         for (size_t from = parts[k], n; from < parts[k + 1]; from += n) {

@@ -1,17 +1,21 @@
-// A study moves straight from pose to pose, and so leaves out what a drive does between them. Where it turns back just at a limit,
-// that takes the machine through a dead point: such a study is refused.
+// Refuses a study that cannot follow its machine: it moves straight from pose to pose, and so misses that a drive which turns back
+// just at a limit between two poses takes the machine through a dead point.
 #include "session.h"
 #include "stop.h"
 #include "verbs/study/study.h"
 
-// Follows the motion in time. Returns false, with a problem, if it comes to such a place.
+// Follows the motion in time. Returns false, with a problem, if it comes to such a place, or when out of memory.
 static bool follow(YkSession *session, YkState *state, double from, double to)
 {
     YkSweepOptions options = yk_default_sweep_options();
     options.coordinate = -1;
     options.from = from, options.to = to, options.steps = 1;
-    YkSweep *sweep = from == to ? NULL : yk_sweep_run(state, &options, NULL, 0, NULL);
-    bool good = true;
+    if (from == to) return true;
+    YkProblems *quiet = yk_problems_new(); // whatever else is wrong, the study tells
+    YkSweep *sweep = quiet ? yk_sweep_run(state, &options, NULL, 0, quiet) : NULL;
+    bool ran_out = !sweep && (!quiet || yk_problems_error_count(quiet) == 0);
+    bool good = !ran_out || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    yk_problems_free(quiet);
     for (size_t k = 0; sweep && good && k < yk_sweep_event_count(sweep); k++) {
         YkEvent event = yk_sweep_event(sweep, k);
         if (!event.is_turned) continue;
@@ -32,10 +36,11 @@ bool yk_study_check_turns(YkStudyAnswer *answer)
     YkSession *session = answer->session;
     bool is_over_time = answer->over.name && answer->over.coordinate < 0;
     double from = is_over_time ? answer->over.from : session->time;
+    if (from == 0 && !is_over_time) return true; // where it was put together
     YkState *state = yk_session_new_state(session, session->mech);
     if (!state) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     bool good = true, stands = yk_state_set_time(state, 0, NULL) >= 0 && yk_state_assemble(state) >= 0;
-    if (stands) good = follow(session, state, 0, from); // from where the machine was put together
+    if (stands) good = follow(session, state, 0, from);
     if (stands && good && is_over_time) good = follow(session, state, from, answer->over.to);
     yk_state_free(state);
     return good;
