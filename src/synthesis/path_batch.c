@@ -41,7 +41,6 @@ static void fill_angles(const YkPathBatches *batches, const YkPathTry *part, YkP
         if (p->angle) angle[k] = p->angle[k];
         if (p->shifts) angle[k] = part->angle[0] + p->step * (double)k;
     }
-    yk_path_turn_angles(p, whole);
 }
 
 // Makes the part of the points a problem whose angles turn together alone: a bar then does not fold the curve into a part

@@ -46,6 +46,7 @@ static double limits_cost(const YkPathProblem *problem, const YkBar *bar, double
 
 static bool measure(const YkPathProblem *problem, double weight, YkBarPoint *points, YkPathTry *try)
 {
+    yk_path_turn_angles(problem, try);
     try->error = 0;
     for (size_t k = 0; k < problem->count; k++) {
         if (!yk_bar_point(&try->bar, try->angle[k], &points[k])) return false;
@@ -134,7 +135,6 @@ static void move(const YkPathProblem *problem, const YkPathWork *work, const YkP
         }
         to->angle[k] = from->angle[k] + turn;
     }
-    yk_path_turn_angles(problem, to);
 }
 
 bool yk_path_improve(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try, size_t steps)

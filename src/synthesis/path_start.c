@@ -156,7 +156,6 @@ static bool draw_numbers(const YkPathProblem *problem, uint64_t *seed, YkPathTry
     bool is_in_box = problem->task->lengths.is_given && yk_mix_next(seed) & 1;
     if (is_in_box) {
         draw_in_box(problem, seed, &try->bar);
-        yk_path_turn_angles(problem, try);
         return true;
     }
     draw_shape(problem, seed, &try->bar);
@@ -177,7 +176,6 @@ bool yk_path_draw(const YkPathProblem *problem, YkPathWork *work, uint64_t *seed
     if (!draw_numbers(problem, seed, try)) {
         if (!is_near_limits(problem, &try->bar) || !place(problem, work, try, has_turn(problem))) return false;
         clip(problem, &try->bar);
-        yk_path_turn_angles(problem, try);
     }
     return is_near_limits(problem, &try->bar) && yk_path_measure(problem, work, try);
 }
