@@ -6,7 +6,7 @@
 // Returns how input i moves along the path, on that side of its last place; only its share in the sum of all counts.
 static double rate_of(const YkPath *path, size_t i, double side)
 {
-    if (path->input < 0 && !path->is_line) return side * yk_path_heads(path, i, path->last, side); // it may rest there
+    if (yk_path_is_time(path)) return side * yk_path_heads(path, i, path->last, side); // it may rest there
     const YkState *s = path->state;
     double rate = path->is_line ? path->goal[3 * i] - path->others[3 * i] : (double)((size_t)path->input == i);
     return rate / yk_input_unit(s->mech, i);
@@ -15,7 +15,7 @@ static double rate_of(const YkPath *path, size_t i, double side)
 double yk_path_heading(const YkPath *path)
 {
     const YkState *s = path->state;
-    bool is_time = path->input < 0 && !path->is_line;
+    bool is_time = yk_path_is_time(path);
     double sum = 0;
     for (size_t i = 0; i < s->mech->input_count; i++) {
         if (s->arrival[i] != s->valid_input[3 * i]) return 0; // it has been put elsewhere since
@@ -37,7 +37,7 @@ void yk_walk_arrive(const YkWalk *w, double way)
     YkState *s = w->path.state;
     bool is_there_still = yk_path_way(&w->path, w->from, w->path.last) < 1e-4; // the drives rest
     double side = yk_walk_has_passed(w) ? -1 : 1; // as if it had come from beyond: turning back passes it
-    bool is_time = w->path.input < 0 && !w->path.is_line;
+    bool is_time = yk_path_is_time(&w->path);
     if (!is_there_still || !is_time || s->arrival_time != w->from)
         s->time_heading = is_time && !is_there_still ? side * way : 0;
     s->arrival_time = w->path.last;

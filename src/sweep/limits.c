@@ -14,7 +14,7 @@ static void find_moving(YkBeside *b)
     const YkState *s = path->state;
     size_t count = 0;
     b->moving = YK_NONE;
-    if (path->is_line || path->input >= 0) return;
+    if (!yk_path_is_time(path)) return;
     b->is_back = yk_path_turns_back(path, b->at);
     for (size_t i = 0; i < s->mech->input_count; i++) {
         double here = yk_path_heads(path, i, b->at, b->side), there = yk_path_heads(path, i, b->at, -b->side);

@@ -35,7 +35,7 @@ static double largest(const YkPath *path, double at, double to)
 double yk_path_way(const YkPath *path, double a, double b)
 {
     if (!(isfinite(a) && isfinite(b))) return INFINITY;
-    if (path->is_line || path->input >= 0) return fabs(b - a) / yk_path_scale(path);
+    if (!yk_path_is_time(path)) return fabs(b - a) / yk_path_scale(path);
     double early = a + 0.29 * (b - a),
            late = a + 0.62 * (b - a); // at unequal distances, for the sake of periodic drives
     return fmax(largest(path, a, early), fmax(largest(path, a, late), largest(path, a, b)));
@@ -45,7 +45,7 @@ double yk_path_off(const YkPath *path, double at, double way, double distance)
 {
     enum { DOUBLINGS = 64, HALVINGS = 50 };
     double near = 0, far = distance * yk_path_scale(path), gone = 0;
-    if (path->is_line || path->input >= 0) return at + way * far;
+    if (!yk_path_is_time(path)) return at + way * far;
     for (int k = 0; k < DOUBLINGS && (gone = largest(path, at, at + way * far)) < 0.5 * distance; k++)
         near = far, far *= 2;
     for (int k = 0; k < HALVINGS && !(gone >= 0.5 * distance && gone < 2 * distance); k++) {
@@ -61,7 +61,7 @@ double yk_path_off(const YkPath *path, double at, double way, double distance)
 
 double yk_path_between(const YkPath *path, double a, double b, double part)
 {
-    if (path->is_line || path->input >= 0) return a + part * (b - a);
+    if (!yk_path_is_time(path)) return a + part * (b - a);
     double way = largest(path, a, b), near = 0, far = 1;
     for (int k = 0; k < 60; k++) {
         double middle = 0.5 * (near + far);
@@ -82,7 +82,7 @@ double yk_path_heads(const YkPath *path, size_t input, double at, double way)
 
 bool yk_path_turns_back(const YkPath *path, double at)
 {
-    if (path->is_line || path->input >= 0) return false;
+    if (!yk_path_is_time(path)) return false;
     double sum = 0;
     for (size_t i = 0; i < path->state->mech->input_count; i++)
         sum += yk_path_heads(path, i, at, 1) * yk_path_heads(path, i, at, -1);

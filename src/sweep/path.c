@@ -87,7 +87,7 @@ static YkStatus set_at_time(YkPath *path, double time, bool along)
 double yk_path_length(YkPath *path, double from, double to)
 {
     enum { SAMPLES = 64 };
-    if (path->is_line || path->input >= 0) return fabs(to - from) / yk_path_scale(path);
+    if (!yk_path_is_time(path)) return fabs(to - from) / yk_path_scale(path);
     double sum = 0, time = path->state->time;
     for (int k = 0; k < SAMPLES; k++) // at unequal distances: equal ones might all meet the same phase
         if (yk_path_set(path, from + (to - from) * (k + 0.5 + 0.3 * yk_sin(k)) / SAMPLES, true) >= 0)
@@ -154,7 +154,7 @@ YkStatus yk_path_try(YkPath *path, double at, bool along)
     if (status < 0 && path->state->has_pose) status = solve_beside(path, at, 1e-15, along);
     if (status >= 0 && path->state->is_kept) status = solve_beside(path, at, 4e-12, along);
     if (status >= 0 && path->state->is_kept) status = keep_from_beside(path, at, along);
-    if (path->input < 0 && !path->is_line) path->state->time = at;
+    if (yk_path_is_time(path)) path->state->time = at;
     if (status >= 0) path->last = at;
     return status;
 }

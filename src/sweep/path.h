@@ -18,6 +18,11 @@ typedef struct YkPath {
     const double *goal;  // [3 * input + k], owned by the caller
 } YkPath;
 
+static inline bool yk_path_is_time(const YkPath *path)
+{
+    return path->input < 0 && !path->is_line;
+}
+
 // Starts a path of one coordinate, or of time (-1), from the state's position. Returns false when out of memory.
 bool yk_path_start(YkPath *path, YkState *state, int coordinate);
 // Starts a straight line from the inputs of the state's pose to `goal`, which must outlive the path.

@@ -51,15 +51,16 @@ bool yk_walk_has_just_passed(YkWalk *w, size_t block, double b, double way, doub
     return (b - *at) * way > 0 && sine_at(w, block, *at) < 3e-7 && yk_walk_closes_beyond(w, block, b, way);
 }
 
-static bool is_straight(double nearer,
-                        double farther) // in the square root: its square is not 4 times but 16 times as large
+// Returns whether the square root of the margin is a straight line: at twice the distance from zero the margin is 4 times as
+// large, where at a fourfold zero it is 16 times.
+static bool is_straight(double nearer, double farther)
 {
     return nearer > 0 && farther > 2 * nearer && farther < 8 * nearer;
 }
 
 bool yk_walk_turns_at_limit(YkWalk *w, size_t block, double *at)
 {
-    if (w->path.is_line || w->path.input >= 0) return false;
+    if (!yk_path_is_time(&w->path)) return false;
     double middle = *at, span = fabs(yk_path_off(&w->path, middle, 1, 1e-5) - middle);
     if (!isfinite(span)) return false;
     for (int k = 0; k < 3; k++, span *= 0.2) {

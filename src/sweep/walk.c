@@ -186,7 +186,7 @@ typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
 static bool is_within_reach(const YkWalk *w, double least, double a, double b)
 {
     const double AHEAD = 2; // how much farther than the inputs the block may turn
-    bool is_time = w->path.input < 0 && !w->path.is_line;
+    bool is_time = yk_path_is_time(&w->path);
     return is_time && least < 0.05 && sqrt(fmax(least, 0)) < AHEAD * yk_path_way(&w->path, a, b);
 }
 
