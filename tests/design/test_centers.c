@@ -1,31 +1,8 @@
 // Instant centres: their velocities are the engine's on every example of one freedom; a four-bar's by hand.
-#include "check.h"
 #include <glob.h>
 #include <stdlib.h>
-#include <yoke/yoke.h>
+#include "assembled.h"
 #include "loads/loads.h"
-
-typedef struct Machine {
-    YkModel *model;
-    YkMechanism *mech;
-    YkState *state;
-} Machine;
-
-static bool open_machine(Machine *m, const char *path, const char *text)
-{
-    *m = (Machine){0};
-    m->model = path ? yk_model_load(path, NULL, NULL) : yk_model_parse(text, strlen(text), "test.yaml", NULL, NULL);
-    m->mech = m->model ? yk_mechanism_compile(m->model, NULL, NULL) : NULL;
-    m->state = m->mech ? yk_state_new(m->mech) : NULL;
-    if (!m->state || yk_state_set_time(m->state, 0, NULL) < 0) return false;
-    return yk_state_assemble(m->state) >= 0;
-}
-static void close_machine(Machine *m)
-{
-    yk_state_free(m->state);
-    yk_mechanism_free(m->mech);
-    yk_model_free(m->model);
-}
 
 // The velocity of a world point as it moves with a body.
 static YkVec velocity_at(const YkState *state, size_t body, YkVec at)
@@ -34,7 +11,7 @@ static YkVec velocity_at(const YkState *state, size_t body, YkVec at)
     return yk_add(m.velocity, yk_scale(m.w, yk_quarter(yk_sub(at, m.at))));
 }
 
-static void check_centers(const char *name, Machine *m, const YkCenters *centers)
+static void check_centers(const char *name, Assembled *m, const YkCenters *centers)
 {
     size_t n = yk_model_body_count(m->model);
     double fastest = 0, size = yk_mechanism_size(m->mech);
@@ -74,8 +51,8 @@ static void centers_have_the_engines_velocities_on_every_example(void **state)
     size_t tried = 0;
     assert_int_equal(glob(YOKE_ROOT "/examples/*.yaml", 0, NULL, &found), 0);
     for (size_t k = 0; k < found.gl_pathc; k++) {
-        Machine m;
-        if (open_machine(&m, found.gl_pathv[k], NULL) && yk_input_count(m.mech) == 1) {
+        Assembled m;
+        if (assembled_open(&m, found.gl_pathv[k], NULL, 0) && yk_input_count(m.mech) == 1) {
             YkMotion input = yk_state_input(m.state, 0); // away from dead points, at a rate of 1
             yk_state_set_input_to(m.state, 0, input.position + .01, 1, 0);
             YkCenters *centers = yk_state_solve(m.state) >= 0 ? yk_centers_new(m.state, NULL) : NULL;
@@ -85,7 +62,7 @@ static void centers_have_the_engines_velocities_on_every_example(void **state)
             }
             yk_centers_free(centers);
         }
-        close_machine(&m);
+        assembled_close(&m);
     }
     globfree(&found);
     assert_true(tried > 20);
@@ -100,8 +77,8 @@ static const char four_bar[] =
 static void a_four_bars_two_other_centers_lie_on_the_lines_of_its_links(void **state)
 {
     (void)state;
-    Machine m;
-    assert_true(open_machine(&m, NULL, four_bar));
+    Assembled m;
+    assert_true(assembled_open(&m, NULL, four_bar, 0));
     YkCenters *centers = yk_centers_new(m.state, NULL);
     assert_int_equal(yk_centers_count(centers), 6);
     assert_int_equal(yk_centers_stalled(centers), 0);
@@ -122,14 +99,14 @@ static void a_four_bars_two_other_centers_lie_on_the_lines_of_its_links(void **s
         }
     }
     yk_centers_free(centers);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 static void a_slider_has_centers_at_infinity(void **state)
 {
     (void)state;
-    Machine m;
-    assert_true(open_machine(&m, YOKE_ROOT "/examples/slider-crank.yaml", NULL));
+    Assembled m;
+    assert_true(assembled_open(&m, YOKE_ROOT "/examples/slider-crank.yaml", NULL, 0));
     YkMotion input = yk_state_input(m.state, 0);
     yk_state_set_input_to(m.state, 0, input.position + .3, 1, 0);
     assert_true(yk_state_solve(m.state) >= 0);
@@ -139,27 +116,27 @@ static void a_slider_has_centers_at_infinity(void **state)
         far_away += yk_centers_at(centers, k).kind == YK_CENTER_AT_INFINITY;
     assert_int_equal(far_away, 1);
     yk_centers_free(centers);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 static void kennedy_stalls_in_a_double_butterfly(void **state)
 {
     (void)state;
-    Machine m;
-    assert_true(open_machine(&m, YOKE_ROOT "/examples/double-butterfly.yaml", NULL));
+    Assembled m;
+    assert_true(assembled_open(&m, YOKE_ROOT "/examples/double-butterfly.yaml", NULL, 0));
     YkCenters *centers = yk_centers_new(m.state, NULL);
     assert_non_null(centers);
     assert_true(yk_centers_stalled(centers) >= 1);
     yk_centers_free(centers);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 static void machines_of_other_freedoms_are_refused(void **state)
 {
     (void)state;
-    Machine m;
+    Assembled m;
     YkProblems *problems = yk_problems_new();
-    assert_true(open_machine(&m, YOKE_ROOT "/examples/double-pendulum.yaml", NULL));
+    assert_true(assembled_open(&m, YOKE_ROOT "/examples/double-pendulum.yaml", NULL, 0));
     assert_null(yk_centers_new(m.state, problems));
     assert_int_equal(yk_problems_get(problems, 0)->code, 848);
     assert_null(yk_centers_new(NULL, problems));
@@ -167,7 +144,7 @@ static void machines_of_other_freedoms_are_refused(void **state)
     assert_int_equal(yk_centers_at(NULL, 3).kind, YK_CENTER_UNDEFINED);
     yk_centers_free(NULL);
     yk_problems_free(problems);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 int main(void)

@@ -1,30 +1,7 @@
 // Centrodes: Cardan's circles, and rolling without slipping.
-#include "check.h"
-#include <yoke/yoke.h>
+#include "assembled.h"
 #include "base/codes.h"
 #include "base/vec.h"
-
-typedef struct Machine {
-    YkModel *model;
-    YkMechanism *mech;
-    YkState *state;
-} Machine;
-
-static Machine open_machine(const char *path)
-{
-    Machine m = {.model = yk_model_load(path, NULL, NULL)};
-    assert_non_null(m.model);
-    m.mech = yk_mechanism_compile(m.model, NULL, NULL);
-    m.state = yk_state_new(m.mech);
-    assert_true(yk_state_set_time(m.state, 0, NULL) >= 0 && yk_state_assemble(m.state) >= 0);
-    return m;
-}
-static void close_machine(Machine *m)
-{
-    yk_state_free(m->state);
-    yk_mechanism_free(m->mech);
-    yk_model_free(m->model);
-}
 
 static YkVec on(const YkCentrodes *c, size_t index, size_t side)
 {
@@ -37,7 +14,8 @@ static YkVec on(const YkCentrodes *c, size_t index, size_t side)
 static void a_trammel_has_cardans_circles(void **state)
 {
     (void)state;
-    Machine m = open_machine(YOKE_ROOT "/examples/elliptic-trammel.yaml");
+    Assembled m;
+    assert_true(assembled_open(&m, YOKE_ROOT "/examples/elliptic-trammel.yaml", NULL, 0));
     YkCentrodes *c = yk_centrodes_new(m.state, 0, yk_model_find_body(m.model, "bar"), 90, NULL);
     assert_non_null(c);
     assert_true(yk_centrodes_are_closed(c));
@@ -51,11 +29,11 @@ static void a_trammel_has_cardans_circles(void **state)
     }
     assert_true(found >= 88);
     yk_centrodes_free(c);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 // Sums the chords of both curves; returns by how much the sums ever differ.
-static double slip(const Machine *m, const char *first, const char *second, size_t steps, double *whole)
+static double slip(const Assembled *m, const char *first, const char *second, size_t steps, double *whole)
 {
     const YkModel *model = m->model;
     size_t body[2] = {yk_model_find_body(model, first), yk_model_find_body(model, second)};
@@ -81,12 +59,13 @@ static void centrodes_roll_without_slipping(void **state)
     for (size_t k = 0; k < 2; k++) {
         char path[300];
         snprintf(path, sizeof path, "%s%s", YOKE_ROOT, cases[k][0]);
-        Machine m = open_machine(path);
+        Assembled m;
+        assert_true(assembled_open(&m, path, NULL, 0));
         double whole, coarse = slip(&m, cases[k][1], cases[k][2], 400, &whole);
         double fine = slip(&m, cases[k][1], cases[k][2], 800, &whole);
         assert_true(fine < 1e-4 * whole);
         assert_true(fine < coarse / 3.8 && fine > coarse / 4.2);
-        close_machine(&m);
+        assembled_close(&m);
     }
 }
 
@@ -94,7 +73,8 @@ static void centrodes_roll_without_slipping(void **state)
 static void the_centre_is_kennedys(void **state)
 {
     (void)state;
-    Machine m = open_machine(YOKE_ROOT "/examples/four-bar.yaml");
+    Assembled m;
+    assert_true(assembled_open(&m, YOKE_ROOT "/examples/four-bar.yaml", NULL, 0));
     YkCenters *centers = yk_centers_new(m.state, NULL);
     for (size_t k = 0; k < yk_centers_count(centers); k++) {
         YkCenter is = yk_centers_at(centers, k);
@@ -105,14 +85,15 @@ static void the_centre_is_kennedys(void **state)
         yk_centrodes_free(c);
     }
     yk_centers_free(centers);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 static void what_is_not_there_is_said(void **state)
 {
     (void)state;
     YkProblems *problems = yk_problems_new();
-    Machine m = open_machine(YOKE_ROOT "/examples/four-bar.yaml");
+    Assembled m;
+    assert_true(assembled_open(&m, YOKE_ROOT "/examples/four-bar.yaml", NULL, 0));
     assert_null(yk_centrodes_new(m.state, 1, 1, 10, problems));
     assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_NO_CENTERS);
     assert_null(yk_centrodes_new(NULL, 0, 1, 10, problems));
@@ -122,11 +103,11 @@ static void what_is_not_there_is_said(void **state)
     assert_int_equal(yk_centrodes_body(NULL, 0), YK_NOT_FOUND);
     assert_false(yk_centrodes_point(NULL, 0).exists);
     yk_centrodes_free(NULL);
-    close_machine(&m);
-    m = open_machine(YOKE_ROOT "/examples/double-pendulum.yaml");
+    assembled_close(&m);
+    assert_true(assembled_open(&m, YOKE_ROOT "/examples/double-pendulum.yaml", NULL, 0));
     assert_null(yk_centrodes_new(m.state, 0, 1, 10, problems));
     assert_int_equal(yk_problems_get(problems, 1)->code, YK_CODE_NO_CENTERS);
-    close_machine(&m);
+    assembled_close(&m);
     yk_problems_free(problems);
 }
 

@@ -1,57 +1,48 @@
 // Force polygons: they close, their moments too, and every vector is the engine's or a law's.
-#include "check.h"
+#include "assembled.h"
 #include <glob.h>
 #include <stdlib.h>
-#include <yoke/yoke.h>
 #include "base/codes.h"
 #include "base/vec.h"
 #include "model/model.h"
 
-typedef struct Machine {
-    YkModel *model;
-    YkMechanism *mech;
-    YkState *state;
+typedef struct Loaded {
+    Assembled machine;
     YkDynamics *dynamics;
     YkForcePolygons *polygons;
-} Machine;
+} Loaded;
 
-static bool open_machine(Machine *m, const char *path, const char *text)
+static bool open_loaded(Loaded *m, const char *path, const char *text)
 {
-    *m = (Machine){0};
-    m->model = path ? yk_model_load(path, NULL, NULL) : yk_model_parse(text, strlen(text), "test.yaml", NULL, NULL);
-    m->mech = m->model ? yk_mechanism_compile(m->model, NULL, NULL) : NULL;
-    m->state = m->mech ? yk_state_new(m->mech) : NULL;
-    if (!m->state || yk_state_set_time(m->state, 0.02, NULL) < 0) return false;
-    if (yk_state_assemble(m->state) < 0 || !yk_state_has_rates(m->state)) return false;
-    m->dynamics = yk_dynamics_new(m->mech, NULL);
+    *m = (Loaded){0};
+    if (!assembled_open(&m->machine, path, text, 0.02) || !yk_state_has_rates(m->machine.state)) return false;
+    m->dynamics = yk_dynamics_new(m->machine.mech, NULL);
     if (!yk_dynamics_has_loads(m->dynamics)) return false;
-    YkStatus status = yk_dynamics_solve(m->dynamics, m->state, YK_METHOD_REDUCED);
+    YkStatus status = yk_dynamics_solve(m->dynamics, m->machine.state, YK_METHOD_REDUCED);
     if (status != YK_OK && status != YK_REDUNDANT) return false;
     m->polygons = yk_force_polygons_new(m->dynamics, NULL);
     assert_non_null(m->polygons);
     return true;
 }
-static void close_machine(Machine *m)
+static void close_loaded(Loaded *m)
 {
     yk_force_polygons_free(m->polygons);
     yk_dynamics_free(m->dynamics);
-    yk_state_free(m->state);
-    yk_mechanism_free(m->mech);
-    yk_model_free(m->model);
+    assembled_close(&m->machine);
 }
 
 // What the engine says of a vector's force, or what the law of gravity does.
-static YkVec expected(const Machine *m, const YkForceVector *v)
+static YkVec expected(const Loaded *m, const YkForceVector *v)
 {
     YkReaction r = {0};
-    const YkBody *body = &m->model->bodies[v->body];
-    if (v->part == YK_FORCE_WEIGHT) return yk_scale(body->mass, m->model->gravity);
+    const YkBody *body = &m->machine.model->bodies[v->body];
+    if (v->part == YK_FORCE_WEIGHT) return yk_scale(body->mass, m->machine.model->gravity);
     if (v->part == YK_FORCE_INERTIA) {
         YkBalance balance = yk_dynamics_balance(m->dynamics, v->body);
         return yk_vec(-balance.inertia.force[0], -balance.inertia.force[1]);
     }
-    for (size_t j = 0; v->part == YK_FORCE_REACTION && j < yk_model_joint_count(m->model); j++)
-        if (strcmp(yk_model_joint_name(m->model, j), v->name) == 0) r = yk_dynamics_reaction(m->dynamics, j);
+    for (size_t j = 0; v->part == YK_FORCE_REACTION && j < yk_model_joint_count(m->machine.model); j++)
+        if (strcmp(yk_model_joint_name(m->machine.model, j), v->name) == 0) r = yk_dynamics_reaction(m->dynamics, j);
     for (size_t k = 0; v->part == YK_FORCE_CONTACT && k < yk_dynamics_contact_count(m->dynamics); k++)
         if (strcmp(yk_dynamics_contact_name(m->dynamics, k), v->name) == 0) r = yk_dynamics_contact(m->dynamics, k);
     double sign = r.on == v->body ? 1 : -1;
@@ -60,7 +51,7 @@ static YkVec expected(const Machine *m, const YkForceVector *v)
 
 // A body's vectors follow head to tail and end where they begin; their moments about its centre of mass vanish, and about
 // any other point as well. Returns where the next body begins.
-static size_t check_body(const Machine *m, size_t first, double size)
+static size_t check_body(const Loaded *m, size_t first, double size)
 {
     YkForceVector head = yk_force_polygons_vector(m->polygons, first);
     YkVec end = {0, 0};
@@ -83,7 +74,7 @@ static size_t check_body(const Machine *m, size_t first, double size)
     }
     CHECK_NEAR(end.x, 0, 1e-10 * size);
     CHECK_NEAR(end.y, 0, 1e-10 * size);
-    if (m->model->bodies[head.body].copies > 1) return k; // its moments are those of all planets
+    if (m->machine.model->bodies[head.body].copies > 1) return k; // its moments are those of all planets
     CHECK_NEAR(moment, 0, 1e-9 * reach);
     CHECK_NEAR(turned, 0, 1e-9 * reach);
     return k;
@@ -96,8 +87,8 @@ static void every_polygon_of_the_gallery_closes(void **state)
     size_t machines = 0, vectors = 0;
     assert_int_equal(glob(YOKE_ROOT "/examples/*.yaml", 0, NULL, &found), 0);
     for (size_t k = 0; k < found.gl_pathc; k++) {
-        Machine m;
-        if (open_machine(&m, found.gl_pathv[k], NULL)) {
+        Loaded m;
+        if (open_loaded(&m, found.gl_pathv[k], NULL)) {
             double size = 1e-300;
             size_t count = yk_force_polygons_vector_count(m.polygons), bodies = 0;
             for (size_t i = 0; i < count; i++) {
@@ -110,7 +101,7 @@ static void every_polygon_of_the_gallery_closes(void **state)
             machines += count > 0;
             vectors += count;
         }
-        close_machine(&m);
+        close_loaded(&m);
     }
     globfree(&found);
     assert_true(machines >= 30);
@@ -121,17 +112,17 @@ static void every_polygon_of_the_gallery_closes(void **state)
 static void a_bob_on_a_turning_bar_by_hand(void **state)
 {
     (void)state;
-    Machine m;
+    Loaded m;
     static const char text[] = "bodies:\n  ground: {points: {O: [0, 0]}}\n  bar: {points: {O: [0, 0], A: [2 m, 0]}}\n"
                                "  bob: {mass: 3 kg, points: {A: [0, 0]}}\n"
                                "joints:\n  O: {pin: [ground, bar], angle: theta}\n  A: {pin: [bar, bob], angle: phi}\n"
                                "drives: {theta: -90 deg + 2 rad/s * (t - 0.02 s), phi: 0}\ngravity: [0, -9.81 m/s^2]\n";
-    assert_true(open_machine(&m, NULL, text));
+    assert_true(open_loaded(&m, NULL, text));
     // The bob goes round at 2 rad/s on 2 m: it weighs 29.43 N, its inertia force points outwards with 3 * 4 * 2 = 24 N.
     size_t count = yk_force_polygons_vector_count(m.polygons);
     YkForceVector first = yk_force_polygons_vector(m.polygons, 0);
     assert_int_equal(count, 5);
-    assert_string_equal(yk_model_body_name(m.model, first.body), "bar");
+    assert_string_equal(yk_model_body_name(m.machine.model, first.body), "bar");
     CHECK_NEAR(yk_hypot(first.value[0], first.value[1]), 53.43, 1e-12);
     assert_non_null(strstr(yk_force_polygons_step(m.polygons, 0), "bar: two forces of 53.43 N act, "));
     assert_non_null(
@@ -140,15 +131,15 @@ static void a_bob_on_a_turning_bar_by_hand(void **state)
     YkForceVector inertia = yk_force_polygons_vector(m.polygons, 3);
     assert_int_equal(inertia.part, YK_FORCE_INERTIA);
     CHECK_NEAR(inertia.value[1], -24, 1e-12);
-    close_machine(&m);
+    close_loaded(&m);
 }
 
 // Lengths in the picture are the vectors' times the scale of their body.
 static void the_picture_is_to_scale(void **state)
 {
     (void)state;
-    Machine m;
-    assert_true(open_machine(&m, YOKE_ROOT "/examples/gas-engine.yaml", NULL));
+    Loaded m;
+    assert_true(open_loaded(&m, YOKE_ROOT "/examples/gas-engine.yaml", NULL));
     size_t index = 0;
     double scale = 0;
     for (const char *at = yk_force_polygons_svg(m.polygons); (at = strchr(at, '<')) != NULL; at++) {
@@ -163,7 +154,7 @@ static void the_picture_is_to_scale(void **state)
         CHECK_NEAR(y1 - y2, v.value[1] * scale, 0.011);
     }
     assert_int_equal(index, yk_force_polygons_vector_count(m.polygons));
-    close_machine(&m);
+    close_loaded(&m);
 }
 
 static void what_is_not_there_is_said(void **state)

@@ -1,33 +1,15 @@
 // Polygons: every vector is the engine's, closes with the others, and lies as it would be drawn by hand.
-#include "check.h"
+#include "assembled.h"
 #include <glob.h>
 #include <stdlib.h>
 #include <strings.h>
-#include <yoke/yoke.h>
 #include "base/codes.h"
 #include "base/vec.h"
 #include "model/model.h"
 
-typedef struct Machine {
-    YkModel *model;
-    YkMechanism *mech;
-    YkState *state;
-} Machine;
-
-static bool open_machine(Machine *m, const char *path, const char *text)
+static bool open_moving(Assembled *m, const char *path, const char *text)
 {
-    *m = (Machine){0};
-    m->model = path ? yk_model_load(path, NULL, NULL) : yk_model_parse(text, strlen(text), "test.yaml", NULL, NULL);
-    m->mech = m->model ? yk_mechanism_compile(m->model, NULL, NULL) : NULL;
-    m->state = m->mech ? yk_state_new(m->mech) : NULL;
-    if (!m->state || yk_state_set_time(m->state, 0.02, NULL) < 0) return false;
-    return yk_state_assemble(m->state) >= 0 && yk_state_has_rates(m->state);
-}
-static void close_machine(Machine *m)
-{
-    yk_state_free(m->state);
-    yk_mechanism_free(m->mech);
-    yk_model_free(m->model);
+    return assembled_open(m, path, text, 0.02) && yk_state_has_rates(m->state);
 }
 
 static YkPolygonImage image(const YkPolygon *p, const char *name)
@@ -40,7 +22,7 @@ static YkPolygonImage image(const YkPolygon *p, const char *name)
 }
 
 // From the places of points alone: an image of a model's point is its velocity or acceleration.
-static size_t check_images(const Machine *m, const YkPolygon *p, bool is_velocity, double size)
+static size_t check_images(const Assembled *m, const YkPolygon *p, bool is_velocity, double size)
 {
     size_t known = 0;
     for (size_t k = 0; k < yk_polygon_image_count(p); k++) {
@@ -84,8 +66,8 @@ static void every_vector_of_the_gallery_is_the_engines(void **state)
     size_t machines = 0, images = 0;
     assert_int_equal(glob(YOKE_ROOT "/examples/*.yaml", 0, NULL, &found), 0);
     for (size_t k = 0; k < found.gl_pathc; k++) {
-        Machine m;
-        bool is_open = open_machine(&m, found.gl_pathv[k], NULL);
+        Assembled m;
+        bool is_open = open_moving(&m, found.gl_pathv[k], NULL);
         for (int kind = 0; is_open && kind < 2; kind++) {
             YkProblems *problems = yk_problems_new();
             YkPolygon *p = yk_polygon_new(m.state, (YkPolygonKind)kind, problems);
@@ -105,7 +87,7 @@ static void every_vector_of_the_gallery_is_the_engines(void **state)
             yk_polygon_free(p);
             yk_problems_free(problems);
         }
-        close_machine(&m);
+        assembled_close(&m);
     }
     globfree(&found);
     assert_true(machines >= 40);
@@ -116,14 +98,14 @@ static void every_vector_of_the_gallery_is_the_engines(void **state)
 static void a_slider_crank_by_hand(void **state)
 {
     (void)state;
-    Machine m;
+    Assembled m;
     static const char text[] =
         "bodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A: [3, 0]}}\n"
         "  rod: {points: {A: [0, 0], B: [5, 0]}}\n  slider: {points: {B: [0, 0]}}\n"
         "joints:\n  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
         "  B: {pin: [rod, slider]}\n  S: {slide: [ground, slider], distance: s}\n"
         "drives: {theta: 90 deg + 2 rad/s * (t - 0.02 s)}\nstart: {phi: -127 deg, s: 4}\n";
-    assert_true(open_machine(&m, NULL, text));
+    assert_true(open_moving(&m, NULL, text));
     YkPolygon *p = yk_polygon_new(m.state, YK_POLYGON_VELOCITY, NULL);
     assert_int_equal(yk_polygon_step_count(p), 2);
     CHECK_NEAR(image(p, "a").value[0], -6, 1e-12); // the rod only shifts here
@@ -137,20 +119,20 @@ static void a_slider_crank_by_hand(void **state)
     CHECK_NEAR(image(p, "a").value[1], -12, 1e-12);
     CHECK_NEAR(image(p, "b").value[0], 9, 1e-12);
     yk_polygon_free(p);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 // A block on a turning line: what slides outwards at 0.5 m/s while the line turns at 2 rad/s has Coriolis' 2 m/s^2.
 static void coriolis_is_told_on_turning_lines(void **state)
 {
     (void)state;
-    Machine m;
+    Assembled m;
     size_t seen = 0;
     static const char text[] =
         "bodies:\n  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0]}}\n  block: {points: {B: [0, 0]}}\n"
         "joints:\n  O: {pin: [ground, arm], angle: theta}\n  S: {slide: [arm, block], distance: s}\n"
         "drives: {theta: 2 rad/s * (t - 0.02 s), s: 3 m + 0.5 m/s * (t - 0.02 s)}\n";
-    assert_true(open_machine(&m, NULL, text));
+    assert_true(open_moving(&m, NULL, text));
     YkPolygon *p = yk_polygon_new(m.state, YK_POLYGON_ACCELERATION, NULL);
     for (size_t k = 0; k < yk_polygon_vector_count(p); k++) {
         YkPolygonVector v = yk_polygon_vector(p, k);
@@ -163,15 +145,15 @@ static void coriolis_is_told_on_turning_lines(void **state)
     CHECK_NEAR(image(p, "s").value[0], -12, 1e-12);
     CHECK_NEAR(image(p, "s").value[1], 2, 1e-12);
     yk_polygon_free(p);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 // Lengths in the picture are the vectors' times its scale.
 static void the_picture_is_to_scale(void **state)
 {
     (void)state;
-    Machine m;
-    assert_true(open_machine(&m, YOKE_ROOT "/examples/four-bar.yaml", NULL));
+    Assembled m;
+    assert_true(open_moving(&m, YOKE_ROOT "/examples/four-bar.yaml", NULL));
     YkPolygon *p = yk_polygon_new(m.state, YK_POLYGON_VELOCITY, NULL);
     const char *svg = yk_polygon_svg(p), *at = strstr(svg, "data-scale=\"");
     assert_non_null(at);
@@ -187,7 +169,7 @@ static void the_picture_is_to_scale(void **state)
     }
     assert_int_equal(index, yk_polygon_vector_count(p));
     yk_polygon_free(p);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 static void what_is_not_there_is_said(void **state)
@@ -199,13 +181,13 @@ static void what_is_not_there_is_said(void **state)
     assert_int_equal(yk_polygon_vector_count(NULL), 0);
     assert_int_equal(yk_polygon_vector(NULL, 3).joint, YK_NOT_FOUND);
     yk_polygon_free(NULL);
-    Machine m;
-    assert_true(open_machine(&m, YOKE_ROOT "/examples/driven-coupler.yaml", NULL));
+    Assembled m;
+    assert_true(open_moving(&m, YOKE_ROOT "/examples/driven-coupler.yaml", NULL));
     YkProblems *problems = yk_problems_new();
     assert_null(yk_polygon_new(m.state, YK_POLYGON_VELOCITY, problems));
     assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_NO_POLYGON);
     yk_problems_free(problems);
-    close_machine(&m);
+    assembled_close(&m);
 }
 
 int main(void)
