@@ -35,19 +35,19 @@ typedef struct Search {
     YkCamShape shape;
     const YkCamLimits *limits;
     Bend bend;
-    YkCamExtreme pressure, curvature; // as found last
+    size_t steep, bent; // the samples at which the limits were last exceeded: for another base it is there or near
 } Search;
 
-// Returns whether this base keeps both limits.
-static bool keeps(Search *search, double base, bool is_fine)
+// Returns whether this base keeps both limits. One that does not is mostly known by one sample.
+static bool keeps(Search *search, double base)
 {
-    YkCamExtreme (*greatest)(const YkCamSamples *, const YkCamShape *, YkCamMeasure, const void *) =
-        is_fine ? yk_cam_greatest : yk_cam_greatest_sample;
+    const YkCamSamples *samples = search->samples;
+    const YkCamShape *shape = &search->shape;
     search->shape.base = base;
-    if (!yk_cam_shape_fit(&search->shape)) return false;
-    search->pressure = greatest(search->samples, &search->shape, over_pressure, search->limits);
-    search->curvature = greatest(search->samples, &search->shape, over_bend, &search->bend);
-    return search->pressure.value <= 0 && search->curvature.value <= 0;
+    return yk_cam_shape_fit(&search->shape) && !yk_cam_is_above_zero(samples, shape, over_pressure, search->limits, &search->steep) &&
+           !yk_cam_is_above_zero(samples, shape, over_bend, &search->bend, &search->bent) &&
+           yk_cam_greatest(samples, shape, over_pressure, search->limits).value <= 0 &&
+           yk_cam_greatest(samples, shape, over_bend, &search->bend).value <= 0;
 }
 
 // Finds the lowest lift and the range of the lift, from samples.
@@ -98,21 +98,25 @@ YkStatus yk_cam_smallest_base(const YkCamDesign *design, const YkCamLimits *limi
         low = high;
         high = low * step;
         if (!(high < bound)) return YK_LIMIT;
-        found = keeps(&search, high, false) && keeps(&search, high, true);
+        found = keeps(&search, high);
     }
     if (!found) return YK_LIMIT;
-    Search last = search; // a base that just fails: its worst place is where the limit is reached
+    double failing = high; // a base that just fails: its worst place is where the limit is reached
     for (int i = 0; i < BISECTIONS && high - low > 1e-15 * high; i++) {
         double middle = low + (high - low) / 2;
-        if (keeps(&search, middle, true)) {
+        if (keeps(&search, middle)) {
             high = middle;
         } else {
             low = middle;
-            last = search;
+            if (isfinite(search.shape.start)) failing = middle;
         }
     }
+    search.shape.base = failing;
+    yk_cam_shape_fit(&search.shape);
+    YkCamExtreme pressure = yk_cam_greatest(search.samples, &search.shape, over_pressure, limits);
+    YkCamExtreme curvature = yk_cam_greatest(search.samples, &search.shape, over_bend, &search.bend);
     base->base = high;
-    base->by_pressure = last.pressure.value > last.curvature.value;
-    base->angle = base->by_pressure ? last.pressure.angle : last.curvature.angle;
+    base->by_pressure = pressure.value > curvature.value;
+    base->angle = base->by_pressure ? pressure.angle : curvature.angle;
     return YK_OK;
 }

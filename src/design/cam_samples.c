@@ -118,16 +118,27 @@ static YkCamExtreme climb(const Probe *probe, double low, double high)
     return at_a >= at_b ? (YkCamExtreme){at_a, a} : (YkCamExtreme){at_b, b};
 }
 
-YkCamExtreme yk_cam_greatest_sample(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
-                                    const void *context)
+static YkCamExtreme greatest_sample(const Probe *probe)
 {
-    Probe probe = {samples, shape, measure, context};
+    const YkCamSamples *samples = probe->samples;
     YkCamExtreme best = {-(double)INFINITY, 0};
     for (size_t i = 0; i < samples->count; i++) {
-        double value = of_sample(&probe, &samples->items[i]);
+        double value = of_sample(probe, &samples->items[i]);
         if (value > best.value) best = (YkCamExtreme){value, samples->items[i].angle};
     }
     return best;
+}
+
+bool yk_cam_is_above_zero(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure, const void *context, size_t *where)
+{
+    Probe probe = {samples, shape, measure, context};
+    if (*where < samples->count && of_sample(&probe, &samples->items[*where]) > 0) return true;
+    for (size_t i = 0; i < samples->count; i++) {
+        if (!(of_sample(&probe, &samples->items[i]) > 0)) continue;
+        *where = i;
+        return true;
+    }
+    return false;
 }
 
 // Refines the peaks of one stretch that come near the best sample of all.
@@ -152,7 +163,7 @@ YkCamExtreme yk_cam_greatest(const YkCamSamples *samples, const YkCamShape *shap
                              const void *context)
 {
     Probe probe = {samples, shape, measure, context};
-    YkCamExtreme best = yk_cam_greatest_sample(samples, shape, measure, context);
+    YkCamExtreme best = greatest_sample(&probe);
     if (!isfinite(best.value)) return best;
     double near = best.value - 0.02 * fabs(best.value);
     for (size_t k = 0; k < samples->stretch_count; k++) refine(&probe, k, near, &best);
