@@ -27,7 +27,7 @@ set_target_properties(yoke_python PROPERTIES PREFIX "" OUTPUT_NAME _native SUFFI
   LIBRARY_OUTPUT_DIRECTORY ${YOKE_PYTHON_DIR}/yoke)
 target_include_directories(yoke_python PRIVATE ${YOKE_PYTHON_SOURCE}/native SYSTEM ${YOKE_PYTHON_INCLUDE})
 target_compile_definitions(yoke_python PRIVATE _POSIX_C_SOURCE=200809L Py_LIMITED_API=0x03070000)
-target_compile_options(yoke_python PRIVATE -w) # cffi writes most of it
+target_compile_options(yoke_python PRIVATE -w -O1) # cffi writes most of it: 498 functions of the library, nothing that computes
 target_link_libraries(yoke_python PRIVATE yoke_shared m)
 
 file(GLOB YOKE_PYTHON_MODULES RELATIVE ${YOKE_PYTHON_SOURCE} CONFIGURE_DEPENDS python/yoke/*.py python/yoke/*.pyi python/yoke/py.typed)

@@ -1,7 +1,7 @@
-# Compiles files of a room together, where only the number of compilations matters: half of the compiler's time for a file of ours goes
-# into its own start and the headers. Files that give one name to different things stay apart, and so does a file of the library with
+# Compiles files of a room together (YOKE_TOGETHER): half of the compiler's time for a file of ours goes into its own start and the
+# headers. Files that give one name to different things stay apart, and so does a file of the library with
 # macros or kernels.
-set(YOKE_TOGETHER 12) # files at most
+set(YOKE_TOGETHER_MOST 12) # files at most
 
 # Sets NAMES to the names that a file defines for itself alone, and MACROS to its macros; ANY among them: text that is included or inlined.
 function(yoke_own_names source names macros)
@@ -71,7 +71,7 @@ function(yoke_choose_group prefix most names shared out)
   set(${out} ${group} PARENT_SCOPE)
 endfunction()
 
-# Gives each source a group (UNITY_GROUP) of at most YOKE_TOGETHER files of its folder, none of which shares a name with it.
+# Gives each source a group (UNITY_GROUP) of at most YOKE_TOGETHER_MOST files of its folder, none of which shares a name with it.
 function(yoke_together target)
   yoke_tested_alone(alone)
   foreach(source ${ARGN})
@@ -83,7 +83,7 @@ function(yoke_together target)
     if(macros OR options OR whole IN_LIST alone)
       set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     else()
-      yoke_choose_group(${folder}_ ${YOKE_TOGETHER} "${names}" "" group)
+      yoke_choose_group(${folder}_ ${YOKE_TOGETHER_MOST} "${names}" "" group)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${group})
     endif()
   endforeach()
