@@ -1,6 +1,7 @@
 # The core for browsers (preset `wasm`, cmake/wasi.toolchain.cmake): core.wasm for the page's drawing and moving, without imports;
 # panels.wasm for its panels; and yoke.wasm, the whole command. See web/core/README.md.
 set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
+set(YOKE_TOGETHER OFF) # modules take the objects they need
 set(YOKE_WASI ${CMAKE_SOURCE_DIR}/web/core/wasi)
 set(YOKE_LIBYAML ${CMAKE_BINARY_DIR}/third-party CACHE PATH "Folder with libyaml's sources, or where tools/get-libyaml shall put them")
 execute_process(COMMAND sh ${CMAKE_SOURCE_DIR}/tools/get-libyaml ${YOKE_LIBYAML} RESULT_VARIABLE failed)
