@@ -1,11 +1,12 @@
 // Names of points, and walks from point to point as sums of named vectors.
 #include <stdlib.h>
 #include <string.h>
+#include "base/sets.h"
 #include "derive/inside.h"
 
 // Places: the model's points, then each body's origin. Places that always coincide share a root.
 struct YkDeriveNames {
-    int32_t *root;       // union-find
+    int32_t *root;       // sets of points that coincide
     bool *is_ambiguous;  // per point: another place has the same name
     const char **origin; // per body: name of its origin
     const char **center; // per body: name of its centre of mass
@@ -16,31 +17,18 @@ static int32_t place_index(const YkDerivation *d, YkDerivePlace place)
     return place.point != YK_NONE ? place.point : (int32_t)d->model->point_count + place.body;
 }
 
-static int32_t find_root(int32_t *root, int32_t place)
-{
-    while (root[place] != place) place = root[place] = root[root[place]];
-    return place;
-}
-
-static void unite(struct YkDeriveNames *names, int32_t a, int32_t b)
-{
-    a = find_root(names->root, a), b = find_root(names->root, b);
-    if (a < b) names->root[b] = a;
-    if (b < a) names->root[a] = b;
-}
-
 static void unite_places(YkDerivation *d, struct YkDeriveNames *names)
 {
     for (size_t j = 0; j < d->model->joint_count; j++) {
         YkPartKind kind = d->model->joints[j].kind;
         if (kind != YK_PIN && kind != YK_WELD) continue;
-        unite(names, place_index(d, yk_derive_place(d, (int32_t)j, 0)),
-              place_index(d, yk_derive_place(d, (int32_t)j, 1)));
+        int32_t first = place_index(d, yk_derive_place(d, (int32_t)j, 0));
+        yk_sets_join(names->root, first, place_index(d, yk_derive_place(d, (int32_t)j, 1)));
     }
     for (size_t p = 0; p < d->model->point_count; p++) {
         int32_t body = d->model->points[p].body;
         if (yk_ring_is_zero(yk_derive_at(d, body, (int32_t)p)))
-            unite(names, (int32_t)p, place_index(d, (YkDerivePlace){body, YK_NONE}));
+            yk_sets_join(names->root, (int32_t)p, place_index(d, (YkDerivePlace){body, YK_NONE}));
     }
 }
 
@@ -53,7 +41,8 @@ static bool find_ambiguous(YkDerivation *d, struct YkDeriveNames *names)
         for (size_t p = 0; p < d->model->point_count && well; p++) {
             int32_t other;
             well = yk_names_add(&table, d->model->points[p].name, (int32_t)p, &other);
-            if (!well || other == YK_NONE || find_root(names->root, other) == find_root(names->root, (int32_t)p)) continue;
+            if (!well || other == YK_NONE || yk_root_of(names->root, other) == yk_root_of(names->root, (int32_t)p))
+                continue;
             names->is_ambiguous[p] = names->is_ambiguous[other] = true;
         }
     for (size_t p = 0; p < d->model->point_count && well; p++) { // all of an ambiguous name
@@ -98,7 +87,7 @@ static void name_origins(YkDerivation *d, struct YkDeriveNames *names)
     bool has_O = is_point_name(d, "O");
     int32_t points = (int32_t)d->model->point_count;
     for (size_t b = 0; b < d->model->body_count; b++) {
-        int32_t root = find_root(names->root, place_index(d, (YkDerivePlace){(int32_t)b, YK_NONE}));
+        int32_t root = yk_root_of(names->root, place_index(d, (YkDerivePlace){(int32_t)b, YK_NONE}));
         if (root < points)
             names->origin[b] = yk_derive_point_name(d, d->model->points[root].body, root);
         else
@@ -131,7 +120,7 @@ static struct YkDeriveNames *make_names(YkDerivation *d)
     names->origin = YK_NEW(d->arena, const char *, bodies);
     names->center = YK_NEW(d->arena, const char *, bodies);
     if (yk_arena_failed(d->arena)) return NULL;
-    for (size_t k = 0; k < points + bodies; k++) names->root[k] = (int32_t)k;
+    yk_sets_begin(names->root, points + bodies);
     unite_places(d, names);
     if (!find_ambiguous(d, names)) return NULL;
     d->names = names;

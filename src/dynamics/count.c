@@ -6,6 +6,7 @@
 // forces on a body all meet in its centre of mass, its moment equation is trivial - the moment of its guide is 0 - and
 // both are left out.
 #include <stdlib.h>
+#include "base/sets.h"
 #include "dynamics/dynamics.h"
 
 static bool are_one_point(YkVec a, YkVec b, double size)
@@ -74,13 +75,6 @@ static bool is_trivial(const YkDynamics *d, const Meeting *meetings, size_t body
     return meetings[body].slides == 1 && meetings[body].in_center && !is_turned(d, body);
 }
 
-// Finds junctions: sets of at least two pins in one point, chained by the bodies they share.
-static int32_t root_of(int32_t *parent, int32_t k)
-{
-    while (parent[k] != k) k = parent[k] = parent[parent[k]];
-    return k;
-}
-
 typedef struct PinEnd {
     int32_t body, joint;
     YkVec at;
@@ -94,6 +88,7 @@ static int by_place(const void *a, const void *b)
     return p->at.y != q->at.y ? (p->at.y < q->at.y ? -1 : 1) : p->joint - q->joint;
 }
 
+// Counts junctions: sets of at least two pins in one point, chained by the bodies they share.
 static size_t count_junctions(const YkModel *model, bool *ran_out)
 {
     PinEnd *ends = calloc(2 * model->joint_count + 1, sizeof *ends);
@@ -101,9 +96,9 @@ static size_t count_junctions(const YkModel *model, bool *ran_out)
             *size = calloc(model->joint_count + 1, sizeof *size);
     size_t count = 0, junctions = 0;
     *ran_out = !ends || !parent || !size;
+    if (parent) yk_sets_begin(parent, model->joint_count);
     for (size_t j = 0; ends && parent && size && j < model->joint_count; j++) {
         const YkJoint *joint = &model->joints[j];
-        parent[j] = (int32_t)j;
         for (int side = 0; side < 2 && joint->kind == YK_PIN; side++)
             ends[count++] = (PinEnd){joint->body[side], (int32_t)j, joint->at[side]};
     }
@@ -112,9 +107,9 @@ static size_t count_junctions(const YkModel *model, bool *ran_out)
         for (size_t k = 1; k < count; k++)
             if (ends[k].body == ends[k - 1].body && ends[k].body != 0 && ends[k].at.x == ends[k - 1].at.x &&
                 ends[k].at.y == ends[k - 1].at.y)
-                parent[root_of(parent, ends[k].joint)] = root_of(parent, ends[k - 1].joint);
+                yk_sets_join(parent, ends[k].joint, ends[k - 1].joint);
         for (size_t j = 0; j < model->joint_count; j++)
-            if (model->joints[j].kind == YK_PIN && ++size[root_of(parent, (int32_t)j)] == 2) junctions++;
+            if (model->joints[j].kind == YK_PIN && ++size[yk_root_of(parent, (int32_t)j)] == 2) junctions++;
     }
     free(ends);
     free(parent);
@@ -126,11 +121,11 @@ static size_t count_junctions(const YkModel *model, bool *ran_out)
 static void join_orientations(const YkMechanism *mech, int32_t *parent)
 {
     const YkModel *model = mech->model;
-    for (size_t b = 0; b < model->body_count; b++) parent[b] = (int32_t)b;
+    yk_sets_begin(parent, model->body_count);
     for (size_t b = 1; b < model->body_count; b++) {
         int32_t j = mech->tree.joint[b];
         if (j == YK_NONE || yk_part(model->joints[j].kind)->turns) continue;
-        parent[root_of(parent, model->joints[j].body[0])] = root_of(parent, model->joints[j].body[1]);
+        yk_sets_join(parent, model->joints[j].body[0], model->joints[j].body[1]);
     }
 }
 
@@ -141,7 +136,7 @@ static size_t count_closing(const YkMechanism *mech, int32_t *parent)
     for (size_t l = 0; l < mech->loop_count; l++) {
         const YkJoint *joint = &mech->model->joints[mech->loops[l].joint];
         const YkPart *part = yk_part(joint->kind);
-        bool turn_together = root_of(parent, joint->body[0]) == root_of(parent, joint->body[1]);
+        bool turn_together = yk_root_of(parent, joint->body[0]) == yk_root_of(parent, joint->body[1]);
         count += part->slides ? 1 : 2;
         if (!part->turns && !turn_together) count++;
     }

@@ -2,8 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "base/sets.h"
 #include "map/map.h"
-#include "map/roots.h"
 
 static bool goes_on(const YkTie *tie) // as the same branch
 {
@@ -177,22 +177,22 @@ bool yk_map_find_circuits(YkMap *map)
 {
     const YkTies *ties = &map->tracer.ties[map->tracer.piece_count];
     size_t n = map->leaves->count;
-    size_t *parent = malloc((n + 1) * sizeof *parent), *number = malloc((n + 1) * sizeof *number);
+    int32_t *parent = malloc((n + 1) * sizeof *parent);
+    size_t *number = malloc((n + 1) * sizeof *number);
     YkRange *ranges = malloc((n + 1) * sizeof *ranges);
     map->circuit_of = malloc((n + 1) * sizeof *map->circuit_of);
     map->branch_of = malloc((n + 1) * sizeof *map->branch_of);
     bool ok = parent && number && ranges && map->circuit_of && map->branch_of;
-    for (size_t k = 0; ok && k < n; k++) parent[k] = k;
+    if (ok) yk_sets_begin(parent, n);
     for (size_t k = 0; ok && k < ties->count; k++)
-        parent[yk_root_of(parent, ties->items[k].strand[0]->index)] =
-            yk_root_of(parent, ties->items[k].strand[1]->index);
+        yk_sets_join(parent, (int32_t)ties->items[k].strand[0]->index, (int32_t)ties->items[k].strand[1]->index);
     for (size_t k = 0; ok && k < n; k++) number[k] = map->branch_of[k] = YK_NOT_FOUND;
     if (ok && map->start_leaf != YK_NOT_FOUND) { // its circuit comes first
-        number[yk_root_of(parent, map->start_leaf)] = map->circuit_count++;
+        number[yk_root_of(parent, (int32_t)map->start_leaf)] = map->circuit_count++;
         map->has_start = true;
     }
     for (size_t k = 0; ok && k < n; k++) {
-        size_t root = yk_root_of(parent, k);
+        size_t root = (size_t)yk_root_of(parent, (int32_t)k);
         if (number[root] == YK_NOT_FOUND) number[root] = map->circuit_count++;
         map->circuit_of[k] = number[root];
     }

@@ -2,7 +2,7 @@
 #include "map/runs.h"
 #include <stdlib.h>
 #include "base/memory.h"
-#include "map/roots.h"
+#include "base/sets.h"
 
 void yk_runs_end(YkRuns *runs)
 {
@@ -26,31 +26,24 @@ static size_t end_of(const YkRuns *r, size_t row, size_t run)
     return run + 1 < r->first[row + 1] ? r->items[run + 1].from : r->n;
 }
 
-// Joins two runs that touch: the first of them stands for both.
-static void join(size_t *parent, size_t a, size_t b)
-{
-    size_t p = yk_root_of(parent, a), q = yk_root_of(parent, b);
-    parent[p < q ? q : p] = p < q ? p : q;
-}
-
 // Joins the runs of a row with those of the row before that have the same number.
-static void join_rows(const YkRuns *r, const YkField *field, size_t row, size_t *parent)
+static void join_rows(const YkRuns *r, const YkField *field, size_t row, int32_t *parent)
 {
     const uint16_t *below = field->count + (row - 1) * r->n, *own = field->count + row * r->n;
     size_t a = r->first[row - 1], b = r->first[row];
     while (a < r->first[row] && b < r->first[row + 1]) {
-        if (below[r->items[a].from] == own[r->items[b].from]) join(parent, a, b);
+        if (below[r->items[a].from] == own[r->items[b].from]) yk_sets_join(parent, (int32_t)a, (int32_t)b);
         size_t a_end = end_of(r, row - 1, a), b_end = end_of(r, row, b);
         if (a_end <= b_end) a++;
         if (b_end <= a_end) b++;
     }
 }
 
-static void number(YkRuns *r, const YkField *field, size_t *parent)
+static void number(YkRuns *r, const YkField *field, int32_t *parent)
 {
     for (size_t row = 0; row < r->n; row++)
         for (size_t k = r->first[row]; k < r->first[row + 1]; k++) {
-            size_t root = yk_root_of(parent, k);
+            size_t root = (size_t)yk_root_of(parent, (int32_t)k);
             if (field->count[row * r->n + r->items[k].from] == 0) continue;
             r->items[k].part = root == k ? (uint32_t)++r->part_count : r->items[root].part;
         }
@@ -64,9 +57,9 @@ bool yk_runs_find(YkRuns *r, const YkField *field)
         good = read_row(r, field->count + row * r->n);
         r->first[row + 1] = r->count;
     }
-    size_t *parent = good ? malloc((r->count + 1) * sizeof *parent) : NULL;
+    int32_t *parent = good ? malloc((r->count + 1) * sizeof *parent) : NULL;
     if (!parent) return false;
-    for (size_t k = 0; k < r->count; k++) parent[k] = k;
+    yk_sets_begin(parent, r->count);
     for (size_t row = 1; row < r->n; row++) join_rows(r, field, row, parent);
     number(r, field, parent);
     free(parent);

@@ -1,44 +1,21 @@
-// Checks that a chain of joints holds every body to the ground. Groups by union-find (Tarjan 1975); near-linear.
+// Checks that a chain of joints holds every body to the ground.
 #include <string.h>
+#include "base/sets.h"
 #include "model/load.h"
 
 enum { NAMES_SHOWN = 8 };
 
 typedef struct Groups {
-    int32_t *parent; // towards the group's representative
-    int32_t *size;
-    int32_t *next; // bodies of one group in file order; the list starts at the representative's `first`
-    int32_t *first, *last;
+    int32_t *parent;      // sets of connected bodies; the first in the file stands for each
+    int32_t *next, *last; // bodies of one group in file order, which begin with its root
 } Groups;
-
-static int32_t find(const Groups *groups, int32_t body)
-{
-    while (groups->parent[body] != body) {
-        groups->parent[body] = groups->parent[groups->parent[body]];
-        body = groups->parent[body];
-    }
-    return body;
-}
-
-static void unite(Groups *groups, int32_t a, int32_t b)
-{
-    a = find(groups, a);
-    b = find(groups, b);
-    if (a == b) return;
-    int32_t large = groups->size[a] >= groups->size[b] ? a : b, small = large == a ? b : a;
-    groups->parent[small] = large;
-    groups->size[large] += groups->size[small];
-}
 
 static void link_members(Groups *groups, int32_t count)
 {
-    for (int32_t i = 0; i < count; i++) groups->first[i] = groups->last[i] = groups->next[i] = YK_NONE;
+    for (int32_t i = 0; i < count; i++) groups->last[i] = groups->next[i] = YK_NONE;
     for (int32_t i = 0; i < count; i++) {
-        int32_t group = find(groups, i), last = groups->last[group];
-        if (last == YK_NONE)
-            groups->first[group] = i;
-        else
-            groups->next[last] = i;
+        int32_t group = yk_root_of(groups->parent, i), last = groups->last[group];
+        if (last != YK_NONE) groups->next[last] = i;
         groups->last[group] = i;
     }
 }
@@ -49,14 +26,14 @@ static void report(YkLoader *loader, const Groups *groups, int32_t group)
     YkText *text = &loader->text;
     int32_t shown = 0, total = 0; // without the carriages of free joints, which come last
     yk_text_clear(text);
-    for (int32_t i = groups->first[group]; i != YK_NONE; i = groups->next[i]) total += !bodies[i].is_carriage;
-    for (int32_t i = groups->first[group]; shown < total && shown < NAMES_SHOWN; i = groups->next[i]) {
+    for (int32_t i = group; i != YK_NONE; i = groups->next[i]) total += !bodies[i].is_carriage;
+    for (int32_t i = group; shown < total && shown < NAMES_SHOWN; i = groups->next[i]) {
         const char *joiner = shown == 0 ? "" : shown + 1 == total ? " and " : ", ";
         yk_text_format(text, "%s%q", joiner, bodies[i].name);
         shown++;
     }
     if (shown < total) yk_text_format(text, " and %d more", (int)(total - shown));
-    yk_problem(loader->problems, YK_CODE_NOT_CONNECTED, bodies[groups->first[group]].place,
+    yk_problem(loader->problems, YK_CODE_NOT_CONNECTED, bodies[group].place,
                "%s %s not connected to the ground by joints", yk_text_get(text), total == 1 ? "is" : "are");
 }
 
@@ -101,25 +78,18 @@ void yk_load_check_connected(YkLoader *loader)
     const YkModel *model = loader->model;
     size_t count = model->body_count;
     Groups groups = {.parent = YK_NEW(loader->arena, int32_t, count),
-                     .size = YK_NEW(loader->arena, int32_t, count),
                      .next = YK_NEW(loader->arena, int32_t, count),
-                     .first = YK_NEW(loader->arena, int32_t, count),
                      .last = YK_NEW(loader->arena, int32_t, count)};
     if (yk_arena_failed(loader->arena) || loader->has_bad_joint) return;
-    for (size_t i = 0; i < count; i++) {
-        groups.parent[i] = (int32_t)i;
-        groups.size[i] = 1;
-    }
-    for (size_t i = 0; i < model->joint_count; i++) unite(&groups, model->joints[i].body[0], model->joints[i].body[1]);
+    yk_sets_begin(groups.parent, count);
+    for (size_t i = 0; i < model->joint_count; i++)
+        yk_sets_join(groups.parent, model->joints[i].body[0], model->joints[i].body[1]);
     link_members(&groups, (int32_t)count);
-    int32_t ground = find(&groups, 0);
-    for (size_t i = 1; i < count; i++) {
-        int32_t group = find(&groups, (int32_t)i);
-        if (group != ground && groups.first[group] == (int32_t)i) {
-            if (loader->is_sketch)
-                hold(loader, (int32_t)i);
-            else
-                report(loader, &groups, group);
-        }
+    for (int32_t i = 1; i < (int32_t)count; i++) {
+        if (groups.parent[i] != i) continue;
+        if (loader->is_sketch)
+            hold(loader, i);
+        else
+            report(loader, &groups, i);
     }
 }

@@ -1,12 +1,7 @@
 // Finds junctions: pins that join several bodies in one point, chained by the bodies on which they sit.
 #include <stdlib.h>
+#include "base/sets.h"
 #include "derive/forces/free_bodies.h"
-
-static int32_t root_of(int32_t *parent, int32_t k)
-{
-    while (parent[k] != k) k = parent[k] = parent[parent[k]];
-    return k;
-}
 
 static const YkPoisson *at_of(YkDerivation *d, int32_t joint, int side)
 {
@@ -36,7 +31,7 @@ static void unite_neighbours(YkDerivation *d, const PinsOf *pins, int32_t *paren
     for (size_t b = 1; b < d->model->body_count; b++)
         for (int32_t e = pins->first[b]; e != YK_NONE; e = pins->next[e])
             for (int32_t o = pins->next[e]; o != YK_NONE; o = pins->next[o])
-                if (do_share_a_point(d, e / 2, o / 2)) parent[root_of(parent, e / 2)] = root_of(parent, o / 2);
+                if (do_share_a_point(d, e / 2, o / 2)) yk_sets_join(parent, e / 2, o / 2);
 }
 
 // Numbers the sets of two or more pins by their first joint. last: per root, its junction's last joint so far.
@@ -44,9 +39,9 @@ static void number_junctions(YkDeriveForces *f, int32_t *parent, int32_t *size, 
 {
     YkDerivation *d = f->d;
     for (size_t j = 0; j < d->model->joint_count; j++)
-        if (d->model->joints[j].kind == YK_PIN) size[root_of(parent, (int32_t)j)]++;
+        if (d->model->joints[j].kind == YK_PIN) size[yk_root_of(parent, (int32_t)j)]++;
     for (size_t j = 0; j < d->model->joint_count; j++) {
-        int32_t root = root_of(parent, (int32_t)j);
+        int32_t root = yk_root_of(parent, (int32_t)j);
         f->junction_of[j] = f->next_at_junction[j] = YK_NONE;
         if (d->model->joints[j].kind != YK_PIN || size[root] < 2) continue;
         int32_t before = last[root] - 1; // 0: none
@@ -79,14 +74,13 @@ bool yk_derive_find_junctions(YkDeriveForces *f)
     PinsOf pins = {block + 2 * joints, block + 2 * joints + bodies};
     int32_t *last = block + 4 * joints + bodies;
     for (size_t b = 0; b < bodies; b++) pins.first[b] = YK_NONE;
-    for (size_t j = 0; j < joints; j++) {
-        parent[j] = (int32_t)j;
+    yk_sets_begin(parent, joints);
+    for (size_t j = 0; j < joints; j++)
         for (int side = 0; side < 2 && model->joints[j].kind == YK_PIN; side++) {
             int32_t *first = &pins.first[model->joints[j].body[side]];
             pins.next[2 * j + (size_t)side] = *first;
             *first = (int32_t)(2 * j) + side;
         }
-    }
     unite_neighbours(f->d, &pins, parent);
     number_junctions(f, parent, size, last);
     free(block);
