@@ -22,6 +22,13 @@ static YkRef leaf(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t index, in
     return ref;
 }
 
+static YkRefVec two_leaves(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t index, int32_t part)
+{
+    YkRefVec v = {.x = leaf(f, g, kind, index, part)};
+    v.y = leaf(f, g, kind, index, part + 1);
+    return v;
+}
+
 static size_t count_leaves(const YkMechanism *mech)
 {
     return 4 * (mech->slot_count + 1) + 3 * (mech->distance_count + 1) + 6 * (mech->node_count + 1) +
@@ -72,7 +79,7 @@ static void place_pose(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
     const YkMechanism *mech = p->mech;
     p->unit[0] = yk_graph_vec_number(g, 1, 0);
     for (size_t k = 1; k < mech->slot_count; k++) {
-        p->unit[k] = (YkRefVec){leaf(f, g, YK_LEAF_OF_TURN, k, 0), leaf(f, g, YK_LEAF_OF_TURN, k, 1)};
+        p->unit[k] = two_leaves(f, g, YK_LEAF_OF_TURN, k, 0);
         r->turn[k] = leaf(f, g, YK_LEAF_OF_TURN, k, 2);
         s->turn[k] = leaf(f, g, YK_LEAF_OF_TURN, k, 3);
     }
@@ -82,9 +89,9 @@ static void place_pose(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
         s->slide[k] = leaf(f, g, YK_LEAF_OF_SLIDE, k, 2);
     }
     for (size_t k = 0; k < mech->node_count; k++) {
-        p->node[k] = (YkRefVec){leaf(f, g, YK_LEAF_OF_NODE, k, 0), leaf(f, g, YK_LEAF_OF_NODE, k, 1)};
-        r->node[k] = (YkRefVec){leaf(f, g, YK_LEAF_OF_NODE, k, 2), leaf(f, g, YK_LEAF_OF_NODE, k, 3)};
-        s->node[k] = (YkRefVec){leaf(f, g, YK_LEAF_OF_NODE, k, 4), leaf(f, g, YK_LEAF_OF_NODE, k, 5)};
+        p->node[k] = two_leaves(f, g, YK_LEAF_OF_NODE, k, 0);
+        r->node[k] = two_leaves(f, g, YK_LEAF_OF_NODE, k, 2);
+        s->node[k] = two_leaves(f, g, YK_LEAF_OF_NODE, k, 4);
     }
     for (size_t k = 0; k < mech->relation_count + mech->derived_count; k++)
         if (mech->relations[k].law) p->slope[2 * k] = leaf(f, g, YK_LEAF_OF_GAIN, k, 0);

@@ -125,7 +125,8 @@ static void add_points(YkFile *file, const Rates *r)
 
 static YkRef above_rounding(YkGraph *g, YkRef determinant)
 {
-    return yk_graph_subtract(g, yk_graph_unary(g, YK_VALUE_SIZE, determinant), yk_graph_number(g, 1e-14));
+    YkRef size = yk_graph_unary(g, YK_VALUE_SIZE, determinant);
+    return yk_graph_subtract(g, size, yk_graph_number(g, 1e-14));
 }
 
 // Enters what dry friction asks of a routine.

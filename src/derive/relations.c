@@ -33,7 +33,8 @@ static const YkPoisson *wheels(YkDerivation *d, YkDeriveRelation *relation, cons
     const YkPoisson *second = yk_ring_subtract(ring, yk_derive_axes_angle(d, body[1]), arm);
     double phase = constant + factor[0] * (turn(d, body[0]) - turn(d, carrier)) +
                    factor[1] * (turn(d, body[1]) - turn(d, carrier));
-    const YkPoisson *sum = yk_ring_add(ring, yk_ring_multiply(ring, a, first), yk_ring_multiply(ring, b, second));
+    const YkPoisson *sum = yk_ring_multiply(ring, a, first);
+    sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, b, second));
     return yk_ring_subtract(ring, sum, phase_of(d, relation, phase));
 }
 

@@ -22,7 +22,8 @@ static const YkPoisson *primitive(YkRing *ring, const YkPoisson *a)
 static bool are_apart(YkRing *ring, const YkPoisson *f, int32_t u, int32_t v)
 {
     const YkPoisson *f_u = yk_ring_partial(ring, f, u), *f_v = yk_ring_partial(ring, f, v);
-    return yk_ring_is_same(yk_ring_multiply(ring, f, yk_ring_partial(ring, f_u, v)), yk_ring_multiply(ring, f_u, f_v));
+    const YkPoisson *left = yk_ring_multiply(ring, f, yk_ring_partial(ring, f_u, v));
+    return yk_ring_is_same(left, yk_ring_multiply(ring, f_u, f_v));
 }
 
 // Returns the factor with the variables of group `part`: f with small primes for all others, without its content.

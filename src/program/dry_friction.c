@@ -69,7 +69,9 @@ static Scales find_scales(YkBalanceSystem *w, const YkRef *accelerations)
     for (size_t i = 0; i < p->mech->input_count; i++) rates[i] = p->input[i].velocity;
     YkRef fastest = largest_of(p, &w->velocities, rates), hardest = largest_of(p, &w->accelerations, accelerations);
     hardest = yk_graph_binary(g, YK_VALUE_LARGEST, hardest, yk_graph_multiply(g, fastest, fastest));
-    return (Scales){scaled(g, AT_REST, fastest), scaled(g, AT_REST, hardest)};
+    Scales none = {.rate = scaled(g, AT_REST, fastest)};
+    none.acceleration = scaled(g, AT_REST, hardest);
+    return none;
 }
 
 // Returns a joint's friction for 1 N in it; 0 if it is at rest. Notes in w->f->dry_result.moves whether none is.
@@ -79,16 +81,18 @@ static YkRef sliding(YkBalanceSystem *w, const YkDryJoint *dry, const Scales *no
     YkGraph *g = &p->graph;
     double scale = scale_of(p, dry->slides);
     YkRef rate = yk_program_joint_rate(p, dry->joint, dry->slides, &w->velocities);
-    YkRef slow = yk_graph_subtract(g, scaled(g, scale, none->rate), size_of(g, rate)); // below 0: it slides
+    YkRef least = scaled(g, scale, none->rate);
+    YkRef slow = yk_graph_subtract(g, least, size_of(g, rate)); // below 0: it slides
     YkRef begins = yk_graph_number(g, 0), moves = yk_graph_minus(g, slow), *all = &w->f->dry_result.moves;
     if (!may_stick(w->f, dry, is_forward)) {
         YkRef change = yk_program_joint_rate(p, dry->joint, dry->slides, &w->accelerations);
-        YkRef steady = yk_graph_subtract(g, scaled(g, scale, none->acceleration), size_of(g, change));
+        least = scaled(g, scale, none->acceleration);
+        YkRef steady = yk_graph_subtract(g, least, size_of(g, change));
         begins = yk_graph_choose(g, steady, against(g, change, dry->limit), begins);
         moves = yk_graph_binary(g, YK_VALUE_LARGEST, moves, yk_graph_minus(g, steady));
     }
-    moves =
-        yk_graph_choose(g, yk_graph_minus(g, dry->limit), moves, yk_graph_number(g, 1)); // without friction it may rest
+    YkRef has_none = yk_graph_minus(g, dry->limit);
+    moves = yk_graph_choose(g, has_none, moves, yk_graph_number(g, 1)); // without friction it may rest
     *all = *all == YK_NONE ? moves : yk_graph_binary(g, YK_VALUE_LEAST, *all, moves);
     return yk_graph_choose(g, slow, against(g, rate, dry->limit), begins);
 }

@@ -67,7 +67,8 @@ static const YkForm *influence(YkDerivation *d, int32_t symbol)
         if (d->influence[c] != symbol) continue;
         const YkPoisson *of = yk_ring_of(d->ring, d->coordinates[c].rate);
         const YkPoisson *by = yk_ring_of(d->ring, d->coordinates[blocks->column_order[0]].rate);
-        return yk_form_divide(d->ring, yk_form_of(d->ring, of), yk_form_of(d->ring, by));
+        const YkForm *over = yk_form_of(d->ring, of);
+        return yk_form_divide(d->ring, over, yk_form_of(d->ring, by));
     }
     return NULL;
 }

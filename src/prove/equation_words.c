@@ -290,8 +290,9 @@ static const YkForm *half_tangent(YkEquationReader *reader, const YkPoisson *ang
     const YkPoisson *unit = yk_ring_exp_of(ring, yk_ring_scale(ring, angle, 2, 1));
     yk_ring_clear(ring);
     if (!unit) return NULL;
-    const YkPoisson *under = yk_ring_add(ring, yk_ring_rational(ring, 1, 1), yk_ring_real(ring, unit));
-    return yk_form_divide(ring, form_of(reader, yk_ring_imaginary(ring, unit)), form_of(reader, under));
+    const YkPoisson *one = yk_ring_rational(ring, 1, 1), *under = yk_ring_add(ring, one, yk_ring_real(ring, unit));
+    const YkForm *over = form_of(reader, yk_ring_imaginary(ring, unit));
+    return yk_form_divide(ring, over, form_of(reader, under));
 }
 
 // Reads cos, sin, tan of an angle: a sum of whole multiples of angles and of fractions of pi, including 30 deg.

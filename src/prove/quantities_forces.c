@@ -85,8 +85,8 @@ static const YkPoisson *own_pin_force(const YkDeriveForces *f, size_t joint)
         for (size_t p = 0; p < f->loads[k].push_count && f->loads[k].kind == YK_DERIVE_GRAVITY; p++)
             if (f->loads[k].push[p].body == planet) pull = yk_ring_subtract(ring, pull, f->loads[k].push[p].force);
     int64_t others = pin->copied_side == 1 ? pin->copies - 1 : 1 - pin->copies;
-    return yk_ring_add(ring, yk_ring_scale(ring, f->joint_force[joint], 1, pin->copies),
-                       yk_ring_scale(ring, pull, others, pin->copies));
+    const YkPoisson *own = yk_ring_scale(ring, f->joint_force[joint], 1, pin->copies);
+    return yk_ring_add(ring, own, yk_ring_scale(ring, pull, others, pin->copies));
 }
 
 // Returns the force of one planet's teeth, of that of all equal planets'.

@@ -118,7 +118,8 @@ static bool widen(Scan *scan, YkState *home, double here)
     size_t n = scan->count < scan->capacity ? scan->count : scan->capacity, kept = 0;
     bool is_whole = n == 1 && scan->ranges[0].to - scan->ranges[0].from >= scan->high - scan->low;
     if (is_whole || n == 0 || scan->count > scan->capacity || home->mech->block_count < 2) return true;
-    YkRange own = {reach(scan, home, here, scan->low), reach(scan, home, here, scan->high)};
+    YkRange own = {.from = reach(scan, home, here, scan->low)};
+    own.to = reach(scan, home, here, scan->high);
     if (!(own.to > own.from)) return own.to == own.from; // it goes nowhere, so it absorbs nothing
     for (size_t k = 0; k < n; k++) {
         YkRange other = scan->ranges[k];

@@ -69,9 +69,10 @@ bool yk_walk_turns_at_limit(YkWalk *w, size_t block, double *at)
         middle += span * (before - after) / (before + after);
     }
     if (margin_at(w, block, middle) > YK_SINGULAR_MARGIN) return false;
-    for (int side = -1; side <= 1; side += 2)
-        if (!is_straight(margin_at(w, block, middle + 0.5 * side * span), margin_at(w, block, middle + side * span)))
-            return false;
+    for (int side = -1; side <= 1; side += 2) {
+        double half = margin_at(w, block, middle + 0.5 * side * span);
+        if (!is_straight(half, margin_at(w, block, middle + side * span))) return false;
+    }
     *at = middle;
     return true;
 }

@@ -241,8 +241,10 @@ static bool make_zones(Rise *rise)
         return scca(rise, number(rise, 1, 4), number(rise, 1, 2), number(rise, 1, 4));
     case YK_RISE_MODIFIED_SINE:
         return scca(rise, number(rise, 1, 4), zero, number(rise, 3, 4));
-    case YK_RISE_SCCA:
-        return scca(rise, part_of(rise, &part->b), part_of(rise, &part->c), part_of(rise, &part->d));
+    case YK_RISE_SCCA: {
+        const YkPoisson *b = part_of(rise, &part->b), *c = part_of(rise, &part->c);
+        return scca(rise, b, c, part_of(rise, &part->d));
+    }
     case YK_RISE_CONSTANT_VELOCITY: {
         const YkPoisson *blend = part_of(rise, &part->blend);
         return blend && constant_velocity(rise, blend);

@@ -155,15 +155,16 @@ static void put_roller(const Shape *shape, const YkPoisson *C, const YkPoisson *
     bool is_edge = yk_ring_is_zero(shape->roller);
     put_vector(shape, is_edge ? "cam surface, in the cam's axes" : "pitch curve, in the cam's axes",
                times(shape, shape->back, C));
-    put_quotient(shape, "pressure angle", "tan(alpha)", yk_ring_cross(ring, lifts, normal),
-                 yk_ring_dot(ring, lifts, normal));
+    const YkPoisson *over = yk_ring_cross(ring, lifts, normal);
+    put_quotient(shape, "pressure angle", "tan(alpha)", over, yk_ring_dot(ring, lifts, normal));
     const YkPoisson *n = root(shape, "n", yk_ring_dot(ring, C1, C1));
     if (!is_edge)
         put_vector(
             shape, "cam surface",
             times(shape, shape->back, minus(shape, C, yk_ring_divide(ring, times(shape, shape->roller, normal), n))));
+    const YkPoisson *bend = with_sign(shape, -shape->sigma, yk_ring_cross(ring, C1, C2));
     put_quotient(shape, is_edge ? "radius of curvature" : "radius of curvature of the pitch curve", "rho",
-                 yk_ring_power(ring, n, 3), with_sign(shape, -shape->sigma, yk_ring_cross(ring, C1, C2)));
+                 yk_ring_power(ring, n, 3), bend);
     if (!is_edge) yk_page_words(shape->page, "The surface's radius of curvature is rho less the roller's radius.");
 }
 
@@ -213,12 +214,11 @@ static void put_flat(const Shape *shape)
     const YkPoisson *aside = quarter(shape, times(shape, with_sign(shape, shape->sigma, shape->v), u));
     put_vector(shape, "cam surface, in the cam's axes",
                times(shape, shape->back, minus(shape, times(shape, h, u), aside)));
-    put_quotient(shape, "pressure angle", "tan(alpha)", yk_ring_rational(shape->ring, 0, 1),
-                 yk_ring_rational(shape->ring, 1, 1));
-    put_quotient(shape, "radius of curvature", "rho", plus(shape, h, shape->a), yk_ring_rational(shape->ring, 1, 1));
+    const YkPoisson *one = yk_ring_rational(shape->ring, 1, 1);
+    put_quotient(shape, "pressure angle", "tan(alpha)", yk_ring_rational(shape->ring, 0, 1), one);
+    put_quotient(shape, "radius of curvature", "rho", plus(shape, h, shape->a), one);
     put_quotient(shape, "contact on the face, from the line of motion", "x",
-                 minus(shape, with_sign(shape, shape->sigma, shape->v), shape->offset),
-                 yk_ring_rational(shape->ring, 1, 1));
+                 minus(shape, with_sign(shape, shape->sigma, shape->v), shape->offset), one);
 }
 
 // q = d(nu - sigma theta) / d theta.
@@ -240,7 +240,8 @@ static void put_flat_oscillating(const Shape *shape)
     const YkPoisson *contact = times(shape, n, plus(shape, h, quarter(shape, slope)));
     const YkPoisson *moves = with_sign(shape, shape->swing, quarter(shape, minus(shape, contact, shape->pivot)));
     put_vector(shape, "cam surface, in the cam's axes", times(shape, shape->back, contact));
-    put_quotient(shape, "pressure angle", "tan(alpha)", yk_ring_cross(ring, moves, n), yk_ring_dot(ring, moves, n));
+    const YkPoisson *over = yk_ring_cross(ring, moves, n);
+    put_quotient(shape, "pressure angle", "tan(alpha)", over, yk_ring_dot(ring, moves, n));
     const YkPoisson *rho = plus(shape, h, yk_ring_divide(ring, h2, times(shape, q, q)));
     rho = minus(shape, rho, yk_ring_divide(ring, times(shape, h1, nu2), yk_ring_power(ring, q, 3)));
     put_quotient(shape, "radius of curvature", "rho", rho, yk_ring_rational(ring, 1, 1));

@@ -48,8 +48,8 @@ static void enter_step(YkDeriveForces *f, int32_t b)
     const char *stem = yk_derive_text(d, "a_", yk_derive_center_name(d, b), "");
     m->symbols[0] = yk_derive_symbol(d, yk_derive_text(d, stem, "x", ""), YK_RING_ACCELERATION);
     m->symbols[1] = yk_derive_symbol(d, yk_derive_text(d, stem, "y", ""), YK_RING_ACCELERATION);
-    m->acceleration = yk_ring_add(ring, yk_ring_of(ring, m->symbols[0]),
-                                  yk_ring_multiply(ring, yk_ring_i(ring), yk_ring_of(ring, m->symbols[1])));
+    const YkPoisson *x = yk_ring_of(ring, m->symbols[0]), *y = yk_ring_of(ring, m->symbols[1]), *i = yk_ring_i(ring);
+    m->acceleration = yk_ring_add(ring, x, yk_ring_multiply(ring, i, y));
 }
 
 void yk_derive_put_step(const YkDeriveForces *f, YkPage *page, int32_t body)

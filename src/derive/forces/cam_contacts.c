@@ -71,7 +71,8 @@ static void make_sliding(YkMeshMaking *m, const Cam *of)
     const YkPoisson *base = yk_derive_expression(m->d, cam->base_expr);
     double size = cam->base + cam->roller;
     m->mesh->effort = m->unknown;
-    if (cam->face == YK_CAM_FACE_FLAT || !(fabs(cam->offset) < size)) { // contact where the cam rises as fast as the lift
+    if (cam->face == YK_CAM_FACE_FLAT ||
+        !(fabs(cam->offset) < size)) { // contact where the cam rises as fast as the lift
         const YkPoisson *touch = yk_ring_multiply(ring, yk_ring_add(ring, base, lift), u);
         touch = yk_ring_subtract(ring, touch, yk_ring_multiply(ring, v, iu));
         push_follower(m, of, touch, yk_ring_multiply(ring, m->unknown, u));
@@ -112,8 +113,8 @@ static void make_turning(YkMeshMaking *m, const Cam *of)
     const YkPoisson *c = yk_mesh_at(m, cam->follower_joint, of->way < 0);
     c = yk_ring_subtract(ring, c, yk_mesh_at(m, cam->cam_joint, of->turn < 0));
     c = yk_ring_multiply(ring, carrier, c);
-    const YkPoisson *rest =
-        yk_ring_subtract(ring, yk_ring_rational(ring, 1, 1), yk_ring_scale(ring, of->v, of->turn * of->way, 1));
+    const YkPoisson *slope = yk_ring_scale(ring, of->v, of->turn * of->way, 1);
+    const YkPoisson *rest = yk_ring_subtract(ring, yk_ring_rational(ring, 1, 1), slope);
     const YkPoisson *normal = yk_ring_add(ring, c, yk_ring_multiply(ring, rest, swing));
     const YkPoisson *force =
         yk_ring_multiply(ring, carrier, along(m, yk_ring_multiply(ring, yk_ring_conjugate(ring, carrier), normal)));

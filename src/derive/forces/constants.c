@@ -106,8 +106,9 @@ static void put_mesh(const YkDeriveForces *f, YkPage *page, const YkDeriveMesh *
         return;
     }
     const YkPoisson *direction = yk_derive_shown(d, mesh->direction), *unit = yk_ring_unit(ring, mesh->lean);
-    const YkPoisson *left = yk_ring_multiply(ring, yk_ring_real(ring, direction), yk_ring_imaginary(ring, unit)),
-                    *right = yk_ring_multiply(ring, yk_ring_imaginary(ring, direction), yk_ring_real(ring, unit)),
+    const YkPoisson *x = yk_ring_real(ring, direction), *y = yk_ring_imaginary(ring, direction);
+    const YkPoisson *cosine = yk_ring_real(ring, unit), *sine = yk_ring_imaginary(ring, unit);
+    const YkPoisson *left = yk_ring_multiply(ring, x, sine), *right = yk_ring_multiply(ring, y, cosine),
                     *zero = yk_ring_cross(ring, direction, unit);
     bool is_tangent = yk_ring_terms(left) + yk_ring_terms(right) <= yk_ring_terms(zero); // tan phi = y / x
     yk_page_equation(page, "angle of the normal", is_tangent ? left : zero, is_tangent ? right : NULL,

@@ -69,7 +69,8 @@ const char *yk_derive_between(const YkDeriveForces *f, const int32_t body[2], si
 {
     YkDerivation *d = f->d;
     const char *mark = d->model->body_count > 10 ? "_" : "";
-    const char *pair = yk_derive_text(d, number_of(d, (size_t)body[0]), mark, number_of(d, (size_t)body[1]));
+    const char *first = number_of(d, (size_t)body[0]), *second = number_of(d, (size_t)body[1]);
+    const char *pair = yk_derive_text(d, first, mark, second);
     return f->is_double[index] ? yk_derive_text(d, pair, "_", name) : pair;
 }
 

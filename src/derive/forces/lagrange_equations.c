@@ -7,7 +7,8 @@ static const YkPoisson *inertia_of(const YkDeriveForces *f, const YkDeriveFreedo
 {
     YkRing *ring = f->d->ring;
     const YkPoisson *T = yk_derive_kinetic_total(f), *momentum = yk_ring_partial(ring, T, freedom->rate);
-    return yk_ring_subtract(ring, yk_ring_time_derivative(ring, momentum), yk_ring_partial(ring, T, freedom->position));
+    const YkPoisson *change = yk_ring_time_derivative(ring, momentum);
+    return yk_ring_subtract(ring, change, yk_ring_partial(ring, T, freedom->position));
 }
 
 static const YkPoisson *slope_of(const YkDeriveForces *f, size_t row, int32_t position)

@@ -68,8 +68,9 @@ static void enter_loop(YkDeriveForces *f, const YkDeriveLoop *loop)
     const YkPoisson *axes = yk_ring_conjugate(ring, d->bodies[loop->axes].unit);
     const YkPoisson *sum = yk_ring_multiply(ring, axes, loop->path.sum);
     const YkPoisson *force = yk_ring_multiply(ring, axes, all.force);
-    add_row(f, loop->joint, yk_ring_real(ring, sum), yk_ring_real(ring, force));
-    add_row(f, loop->joint, yk_ring_imaginary(ring, sum), yk_ring_imaginary(ring, force));
+    const YkPoisson *x = yk_ring_real(ring, sum), *y = yk_ring_imaginary(ring, sum);
+    add_row(f, loop->joint, x, yk_ring_real(ring, force));
+    add_row(f, loop->joint, y, yk_ring_imaginary(ring, force));
     if (!loop->angle) return;
     const YkPoisson *angle = yk_derive_axes_angle(d, j->body[1]);
     angle = yk_ring_subtract(ring, angle, yk_derive_axes_angle(d, j->body[0]));

@@ -154,8 +154,9 @@ static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
     put_newton(f, page, body);
     put_euler(f, page, body);
     yk_derive_put_step(f, page, body);
-    put_scalar(page, "x", yk_ring_real(ring, forces), yk_ring_real(ring, inertia));
-    put_scalar(page, "y", yk_ring_imaginary(ring, forces), yk_ring_imaginary(ring, inertia));
+    const YkPoisson *x = yk_ring_real(ring, forces), *y = yk_ring_imaginary(ring, forces);
+    put_scalar(page, "x", x, yk_ring_real(ring, inertia));
+    put_scalar(page, "y", y, yk_ring_imaginary(ring, inertia));
     const YkPoisson *turning = yk_ring_multiply(ring, m->inertia, d->bodies[body].spin_rate);
     const char *about = yk_derive_text(d, "moments about ", yk_derive_center_name(d, body), "");
     const YkPoisson *left = yk_derive_shown(d, euler), *right = yk_derive_shown(d, turning);

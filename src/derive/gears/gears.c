@@ -184,9 +184,10 @@ bool yk_derive_is_input(YkDerivation *d, int32_t column)
 const YkPoisson *yk_derive_row_zero(YkDerivation *d, const YkTrainRow *row)
 {
     const YkPoisson *sum = yk_ring_rational(d->ring, 0, 1);
-    for (int32_t t = 0; t < row->count; t++)
-        sum = yk_ring_add(d->ring, sum,
-                          yk_ring_multiply(d->ring, yk_derive_coefficient(d, &row->terms[t]),
-                                           yk_derive_column(d, row->terms[t].column)));
+    for (int32_t t = 0; t < row->count; t++) {
+        const YkPoisson *factor = yk_derive_coefficient(d, &row->terms[t]);
+        const YkPoisson *speed = yk_derive_column(d, row->terms[t].column);
+        sum = yk_ring_add(d->ring, sum, yk_ring_multiply(d->ring, factor, speed));
+    }
     return sum;
 }

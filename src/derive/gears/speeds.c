@@ -18,7 +18,8 @@ static void add_to(YkRing *ring, Sum *sum, const YkPoisson *over, const YkPoisso
         sum->over = yk_ring_add(ring, sum->over, over);
         return;
     }
-    sum->over = yk_ring_add(ring, yk_ring_multiply(ring, sum->over, under), yk_ring_multiply(ring, over, sum->under));
+    const YkPoisson *before = yk_ring_multiply(ring, sum->over, under);
+    sum->over = yk_ring_add(ring, before, yk_ring_multiply(ring, over, sum->under));
     sum->under = yk_ring_multiply(ring, sum->under, under);
 }
 
@@ -264,7 +265,8 @@ static bool put_ratio(YkDerivation *d, YkPage *page, const YkTrainCase *one, int
     const YkPoisson *over, *under;
     Share *share = YK_NEW(page->arena, Share, 1);
     YkLine *line = yk_page_formula(page, remark);
-    yk_line_quotient(page, line, yk_derive_column(d, in), yk_derive_column(d, out));
+    const YkPoisson *input = yk_derive_column(d, in);
+    yk_line_quotient(page, line, input, yk_derive_column(d, out));
     yk_line_sign(page, line, "=");
     if (!share || !yk_train_share_in(one, out, 0, d->ring, d->train->symbols, &over, &under) || yk_ring_is_zero(over) ||
         !make_share(d->ring, NULL, under, over, share))

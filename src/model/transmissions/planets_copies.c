@@ -83,8 +83,8 @@ static void weigh(YkLoader *loader, const YkPlanet *planet, const YkBody *of, Yk
                   *at = own == YK_NONE ? NULL : &model->points[own];
     YkExpr *x = way(loader, axis ? axis->x : NULL, at ? at->x : NULL, place),
            *y = way(loader, axis ? axis->y : NULL, at ? at->y : NULL, place);
-    YkExpr *square =
-        join(loader, YK_EXPR_ADD, join(loader, YK_EXPR_MULTIPLY, x, x), join(loader, YK_EXPR_MULTIPLY, y, y));
+    YkExpr *square = join(loader, YK_EXPR_MULTIPLY, x, x);
+    square = join(loader, YK_EXPR_ADD, square, join(loader, YK_EXPR_MULTIPLY, y, y));
     YkExpr *ring = join(loader, YK_EXPR_MULTIPLY, of->mass_expr, square);
     others->has_mass = true;
     set(loader, &others->mass_expr, &others->mass,
