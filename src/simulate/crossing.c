@@ -118,6 +118,13 @@ static double way_left(YkDirection d)
     return gap - CLOSE;
 }
 
+// Returns when it will have gone that way. A drive alone may get faster without any error that the stepper would see.
+static double time_left(const YkSimulation *sim, YkDirection d)
+{
+    double way = way_left(d), bend = sim->guide ? fabs(d.acceleration) * fmax(way, 0) : 0;
+    return isfinite(bend) ? 2 * way / (fabs(d.rate) + sqrt(d.rate * d.rate + 2 * bend)) : way / fabs(d.rate);
+}
+
 // Limits the turn in a step. Now and then the error estimates of DOP853 miss a step of most of a radian with an error a
 // thousand times larger than requested; half a radian at a tolerance of 1e-9 is typical of good steps of turning links.
 static double longest_turn(const YkSimulation *sim)
@@ -139,7 +146,7 @@ double yk_simulation_reach(YkSimulation *sim)
     for (size_t b = 0; b < sim->mech->block_count; b++) {
         if (!yk_has_columns(&sim->mech->blocks[b])) continue;
         YkDirection d = yk_between_columns(&run, &sim->mech->blocks[b]);
-        if (d.rate != 0 && isfinite(d.rate) && isfinite(d.angle)) reach = fmin(reach, way_left(d) / fabs(d.rate));
+        if (d.rate != 0 && isfinite(d.rate) && isfinite(d.angle)) reach = fmin(reach, time_left(sim, d));
     }
     return fmin(fmin(reach, longest_turn(sim)), yk_simulation_reach_apart(sim));
 }
@@ -151,27 +158,4 @@ void yk_simulation_set_signs(YkSimulation *sim, double t)
         double angle = sim->keeps_apart ? near->angle : yk_near_angle(near, t - sim->near_time);
         sim->state->branch[near->block] = yk_sin(angle) < 0 ? -1 : 1;
     }
-}
-
-// --- machines that drives alone move
-
-bool yk_simulation_start_guide(YkSimulation *sim)
-{
-    if (sim->free_count > 0 || sim->mech->block_count == 0 || sim->is_flat || sim->guide) return true;
-    sim->guide = yk_state_new(sim->mech);
-    if (sim->guide) yk_state_take(sim->guide, sim->state);
-    return sim->guide != NULL;
-}
-
-bool yk_simulation_agrees_with_guide(YkSimulation *sim)
-{
-    const double SAME = 1e-5; // of directions: near a singular position poses are known to the square root of rounding
-    YkState *s = sim->state, *guide = sim->guide;
-    if (!guide || sim->commands || yk_simulation_margin(sim) > 4 * NEAR_SINE2) return true;
-    if (yk_state_move_time(guide, sim->time, NULL, NULL, NULL) < 0) return false;
-    for (size_t k = 1; k < s->space.slots; k++) {
-        YkTurn one = yk_space_turn(&s->space, (int32_t)k), other = yk_space_turn(&guide->space, (int32_t)k);
-        if (!(fabs(*one.c - *other.c) + fabs(*one.s - *other.s) < SAME)) return false;
-    }
-    return true;
 }

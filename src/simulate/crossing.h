@@ -39,5 +39,9 @@ static inline bool yk_begins_flat(const YkSimulation *sim)
 // state's pose, unless it has begun (false when out of memory); returns whether the pose that stands is the same.
 bool yk_simulation_start_guide(YkSimulation *sim);
 bool yk_simulation_agrees_with_guide(YkSimulation *sim);
+// Where one drive moves a machine without dry friction near a singular position, puts it in the guide's pose at t, with its rates;
+// and finds what power each load and the drive bring there. Return false elsewhere.
+bool yk_simulation_stands_with_guide(YkSimulation *sim, double t);
+bool yk_simulation_moves_with_guide(YkSimulation *sim, double t, double *dydt);
 
 #endif

@@ -155,6 +155,8 @@ void yk_drag_begin_walk(YkDrag *d)
     w->status = YK_OK;
     w->limit_block = -1;
     for (size_t k = 0; k < w->margin_count; k++) w->flipped_at[k] = NAN;
+    for (size_t k = 0; k < w->path.meeting_count; k++) w->path.meetings[k].is_known = false;
+    w->has_begun = false;
     YkPath *path = &w->path;
     memcpy(path->others, d->state->valid_input, 3 * d->state->mech->input_count * sizeof *path->others);
     path->last = path->is_line ? 0 : d->state->valid_input[3 * path->input];

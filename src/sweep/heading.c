@@ -32,6 +32,21 @@ bool yk_walk_has_passed(const YkWalk *w)
     return false;
 }
 
+// At a known change point, the side for which the signs hold is the one from which the machine has come.
+static void take_side_held(const YkWalk *w)
+{
+    YkState *s = w->path.state;
+    for (size_t k = 0; k < w->path.meeting_count; k++) {
+        double side = yk_walk_side_held(w, k, w->path.last);
+        int32_t input = w->path.meetings[k].input;
+        if (side == 0) continue;
+        if (input != YK_NONE)
+            s->heading[input] = -side;
+        else
+            for (size_t i = 0; i < s->mech->input_count; i++) s->heading[i] = -side * rate_of(&w->path, i, 1);
+    }
+}
+
 void yk_walk_arrive(const YkWalk *w, double way)
 {
     YkState *s = w->path.state;
@@ -45,4 +60,5 @@ void yk_walk_arrive(const YkWalk *w, double way)
         s->arrival[i] = s->valid_input[3 * i];
         if (!is_there_still) s->heading[i] = side * way * rate_of(&w->path, i, -way);
     }
+    take_side_held(w);
 }

@@ -2,7 +2,7 @@
 // it, so what has no value at the pose is interpolated from four poses on each side (Lagrange, error O(h^8)).
 #include <stdlib.h>
 #include <string.h>
-#include "sweep/walk.h"
+#include "sweep/meeting.h"
 
 // --- poses beside a change point
 
@@ -41,6 +41,7 @@ static bool stand_beside(const YkBeside *b, double steps)
     double off = b->way * steps * b->step * yk_input_unit(s->mech, (size_t)b->moving);
     if (yk_path_set(path, b->at, false) < 0) return false;
     s->input[3 * b->moving] += off;
+    yk_path_place_signs(path, b->at);
     if (yk_state_solve(s) < 0) return false;
     yk_path_refer(path);
     return true;
@@ -51,14 +52,25 @@ static void exchange_signs(const YkBeside *b)
     YkState *s = b->walk->path.state;
     if (b->moving == YK_NONE && b->is_back) return;
     for (size_t k = 0; k < b->walk->margin_count; k++)
-        if (yk_walk_has_margin(b->walk, k) && b->margins[k] <= YK_SINGULAR_MARGIN)
+        if (yk_walk_has_margin(b->walk, k) && b->margins[k] <= YK_SINGULAR_MARGIN &&
+            !yk_walk_knows_meeting(b->walk, k, b->at))
             s->branch[k] = (signed char)-s->branch[k];
+}
+
+// Lets the signs of blocks that touch here, but not at the change point known of them, be exchanged.
+static void free_signs(const YkBeside *b, bool is_free)
+{
+    YkPath *path = &b->walk->path;
+    for (size_t k = 0; k < path->meeting_count; k++)
+        path->meetings[k].is_off =
+            is_free && b->margins[k] <= YK_SINGULAR_MARGIN && !yk_walk_knows_meeting(b->walk, k, b->at);
 }
 
 bool yk_beside_visit(const YkBeside *b, YkVisitBeside visit, void *context)
 {
     enum { SIDE = 4 };
     bool ok = true;
+    free_signs(b, true);
     for (int way = 1; way >= -1; way -= 2) {
         for (int k = 1; k <= SIDE; k++) {
             double weight = 0.5;
@@ -72,6 +84,7 @@ bool yk_beside_visit(const YkBeside *b, YkVisitBeside visit, void *context)
     if (ok && b->wants_nearer && stand_beside(b, 0.125)) visit(context, 0);
     yk_path_probe(&b->walk->path, b->at + b->side * b->step * yk_path_scale(&b->walk->path), true); // from that side
     yk_path_probe(&b->walk->path, b->at, true);
+    free_signs(b, false);
     return ok;
 }
 

@@ -23,6 +23,18 @@ static bool displacement(const YkPath *path, double at, double to, double *u)
     return ok;
 }
 
+double yk_path_input_at(const YkPath *path, size_t input, double time)
+{
+    YkState *s = path->state;
+    double now = s->time, *kept = path->others + 3 * s->mech->input_count;
+    size_t bytes = 3 * s->mech->input_count * sizeof *kept;
+    memcpy(kept, s->input, bytes);
+    double value = yk_state_set_time(s, time, NULL) >= 0 ? s->input[3 * input] : (double)NAN;
+    s->time = now;
+    memcpy(s->input, kept, bytes);
+    return value;
+}
+
 // Returns the largest displacement of an input; infinite where a drive has no value.
 static double largest(const YkPath *path, double at, double to)
 {

@@ -96,19 +96,27 @@ double yk_path_length(YkPath *path, double from, double to)
     return sum / SAMPLES * fabs(to - from);
 }
 
-YkStatus yk_path_set(YkPath *path, double at, bool along)
+// Sets the coordinate; the other inputs stay where the path began.
+static void set_coordinate(YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
-    if (path->is_line) {
-        set_on_line(path, at, along);
-        return YK_OK;
-    }
-    if (path->input < 0) return set_at_time(path, at, along);
     memcpy(s->input, path->others, 3 * s->mech->input_count * sizeof *s->input);
     for (size_t i = 0; along && i < s->mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
     s->input[3 * path->input] = at;
     if (along) s->input[3 * path->input + 1] = 1;
-    return YK_OK;
+}
+
+YkStatus yk_path_set(YkPath *path, double at, bool along)
+{
+    YkStatus status = YK_OK;
+    if (path->is_line)
+        set_on_line(path, at, along);
+    else if (path->input >= 0)
+        set_coordinate(path, at, along);
+    else
+        status = set_at_time(path, at, along);
+    if (status >= 0) yk_path_place_signs(path, at);
+    return status;
 }
 
 // Returns a place a little back on the path, but on that side of the last change point for which the signs hold.

@@ -8,6 +8,14 @@
 // its rates do not tell which way a channel goes.
 #define YK_BRANCH_MARGIN 1e-10
 
+// A change point of a block, known by the place of the input that leads to it: the block has one sign on each side of it.
+typedef struct YkMeeting {
+    bool is_known, is_off;   // off: the signs are set otherwise for the time being
+    int32_t input;           // over time: the only one that leads there; YK_NONE: the place on the path does
+    double at, near;         // its value there; how far from it nothing else can be, rad or machine sizes
+    signed char above, side; // the sign above it; the side on which the motion was last
+} YkMeeting;
+
 typedef struct YkPath {
     YkState *state;
     int input;           // -1: time, or a line
@@ -16,6 +24,8 @@ typedef struct YkPath {
     double passed, side; // the last change point, and the side of it on which the signs hold (0: none yet)
     double *others;      // the inputs at the start: [3 * input + k]; behind them near.c has its scratch
     const double *goal;  // [3 * input + k], owned by the caller
+    YkMeeting *meetings; // [block], owned by a walk; none without one
+    size_t meeting_count;
 } YkPath;
 
 static inline bool yk_path_is_time(const YkPath *path)
@@ -31,7 +41,7 @@ void yk_path_end(YkPath *path);
 // heading.c: returns the direction on the path, +1 or -1, in which an earlier motion has come to where the path starts;
 // 0: across it, or none has.
 double yk_path_heading(const YkPath *path);
-// Sets the inputs at `at`: with the motion's own rates, or (along) with rates per unit of the path. Returns
+// Sets the inputs, and the signs that blocks are known to have there, at `at`: with the motion's own rates, or (along) with rates per unit of the path. Returns
 // YK_BAD_MODEL if a drive has no value at that time.
 YkStatus yk_path_set(YkPath *path, double at, bool along);
 // Does the same and solves: to look, or (probe) to continue from there, with the pose's angles as the next reference.
@@ -51,6 +61,10 @@ double yk_path_off(const YkPath *path, double at, double way, double distance);
 double yk_path_between(const YkPath *path, double a, double b, double part);
 // Returns how far an input goes from `at` over the next 1e-5 of the path in that direction; 0 if nothing moves there.
 double yk_path_heads(const YkPath *path, size_t input, double at, double way);
+// Returns the value of an input at a time; NaN if its drive has none.
+double yk_path_input_at(const YkPath *path, size_t input, double time);
+// meeting.c: gives blocks near known change points the signs that they have for the inputs as they are set, at `at`.
+void yk_path_place_signs(const YkPath *path, double at);
 // Returns whether the inputs, which have come to `at`, turn back there or rest for good.
 bool yk_path_turns_back(const YkPath *path, double at);
 // Finds the last value that closes, to rounding, between a pose that closes and one that does not. The state ends

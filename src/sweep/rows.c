@@ -1,5 +1,6 @@
 // The rows: the channels at the requested poses. A row exactly on a change point gets the limits of its rates.
 #include "dynamics/dynamics.h"
+#include "sweep/meeting.h"
 #include "sweep/sweep.h"
 
 static bool wants_forces(const YkSweep *w)
@@ -105,6 +106,20 @@ static bool passes(YkSweep *w, size_t row, const double *margins, double way)
     return goes_on;
 }
 
+// Returns whether the path goes over the change point at a row: where it is known, that says where the input is.
+static bool goes_over(YkSweep *w, size_t row, const double *margins, double way)
+{
+    bool is_known = false, is_passed = false;
+    double at = *yk_sweep_row(w, row);
+    for (size_t k = 0; k < w->walk.path.meeting_count; k++)
+        if (margins[k] <= YK_SINGULAR_MARGIN && yk_walk_is_at_meeting(&w->walk, k, at, at)) {
+            is_known = true;
+            is_passed |= yk_walk_passes_meeting(&w->walk, k, at, way, row == 0);
+        }
+    if (is_known) yk_path_try(&w->walk.path, at, true);
+    return is_known ? is_passed : passes(w, row, margins, way);
+}
+
 void yk_sweep_try_change_row(YkSweep *w)
 {
     size_t row = w->row_count - 1;
@@ -114,7 +129,7 @@ void yk_sweep_try_change_row(YkSweep *w)
         w->walk.margin_count != s->mech->block_count || s->mech->has_groups)
         return;
     yk_walk_read_margins(&w->walk, margins);
-    bool is_passed = passes(w, row, margins, way);
+    bool is_passed = goes_over(w, row, margins, way);
     if (row == 0 && is_passed) w->walk.from = NAN;
     if (is_passed) yk_walk_flip_at(&w->walk, *yk_sweep_row(w, row), margins);
     fill_change_row(w, row, margins, is_passed || row == 0 ? way : -way); // else it goes back to where the signs hold

@@ -1,4 +1,5 @@
 // The sweep as a whole: memory, the way from row to row, results.
+#include "sweep/meeting.h"
 #include "sweep/sweep.h"
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,7 @@ static bool approach(YkSweep *w)
     double here = walk->path.input < 0 ? s->time : s->valid_input[3 * walk->path.input], from = w->options.from;
     walk->from = here;
     yk_path_probe(&walk->path, here, true);
+    yk_walk_begin_at(walk, here, (here == from ? w->options.to : from) > here ? 1 : -1);
     if (yk_walk_refuses(walk, from, w->options.to)) return false;
     bool is_chain = s->mech->block_count == 0; // without loops nothing can fail to close on the way
     bool ok = here == from || (is_chain && yk_path_probe(&walk->path, from, true) >= 0) ||

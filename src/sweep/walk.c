@@ -1,7 +1,7 @@
 // Verified progress. Between two rows the path is probed, more finely wherever a block's margin (sin^2 of its
 // transmission angle) could reach zero: a simple zero is a limit position, a double zero a change point, which the
 // motion passes with the other sign.
-#include "sweep/walk.h"
+#include "sweep/meeting.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,7 +16,9 @@ bool yk_walk_start(YkWalk *w, YkPath path, double turn_max)
     w->margins = calloc(3 * (WALK_DEPTH_MAX + 1) * count, sizeof *w->margins);
     w->flipped_at = calloc(count, sizeof *w->flipped_at);
     for (size_t k = 0; w->flipped_at && k < count; k++) w->flipped_at[k] = NAN;
-    return path.others && w->margins && w->flipped_at;
+    w->path.meetings = calloc(count, sizeof *w->path.meetings);
+    w->path.meeting_count = w->path.meetings && count == blocks ? count : 0;
+    return path.others && w->margins && w->flipped_at && w->path.meetings;
 }
 
 void yk_walk_end(YkWalk *w)
@@ -24,6 +26,7 @@ void yk_walk_end(YkWalk *w)
     yk_path_end(&w->path);
     free(w->margins);
     free(w->flipped_at);
+    free(w->path.meetings);
     free(w->events);
 }
 
@@ -102,6 +105,7 @@ static void pass(YkWalk *w, size_t block, double at, double way)
     w->path.passed = at;
     w->path.side = way;
     s->branch[block] = (signed char)-s->branch[block];
+    if (block < w->path.meeting_count) w->path.meetings[block].is_known = false;
     w->flipped_at[block] = at;
     YkEvent event = {
         .kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true, .is_turned = is_turned};
@@ -138,6 +142,17 @@ static void flip_between(YkWalk *w, size_t block, double at, double a, double b)
 static bool advance(YkWalk *w, double a, double b, size_t depth);
 static bool go_on(YkWalk *w, double from, double to, size_t depth);
 
+static bool passes_with_other_sign(YkWalk *w, size_t block, double beyond)
+{
+    YkState *s = w->path.state;
+    w->path.meetings[block].is_off = true;
+    s->branch[block] = (signed char)-s->branch[block];
+    bool passes = yk_path_probe(&w->path, beyond, true) >= 0;
+    s->branch[block] = (signed char)-s->branch[block];
+    w->path.meetings[block].is_off = false;
+    return passes;
+}
+
 // Decides what happens between `good`, where the machine closes, and `bad`, where it does not. A block may have come to
 // a change point beyond which only its other sign fits the rest (a redundant link, a later dyad): the motion then
 // continues. Otherwise this is a limit.
@@ -152,10 +167,10 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
     double *margins = yk_walk_margins(w, depth, 0);
     yk_walk_read_margins(w, margins);
     for (size_t k = 0; fits && k < w->margin_count; k++) {
-        if (!yk_walk_has_margin(w, k) || margins[k] > 1e-8 || yk_walk_was_flipped_near(w, k, at)) continue;
-        s->branch[k] = (signed char)-s->branch[k];
-        bool passes = yk_path_probe(&w->path, beyond, true) >= 0;
-        s->branch[k] = (signed char)-s->branch[k];
+        if (!yk_walk_has_margin(w, k) || margins[k] > 1e-8 || yk_walk_was_flipped_near(w, k, at) ||
+            yk_walk_is_at_meeting(w, k, at, at))
+            continue;
+        bool passes = passes_with_other_sign(w, k, beyond);
         if (!passes ||
             !flip(w, k, yk_walk_touch(at, margins[k], beyond, s->space.block_margin[k]), copysign(1, bad - at)))
             continue;
@@ -223,15 +238,19 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
                  *mb = yk_walk_margins(w, depth, 2);
     bool narrow = yk_path_way(&w->path, a, b) < 4e-7 || depth + 1 >= WALK_DEPTH_MAX, touched = false;
     for (size_t k = 0; k < w->margin_count; k++) {
-        if (!yk_walk_has_margin(w, k)) continue;
+        if (!yk_walk_has_margin(w, k) || yk_walk_is_at_meeting(w, k, a, b)) continue;
         if (!narrow && !is_decided(w, k, b) && is_within_reach(w, fmin(ma[k], fmin(mm[k], mb[k])), a, b)) return FINER;
         if (!yk_margin_may_vanish(ma[k], mm[k], mb[k])) {
-            touched |= mb[k] <= YK_SINGULAR_MARGIN && flip_at_end(w, k, a, b);
+            touched |= mb[k] <= YK_SINGULAR_MARGIN && (yk_walk_meets(w, k, b, a) || flip_at_end(w, k, a, b));
             continue;
         }
         if (is_decided(w, k, b)) continue;
         if (!narrow || is_wide_for_bodies(w, a, b, depth)) return FINER;
         double touch = yk_walk_touch(a, ma[k], b, mb[k]);
+        if (yk_walk_meets(w, k, touch, a)) {
+            touched = true;
+            continue;
+        }
         if (w->margin_count != w->path.state->mech->block_count ||
             !is_touch(w, k, &touch, fmin(ma[k], fmin(mm[k], mb[k]))))
             continue;
@@ -271,6 +290,7 @@ void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
     size_t events = w->event_count, more = w->more_events, tried = 0, flips = 0;
     for (size_t k = 0; k < w->margin_count; k++) {
         if (!yk_walk_has_margin(w, k) || margins[k] > YK_SINGULAR_MARGIN || is_decided(w, k, a)) continue;
+        if (yk_walk_is_at_meeting(w, k, a, a) || yk_walk_meets(w, k, a, a)) continue;
         tried++;
         flips += flip(w, k, a, way);
     }
@@ -306,8 +326,10 @@ static bool advance(YkWalk *w, double a, double b, size_t depth)
         w->path.state->mech->has_groups && w->margin_count != w->path.state->mech->block_count; // checked on the way
     Verdict verdict = is_tracked ? CLEAR : look(w, a, b, depth);
     if (verdict == TOUCHED && yk_path_try(&w->path, b, true) < 0) return stop_or_pass(w, middle, b, depth);
-    if (verdict != FINER) yk_path_refer(&w->path); // only poses on the branch serve as references
-    return verdict == FINER ? halve(w, a, b, depth) : true;
+    if (verdict == FINER) return halve(w, a, b, depth);
+    yk_walk_note_crossings(w, a, b);
+    yk_path_refer(&w->path); // only poses on the branch serve as references
+    return true;
 }
 
 // Continues from `from`, which the state has just reached, to `to`, one level deeper.
@@ -348,6 +370,7 @@ static double next_place(const YkWalk *w, double last, double b)
 bool yk_walk_go(YkWalk *w, double a, double b)
 {
     double last = a, way = b > a ? 1 : -1;
+    if (!w->has_begun) yk_walk_begin_at(w, a, way);
     bool is_singular = w->path.state->space.margin[0] <= YK_SINGULAR_MARGIN;
     if (a == w->from && (w->path.way == way || !is_singular)) w->from = NAN; // it goes on as it came: it passes there
     while (last != b) {

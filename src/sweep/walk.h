@@ -15,6 +15,7 @@ typedef struct YkWalk {
     YkEvent *events;
     size_t event_count, event_capacity, more_events; // the first events_max are kept, the others counted
     size_t events_max;
+    bool has_begun;        // has looked for change points where it began
     double skipped_passes; // change points in whole turns that were left out (turns.c)
     YkStatus status;
     int limit_block;
@@ -67,6 +68,8 @@ bool yk_walk_turns_at_limit(YkWalk *walk, size_t block, double *at);
 bool yk_walk_turns_at_a_limit(YkWalk *walk, const double *margins, double at);
 // Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from `at`.
 bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
+// meeting.c: returns the side of a block's known change point, if it lies at `at`, for which the signs hold; 0: it does not.
+double yk_walk_side_held(const YkWalk *walk, size_t block, double at);
 // limits.c: poses beside a change point where the walk stands.
 typedef struct YkBeside {
     YkWalk *walk;

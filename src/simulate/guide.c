@@ -1,0 +1,109 @@
+// Machines that drives alone move. A second state, the guide, follows the drives as sweeps do. Near a singular position it
+// says where the machine is, at which rates, and so what power the drive brings: no equation of forces has to be solved there.
+#include "elementary/elementary.h"
+#include "simulate/crossing.h"
+
+static const double SAME =
+    1e-5; // of directions: near a singular position poses are known to the square root of rounding
+static const double CLOSE = 0.24; // sin^2 below which a pose is the guide's
+
+bool yk_simulation_start_guide(YkSimulation *sim)
+{
+    if (sim->free_count > 0 || sim->mech->block_count == 0 || sim->is_flat || sim->guide) return true;
+    sim->guide = yk_state_new(sim->mech);
+    if (sim->guide) yk_state_take(sim->guide, sim->state);
+    return sim->guide != NULL;
+}
+
+static bool goes_to(YkSimulation *sim, double t)
+{
+    return yk_state_move_time(sim->guide, t, NULL, NULL, NULL) >= 0;
+}
+
+// Returns whether the guide's rates are those of the motion: so near to a limit, and where nothing is smooth, they are not.
+static bool has_sure_rates(const YkState *s)
+{
+    return s->has_rates && (s->is_clear || yk_state_has_limits(s) || s->space.margin[0] > YK_NEAR_MARGIN);
+}
+
+// Returns the only input that moves; YK_NONE if none does, or several.
+static int32_t moving_input(const YkState *s)
+{
+    int32_t moving = YK_NONE;
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        if (s->input[3 * i + 1] == 0) continue;
+        if (moving != YK_NONE) return YK_NONE;
+        moving = (int32_t)i;
+    }
+    return moving;
+}
+
+static bool rests(const YkState *s)
+{
+    for (size_t i = 0; i < s->mech->input_count; i++)
+        if (s->input[3 * i + 1] != 0) return false;
+    return true;
+}
+
+bool yk_simulation_stands_with_guide(YkSimulation *sim, double t)
+{
+    const YkState *guide = sim->guide;
+    if (!guide || sim->commands || sim->near_count == 0 || sim->contact_count > 0 || sim->dynamics->loads->has_dry)
+        return false;
+    if (!goes_to(sim, t) || !has_sure_rates(guide) || (moving_input(guide) == YK_NONE && !rests(guide))) return false;
+    yk_state_copy(sim->state, guide);
+    return true;
+}
+
+// Returns what the drives bring: the power that the masses take up, less what all loads deliver. Returns false if a load has no
+// value.
+static bool find_power(YkSimulation *sim, double *power)
+{
+    YkDynamics *d = sim->dynamics;
+    const YkModel *model = sim->mech->model;
+    size_t culprit;
+    memset(d->load, 0, model->body_count * sizeof *d->load);
+    if (!yk_loads_add(d->loads, sim->state, &sim->state->space, d->load, d->power, &culprit)) {
+        yk_dynamics_fail_at_load(d, culprit);
+        sim->report = d->report;
+        return false;
+    }
+    *power = 0;
+    for (size_t b = 1; b < model->body_count; b++) {
+        const YkBody *body = &model->bodies[b];
+        YkBodyMotion m = yk_body_motion(sim->mech, &sim->state->space, b);
+        YkVec pull = yk_sub(m.acceleration, model->gravity);
+        *power += body->mass * yk_dot(m.velocity, pull) + body->inertia * m.w * m.a;
+        *power -= yk_dot(d->load[b].force, m.velocity) + d->load[b].moment * m.w;
+    }
+    return true;
+}
+
+bool yk_simulation_moves_with_guide(YkSimulation *sim, double t, double *dydt)
+{
+    double drive, *power = dydt + 2 * sim->free_count;
+    if (!yk_simulation_stands_with_guide(sim, t) || !yk_dynamics_prepare(sim->dynamics) || !find_power(sim, &drive))
+        return false;
+    memset(power, 0, sim->work_count * sizeof *power);
+    if (sim->options.pulls > 0) power[sim->work_count - 2] = sim->dynamics->loads->handle_power;
+    if (sim->item_count > 0) memcpy(power, sim->dynamics->power, sim->item_count * sizeof *power);
+    size_t at = sim->item_count;
+    int32_t moving = moving_input(sim->state);
+    for (size_t i = 0; i < sim->mech->input_count; i++)
+        if (!sim->dynamics->is_free[i]) power[at++] = (int32_t)i == moving ? drive : 0;
+    return true;
+}
+
+bool yk_simulation_agrees_with_guide(YkSimulation *sim)
+{
+    YkState *s = sim->state, *guide = sim->guide;
+    if (!guide || sim->commands) return true;
+    bool is_near = sim->near_count > 0 || yk_simulation_margin(sim) < CLOSE;
+    if (!goes_to(sim, sim->time)) return false;
+    for (size_t k = 1; k < s->space.slots; k++) {
+        YkTurn one = yk_space_turn(&s->space, (int32_t)k), other = yk_space_turn(&guide->space, (int32_t)k);
+        if (!(fabs(*one.c - *other.c) + fabs(*one.s - *other.s) < SAME)) return false;
+    }
+    if (is_near && guide->has_rates) yk_state_copy(s, guide); // so near, the branches are apart by less than this
+    return true;
+}

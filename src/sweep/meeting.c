@@ -1,0 +1,352 @@
+// Change points that are known by the place of the input that leads to them. On each side of it the block has one sign,
+// however often and however little the motion goes over it: the pose follows from where the input is, not from its past.
+#include "sweep/meeting.h"
+
+static const double MEETS = 1e-11, START = 1e-4; // sin^2
+
+// --- where the input is
+
+// Returns how far from the change point an input's value, or a place on a path that is not time, lies: rad or machine sizes.
+static double off_of(const YkPath *path, const YkMeeting *m, double value)
+{
+    double unit = m->input == YK_NONE ? yk_path_scale(path) : yk_input_unit(path->state->mech, (size_t)m->input);
+    return (value - m->at) / unit;
+}
+
+// Returns the distance up to which a place counts as the change point itself.
+static double tolerance(const YkPath *path, const YkMeeting *m)
+{
+    return 1e-11 * fmax(1, 1e-4 * fabs(off_of(path, m, 0)));
+}
+
+static double off_at(const YkPath *path, const YkMeeting *m, double at)
+{
+    return off_of(path, m, m->input == YK_NONE ? at : yk_path_input_at(path, (size_t)m->input, at));
+}
+
+static int side_of(const YkPath *path, const YkMeeting *m, double off)
+{
+    return fabs(off) > tolerance(path, m) ? (off > 0) - (off < 0) : 0;
+}
+
+// Returns the side on which the path is just before `at` (way -1) or just behind it (+1); 0: it rests there for ever.
+static int side_beside(const YkPath *path, const YkMeeting *m, double at, double way)
+{
+    enum { DOUBLINGS = 80 };
+    double step = 1e-13 * fmax(yk_path_scale(path), fabs(at));
+    int side = side_of(path, m, off_at(path, m, at));
+    if (side == 0 && m->input == YK_NONE) return way > 0 ? 1 : -1;
+    for (int k = 0; k < DOUBLINGS && side == 0; k++, step *= 2) {
+        double off = off_at(path, m, at + way * step);
+        if (!isfinite(off)) return 0;
+        side = side_of(path, m, 0.25 * off);
+    }
+    return side;
+}
+
+void yk_path_place_signs(const YkPath *path, double at)
+{
+    YkState *s = path->state;
+    for (size_t k = 0; k < path->meeting_count; k++) {
+        const YkMeeting *m = &path->meetings[k];
+        if (!m->is_known || m->is_off) continue;
+        int side = side_of(path, m, off_of(path, m, m->input == YK_NONE ? at : s->input[3 * m->input]));
+        s->branch[k] = (signed char)((side != 0 ? side : m->side) * m->above);
+    }
+}
+
+bool yk_walk_is_at_meeting(const YkWalk *w, size_t block, double a, double b)
+{
+    const YkPath *path = &w->path;
+    if (block >= path->meeting_count || !path->meetings[block].is_known) return false;
+    const YkMeeting *m = &path->meetings[block];
+    bool is_near = fabs(off_at(path, m, b)) < m->near || fabs(off_at(path, m, a)) < m->near;
+    return is_near && (a == b || yk_path_way(path, a, b) < m->near);
+}
+
+bool yk_walk_knows_meeting(const YkWalk *w, size_t block, double at)
+{
+    const double FAR = 64; // as the sine falls to less than 1e-3, where rates begin to be blurred
+    if (block >= w->path.meeting_count || !w->path.meetings[block].is_known) return false;
+    const YkMeeting *m = &w->path.meetings[block];
+    return fabs(off_at(&w->path, m, at)) < FAR * m->near;
+}
+
+// --- finding it
+
+typedef struct Search {
+    YkWalk *walk;
+    size_t block;
+    YkMeeting meeting;
+    double place; // on the path, where the other inputs are as they are here
+    double unit, h;
+} Search;
+
+// Returns the sine of the block's transmission angle; negative where that cannot be told.
+static double sine_at(const Search *f, double value)
+{
+    const YkPath *path = &f->walk->path;
+    YkState *s = path->state;
+    bool is_place = f->meeting.input == YK_NONE;
+    if (yk_path_set(&f->walk->path, is_place ? value : f->place, true) < 0) return -1;
+    if (!is_place) s->input[3 * f->meeting.input] = value;
+    yk_path_place_signs(path, value);
+    YkStatus status = yk_state_solve(s);
+    if (status < 0 && s->report.block <= (int)f->block) return -1;
+    double margin = (status < 0 ? &s->spare : &s->space)->block_margin[f->block];
+    return margin >= 0 ? sqrt(margin) : -1;
+}
+
+// Moves a first guess to where the sine, nearly a straight line, is about zero. The guess may be some steps off.
+static bool come_closer(const Search *f, double *value)
+{
+    for (int k = 0; k < 4; k++) {
+        double step = f->h * f->unit, here = sine_at(f, *value);
+        double before = sine_at(f, *value - step), after = sine_at(f, *value + step);
+        if (here < 0 || before < 0 || after < 0) return false;
+        double slope = fmax(fabs(after - here), fabs(before - here)) / step;
+        if (!(slope > 0)) return false;
+        double way = fmin(here / slope, 10 * step);
+        if (way < 0.02 * step) return true;
+        *value += after < before ? way : -way;
+    }
+    return true;
+}
+
+// Corrects the value by a polynomial through three poses on each side, on which the sine has one sign each. Returns false
+// unless that is smooth there, and about a straight line.
+static bool correct(const Search *f, double *value)
+{
+    double step = f->h * f->unit, before[4], after[4];
+    for (int k = 1; k < 4; k++) {
+        before[k] = sine_at(f, *value - k * step);
+        after[k] = sine_at(f, *value + k * step);
+        if (!(before[k] > 0 && after[k] > 0)) return false;
+    }
+    double level = 0.75 * (after[1] - before[1]) - 0.3 * (after[2] - before[2]) + 0.05 * (after[3] - before[3]);
+    double slope = (45 * (after[1] + before[1]) - 9 * (after[2] + before[2]) + after[3] + before[3]) / 60;
+    double twice = (after[2] + before[2]) / (after[1] + before[1]);
+    if (!(twice > 1.6 && twice < 2.4 && slope > 0 && fabs(level) < 0.3 * slope)) return false;
+    *value -= level / slope * step;
+    return true;
+}
+
+// Returns whether the value half a step away is what the poses farther away say: a limit or another change point may be near.
+static bool is_smooth(const Search *f, double value)
+{
+    static const double weights[] = {75.0 / 128, -25.0 / 256, 3.0 / 256}; // midway between six poses
+    double step = f->h * f->unit, sum = 0, sine[5];
+    for (int k = 1; k < 5; k++) sine[k] = sine_at(f, value + (k - 0.5) * step);
+    double nearer = sine_at(f, value - 0.5 * step), farther = sine_at(f, value - 1.5 * step);
+    double middle = sine_at(f, value + step);
+    if (!(nearer > 0 && farther > 0 && sine[4] > 0)) return false;
+    sum = weights[0] * (sine[1] + sine[2]) + weights[1] * (sine[3] - nearer) + weights[2] * (sine[4] - farther);
+    return fabs(sum - middle) < 1e-5 * middle + 1e-14 / f->h;
+}
+
+// Looks for the change point from a value near it, with poses ever closer to it.
+static bool find_value(Search *f, double *value)
+{
+    static const double steps[] = {1e-3, 2e-4, 4e-5};
+    double first = *value;
+    for (int k = 0; k < 3; k++) {
+        f->h = steps[k];
+        *value = first;
+        bool ok = come_closer(f, value) && correct(f, value) && correct(f, value) && correct(f, value);
+        if (!ok || !is_smooth(f, *value)) continue;
+        double least = sine_at(f, *value);
+        return least >= 0 && least * least <= MEETS;
+    }
+    return false;
+}
+
+// Finds the input that leads to the change point: over time, the only drive on which the block depends.
+static bool find_input(Search *f)
+{
+    YkPath *path = &f->walk->path;
+    YkState *s = path->state;
+    const YkMechanism *mech = s->mech;
+    size_t count = 0, depends = 0;
+    f->meeting.input = YK_NONE;
+    if (!yk_path_is_time(path)) return true;
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t i = 0; i < mech->input_count; i++) {
+            if (mech->coordinates[mech->inputs[i]].drive == YK_NONE || s->is_held[3 * i]) continue;
+            if (pass == 0) {
+                count++;
+                f->meeting.input = (int32_t)i;
+                continue;
+            }
+            Search one = *f;
+            one.meeting.input = (int32_t)i;
+            double value = yk_path_input_at(path, i, f->place), off = 1e-3 * yk_input_unit(mech, i);
+            if (sine_at(&one, value) == sine_at(&one, value + off)) continue;
+            depends++;
+            f->meeting.input = (int32_t)i;
+        }
+    return count == 1 || depends == 1;
+}
+
+static bool find(YkWalk *w, size_t block, double at, YkMeeting *meeting)
+{
+    const YkPath *path = &w->path;
+    if (block >= path->meeting_count || !yk_walk_has_margin(w, block)) return false;
+    Search f = {.walk = w, .block = block, .place = at};
+    path->meetings[block].is_known = false;
+    if (!find_input(&f)) return false;
+    bool is_place = f.meeting.input == YK_NONE;
+    f.unit = is_place ? yk_path_scale(path) : yk_input_unit(path->state->mech, (size_t)f.meeting.input);
+    double value = is_place ? at : yk_path_input_at(path, (size_t)f.meeting.input, at);
+    if (!isfinite(value) || !find_value(&f, &value)) return false;
+    *meeting = f.meeting;
+    meeting->is_known = true;
+    meeting->at = value;
+    meeting->near = f.h;
+    return true;
+}
+
+static void keep(YkWalk *w, size_t block, YkMeeting m, int side)
+{
+    if (side == 0) return;
+    m.side = (signed char)side;
+    m.above = (signed char)(side * w->path.state->branch[block]);
+    w->path.meetings[block] = m;
+}
+
+bool yk_walk_meets(YkWalk *w, size_t block, double at, double known)
+{
+    YkMeeting m, old = block < w->path.meeting_count ? w->path.meetings[block] : (YkMeeting){0};
+    if (!find(w, block, at, &m)) return false;
+    if (old.is_known && old.input == m.input && fabs(off_of(&w->path, &m, old.at)) < 0.1 * m.near) {
+        w->path.meetings[block] = old;
+        return true;
+    }
+    int side = side_of(&w->path, &m, off_at(&w->path, &m, known));
+    if (side == 0) side = side_beside(&w->path, &m, at, -w->path.way);
+    keep(w, block, m, side);
+    return side != 0;
+}
+
+// Returns the side from which an earlier motion has come to the change point at which the walk begins: its signs hold there.
+// If none has, they hold where it goes.
+static int side_at_start(const YkWalk *w, const YkMeeting *m, double at, double way)
+{
+    const YkPath *path = &w->path;
+    const YkState *s = path->state;
+    double heading = yk_path_heading(path);
+    for (size_t i = 0; m->input != YK_NONE && i < s->mech->input_count; i++)
+        if (s->arrival[i] != s->valid_input[3 * i]) return side_beside(path, m, at, way);
+    if (m->input != YK_NONE) heading = s->heading[m->input];
+    return heading != 0 ? (heading < 0) - (heading > 0) : side_beside(path, m, at, way);
+}
+
+void yk_walk_begin_at(YkWalk *w, double at, double way)
+{
+    const YkPath *path = &w->path;
+    bool has_looked = false;
+    w->has_begun = true;
+    for (size_t k = 0; k < path->meeting_count; k++) {
+        double margin = path->state->space.block_margin[k];
+        YkMeeting m;
+        if (!yk_walk_has_margin(w, k) || !(margin < START)) continue;
+        has_looked = true;
+        bool is_found = find(w, k, at, &m);
+        yk_path_probe(&w->path, at, true);
+        if (!is_found) continue;
+        int side = side_of(path, &m, off_at(path, &m, at));
+        keep(w, k, m, side != 0 ? side : side_at_start(w, &m, at, way));
+    }
+    if (has_looked) yk_path_probe(&w->path, at, true);
+}
+
+// --- passing it
+
+// Returns whether only the block is singular: constraints that repeat it determine the motion, and no branch parts.
+static bool is_seen(YkWalk *w, double at)
+{
+    const YkState *s = w->path.state;
+    return !(s->mech->redundant_count > 0 && yk_path_try(&w->path, at, true) >= 0 && s->is_regular);
+}
+
+static void note(YkWalk *w, size_t block, double at)
+{
+    if (is_seen(w, at))
+        yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true});
+}
+
+// Returns where the path goes over the change point between a place on the side of `side` and one on the other.
+static double crossing(const YkPath *path, const YkMeeting *m, double inside, double outside, int side)
+{
+    if (!(side * off_at(path, m, inside) > 0)) return inside;
+    for (int k = 0; k < 64; k++) {
+        double middle = 0.5 * (inside + outside);
+        if (middle == inside || middle == outside) break;
+        if (side * off_at(path, m, middle) > 0)
+            inside = middle;
+        else
+            outside = middle;
+    }
+    return inside;
+}
+
+// Returns the place between a and b at which the path is farthest beyond the change point.
+static double farthest_beyond(const YkPath *path, const YkMeeting *m, double a, double b)
+{
+    enum { SAMPLES = 16, HALVINGS = 40 };
+    double best = a, least = INFINITY, step = (b - a) / SAMPLES;
+    for (int k = 1; k < SAMPLES; k++) {
+        double at = a + k * step, off = m->side * off_at(path, m, at);
+        if (off < least) least = off, best = at;
+    }
+    for (int k = 0; k < HALVINGS; k++, step *= 0.6)
+        for (int way = -1; way <= 1; way += 2) {
+            double at = best + 0.5 * way * step, off = m->side * off_at(path, m, at);
+            if ((at - a) * (b - at) > 0 && off < least) least = off, best = at;
+        }
+    return best;
+}
+
+void yk_walk_note_crossings(YkWalk *w, double a, double b)
+{
+    const YkPath *path = &w->path;
+    bool is_moved = false;
+    for (size_t k = 0; k < path->meeting_count; k++) {
+        YkMeeting *m = &path->meetings[k];
+        if (!m->is_known) continue;
+        double off = off_at(path, m, b);
+        int side = side_of(path, m, off);
+        bool is_near = fmin(fabs(off_at(path, m, a)), fabs(off)) < m->near;
+        if (side == m->side && m->input != YK_NONE && yk_walk_is_at_meeting(w, k, a, b)) {
+            double beyond = farthest_beyond(path, m, a, b);
+            if (side_of(path, m, off_at(path, m, beyond)) == -m->side) {
+                note(w, k, crossing(path, m, a, beyond, m->side));
+                note(w, k, crossing(path, m, b, beyond, m->side));
+                is_moved = true;
+            }
+        }
+        if (side == 0 || side == m->side) continue;
+        if (is_near) note(w, k, crossing(path, m, a, b, m->side));
+        is_moved |= is_near;
+        m->side = (signed char)side;
+    }
+    if (is_moved && path->state->mech->redundant_count > 0) yk_path_try(&w->path, b, true);
+}
+
+bool yk_walk_passes_meeting(YkWalk *w, size_t block, double at, double way, bool is_start)
+{
+    YkMeeting *m = &w->path.meetings[block];
+    if (side_of(&w->path, m, off_at(&w->path, m, at)) != 0) return true; // elsewhere, if at all
+    int ahead = side_beside(&w->path, m, at, way);
+    int before = is_start ? m->side : side_beside(&w->path, m, at, -way);
+    if (ahead == 0 || ahead == before) return false;
+    if (m->side != ahead) note(w, block, at);
+    m->side = (signed char)ahead;
+    return true;
+}
+
+double yk_walk_side_held(const YkWalk *w, size_t block, double at)
+{
+    const YkPath *path = &w->path;
+    const YkMeeting *m = &path->meetings[block];
+    return m->is_known && side_of(path, m, off_at(path, m, at)) == 0 ? m->side : 0;
+}
