@@ -181,7 +181,8 @@ bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state, int round)
         double rate = item->direction, limit = yk_dynamics_dry_limit(d, item);
         if (rate == 0) rate = yk_joint_rate(d->mech, &state->space, item->joint, item->is_distance);
         double dry = rate > 0 ? -limit : rate < 0 ? limit : 0;
-        stands = stands && fabs(dry - item->dry) <= tolerance * (fabs(dry) + fabs(item->dry));
+        double sum = fabs(dry) + fabs(item->dry); // infinite where it grew beyond all numbers: it does not stand there
+        stands = stands && sum < (double)INFINITY && fabs(dry - item->dry) <= tolerance * sum;
         item->dry += share * (dry - item->dry);
     }
     return stands;

@@ -284,11 +284,11 @@ static bool settle_sliding(const YkHolding *h, double *f)
         for (size_t j = 0; j < h->count; j++) {
             if (h->standing[j].sense == 0) continue;
             double next = -h->standing[j].sense * limit_at(h, j, f);
+            if (!isfinite(next)) return false; // it grew beyond all numbers
             off = fmax(off, fabs(next - f[j]) / (fabs(next) + fabs(f[j]) + 1e-300));
             f[j] += share * (next - f[j]);
         }
         if (off <= yk_dynamics_dry_tolerance(round)) return true;
-        if (!isfinite(off)) return false;
     }
     return false;
 }
@@ -326,7 +326,8 @@ static bool find_limits(YkHolding *h, int round)
         if (!h->standing[j].sticks) continue;
         double limit = limit_at(h, j, h->f), old = h->bounds[j].high;
         bool is_full = fabs(h->f[j]) >= fmin(limit, old) * (1 - 1e-12);
-        stands = stands && (!is_full || fabs(limit - old) <= yk_dynamics_dry_tolerance(round) * limit);
+        stands = stands && limit < (double)INFINITY &&
+                 (!is_full || fabs(limit - old) <= yk_dynamics_dry_tolerance(round) * limit);
         h->bounds[j] = (YkBounds){-limit, limit};
     }
     return stands;

@@ -26,14 +26,14 @@ static double step_here(const YkState *s)
     return fmin(1e-3, fmax(1e-9, 0.01 * s->space.margin[0]));
 }
 
-bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double *matrix)
+// Differentiates by differences of four accelerations, `unit` times an input's scale apart.
+static bool differences(YkRest *rest, const double *q, bool of_rates, double unit, double *matrix)
 {
     static const double weight[] = {1.0 / 12, -2.0 / 3, 2.0 / 3, -1.0 / 12}; // at -2h, -h, h, 2h
     static const int place[] = {-2, -1, 1, 2};
     size_t f = rest->freedom;
     double *x = rest->trial, *a = rest->step;
     memset(matrix, 0, f * f * sizeof *matrix);
-    double unit = of_rates ? 1e-3 : step_here(rest->state);
     for (size_t j = 0; j < f; j++) {
         double h = unit * rest->scale[j];
         for (int p = 0; p < 4; p++) {
@@ -42,6 +42,52 @@ bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double 
             if (!yk_rest_accelerations(rest, of_rates ? q : x, of_rates ? x : NULL, a)) return false;
             for (size_t i = 0; i < f; i++) matrix[i * f + j] += weight[p] / h * a[i];
         }
+    }
+    return true;
+}
+
+// The scale of an input is the machine's size, and a limit may be much nearer than that: then the step is shortened until
+// both of its ends close.
+static bool differences_within(YkRest *rest, const double *q, double *unit, double *matrix)
+{
+    for (int k = 0; k < 8; k++, *unit /= 8)
+        if (differences(rest, q, false, *unit, matrix)) return true;
+    return false;
+}
+
+bool yk_rest_differentiate(YkRest *rest, const double *q, double *matrix)
+{
+    double unit = step_here(rest->state);
+    return differences_within(rest, q, &unit, matrix);
+}
+
+// Returns the largest difference of two matrices of derivatives, over the largest entry; both in units of the inputs.
+static double gap_of(const YkRest *rest, const double *A, const double *B)
+{
+    size_t f = rest->freedom;
+    double gap = 0, size = 0;
+    for (size_t i = 0; i < f; i++)
+        for (size_t j = 0; j < f; j++) {
+            double unit = rest->scale[j] / rest->scale[i];
+            gap = fmax(gap, unit * fabs(A[i * f + j] - B[i * f + j]));
+            size = fmax(size, unit * fabs(B[i * f + j]));
+        }
+    return size > 0 ? gap / size : 0;
+}
+
+// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts them
+// again; `finer` is room for another matrix.
+static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
+{
+    size_t f = rest->freedom;
+    double unit = step_here(rest->state), last = HUGE_VAL;
+    if (!differences_within(rest, rest->q, &unit, matrix)) return false;
+    for (int k = 0; k < 8; k++) {
+        if (!differences(rest, rest->q, false, unit /= 4, finer)) return false;
+        double gap = gap_of(rest, matrix, finer);
+        if (gap <= 1e-9 || gap >= last) return true; // the finer one has more rounding
+        memcpy(matrix, finer, f * f * sizeof *matrix);
+        last = gap;
     }
     return true;
 }
@@ -182,8 +228,7 @@ bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
     size_t f = rest->freedom;
     double *by_position = YK_NEW(rest->arena, double, f *f), *by_rate = YK_NEW(rest->arena, double, f *f);
     if (!by_position || !by_rate || !find_mass(rest, p->mass)) return false;
-    if (!yk_rest_differentiate(rest, rest->q, false, by_position) ||
-        !yk_rest_differentiate(rest, rest->q, true, by_rate))
+    if (!differentiate_finely(rest, by_position, by_rate) || !differences(rest, rest->q, true, 1e-3, by_rate))
         return false;
     times_mass(f, p->mass, by_position, p->stiffness);
     times_mass(f, p->mass, by_rate, p->damping);

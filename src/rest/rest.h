@@ -56,9 +56,8 @@ bool yk_rest_search_circuits(YkRest *rest, const YkMap *map);
 // Finds accelerations a[f] at rest (rates 0, or `rates`) in the pose with free inputs q. Returns false if it does not
 // close.
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a);
-// Differentiates the accelerations at q, where the state stands, by the free inputs (or, of_rates, by their rates), f x f:
-// central differences of order 4.
-bool yk_rest_differentiate(YkRest *rest, const double *q, bool of_rates, double *matrix);
+// Differentiates the accelerations at q, where the state stands, by the free inputs, f x f: central differences of order 4.
+bool yk_rest_differentiate(YkRest *rest, const double *q, double *matrix);
 // Finds M, C, K, modes and roots at a point whose inputs are in rest->q. False when out of memory or without inertia.
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *point);
 

@@ -27,7 +27,7 @@ bool yk_rest_descend(YkRest *rest)
     for (int k = 0; k < STEPS_MAX; k++) {
         if (!yk_pace_spend(rest->pace, f * f * f)) return false;
         if (size <= 1e-13 * rest->force_scale) return true;
-        if (!yk_rest_differentiate(rest, q, false, J)) return false;
+        if (!yk_rest_differentiate(rest, q, J)) return false;
         double *step = rest->step;
         for (size_t i = 0; i < f; i++) step[i] = -a[i];
         if (yk_lu_factor(f, J, rest->pivot, rest->trial) == 0) return false;

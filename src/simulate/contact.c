@@ -167,7 +167,7 @@ static bool find_limits(YkSimulation *sim, int round)
         if (yk_simulation_item(sim, c)->kind != YK_LOAD_COULOMB) continue;
         double limit = yk_dynamics_dry_limit(sim->dynamics, yk_simulation_item(sim, c)), old = sim->contacts[c].high;
         bool saturated = fabs(sim->lambda[c]) >= fmin(limit, old) * (1 - 1e-12);
-        stands = stands && (!saturated || fabs(limit - old) <= tolerance * limit);
+        stands = stands && limit < (double)INFINITY && (!saturated || fabs(limit - old) <= tolerance * limit);
         sim->contacts[c].high = limit;
         sim->contacts[c].low = -limit;
     }

@@ -26,6 +26,23 @@ efforts: {s: -200 N}
 start: {theta: 1, theta.rate: 2, phi: -1.2, s: 0.39}
 """
 
+# A toggle whose block rubs so hard that every round of the search multiplies its friction.
+ELBOW = """\
+parameters: {mu: 8}
+gravity: [0, -9.81]
+bodies:
+  ground: {points: {O: [0, 0]}}
+  a: {points: {O: [0, 0], A: [0.5, 0]}, mass: 1, inertia: 0.1}
+  b: {points: {A: [0, 0], B: [0.5, 0]}, mass: 1, inertia: 0.1}
+  s: {points: {B: [0, 0]}, mass: 2}
+joints:
+  O: {pin: [ground, a], angle: q}
+  A: {pin: [a, b], angle: p}
+  S: {slide: [ground, s], along: x, from: O, to: B, distance: d, friction: {coulomb: mu}}
+  B: {pin: [b, s]}
+start: {q: 0.9, q.rate: 1, p: -1.8, d: 0.62}
+"""
+
 # Forces of teeth between them press the shafts apart, and friction in the shafts loads the teeth.
 GEARS = """\
 gravity: [0, -9.81]
@@ -141,6 +158,17 @@ class Friction(Printed):
             wanted = ranges["theta"]["without_friction"] if ranges else run.json()["configurations"][0]["efforts"]["theta"]
             self.assertAlmostEqual(effort, wanted, delta=1e-9 * abs(wanted))
         self.assertEqual(seen, {OK, AT_REST, NOT_CONVERGED})
+
+    def test_friction_that_grows_beyond_all_numbers_is_a_jam(self):
+        """It was taken for settled where its square overflowed: forces of 1e154 N, and infinity in printed C."""
+        factors = (3.0, 5.0, 8.0, 20.0, 200.0)
+        file = self.write("elbow.yaml", ELBOW)
+        for mu in factors:
+            run = Run("solve", file, "--param", "mu=%r" % mu, "--accel", "q=0")
+            self.assertEqual(run.code, 1, (mu, run.out))
+            self.assertIn("the joints jam", run.err)
+        found = self.poses(ELBOW, "q", [(mu, 0.9, 1.0, 0.0) for mu in factors])
+        self.assertEqual([status for status, _ in found], [NOT_CONVERGED] * len(factors))
 
 
 if __name__ == "__main__":

@@ -67,6 +67,32 @@ static void a_floating_plate_has_three_small_motions(void **unused)
     yk_model_free(model);
 }
 
+// An elbow of two links of 0.5, almost straight, that a block of mass m stretches along its line: d = cos q. A spring k holds
+// q at e, so that omega = sqrt(k/m)/sin e exactly. The limit d = 1 is nearer than the steps of differences would be, above
+// all in a machine that a far point makes large.
+static void a_toggle_beside_its_limit_has_the_frequency_of_its_closed_form(void **unused)
+{
+    (void)unused;
+    static const double bends[] = {0.3, 0.1, 0.005}, far[] = {0, 5, 30};
+    for (size_t k = 0; k < 9; k++) {
+        double e = bends[k % 3];
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O: [0, 0], far: [%g, 0]}}\n  a: {points: {O: [0, 0], A: [0.5, 0]}}\n"
+                 "  b: {points: {A: [0, 0], B: [0.5, 0]}}\n  s: {points: {B: [0, 0]}, mass: 2}\njoints:\n"
+                 "  O: {pin: [ground, a], angle: q}\n  A: {pin: [a, b], angle: p}\n  B: {pin: [b, s]}\n"
+                 "  S: {slide: [ground, s], along: x, from: O, to: B, distance: d}\n"
+                 "springs: {K: {along: q, stiffness: 3, angle: %g}}\nstart: {d: %.17g, q: %g, p: %g}\n",
+                 far[k / 3], e, cos(e + 0.1), e + 0.1, -2 * e - 0.2);
+        YkModel *model;
+        YkRest *rest = rest_of(text, &model);
+        assert_int_equal(yk_rest_count(rest), 1);
+        CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, sqrt(1.5) / sin(e), 1e-7 / e);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
 // A four-bar's rocker drives a rack: the assemblies that are found may differ by whole turns of the mesh, and each keeps
 // its own while others are looked at.
 static void every_equilibrium_keeps_its_mesh(void **unused)
@@ -222,6 +248,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_double_pendulum_rests_in_four_places),
+        cmocka_unit_test(a_toggle_beside_its_limit_has_the_frequency_of_its_closed_form),
         cmocka_unit_test(a_floating_plate_has_three_small_motions),
         cmocka_unit_test(every_equilibrium_keeps_its_mesh),
         cmocka_unit_test(a_damped_spring_has_its_roots),
