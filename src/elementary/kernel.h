@@ -34,7 +34,9 @@
 // parameter is the count n, which the arguments leave out. One lane takes a copy without a loop; few lanes take the
 // plain copy, since for them the call costs more than the width gains.
 #define YK_SPREAD(...) __VA_ARGS__
+// YK_KNOWS_BLOCKS: whether loops of a length that the compiler knows are worth their room.
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(YK_PLAIN_LANES)
+#define YK_KNOWS_BLOCKS true
 #define YK_FEW_LANES 8
 #define YK_KERNEL(name, parameters, arguments)                                                                         \
     __attribute__((target("avx512f"), noinline)) static void name##_avx512 parameters                                  \
@@ -61,6 +63,7 @@
             name##_plain(YK_SPREAD arguments, n);                                                                      \
     }
 #else
+#define YK_KNOWS_BLOCKS false
 #define YK_KERNEL(name, parameters, arguments)                                                                         \
     void name parameters                                                                                               \
     {                                                                                                                  \

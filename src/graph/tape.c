@@ -124,8 +124,10 @@ static void make_steps(YkTapeMaker *m, bool of_parameters)
     YkTape *t = m->tape;
     for (YkRef v = 0; v < (YkRef)m->graph->count && !yk_arena_failed(t->arena); v++) {
         if (yk_tape_value(m, v)->of_parameters != of_parameters || !has_step(m, v)) continue;
-        m->made[t->step_count] = v;
-        t->steps[t->step_count++] = make_step(m, v);
+        YkTapeStep *step = &t->steps[t->step_count];
+        m->made[t->step_count++] = v;
+        *step = make_step(m, v);
+        if (!of_parameters) yk_tape_mark_scalars(m, step);
     }
 }
 
@@ -136,6 +138,7 @@ static bool make(YkTapeMaker *m, YkArena *work, const YkRef *leaves, const YkRef
     YkTape *t = m->tape;
     const YkGraph *g = m->graph;
     m->uses = YK_NEW(work, int32_t, g->count + 1);
+    m->in_sums = YK_NEW(work, int32_t, g->count + 1);
     m->is_within = YK_NEW(work, bool, g->count + 1);
     m->inner = YK_NEW(work, YkRef, g->count + 1);
     m->of_call = YK_NEW(work, int32_t, g->call_count + 1);
@@ -152,7 +155,8 @@ static bool make(YkTapeMaker *m, YkArena *work, const YkRef *leaves, const YkRef
     t->prelude_count = t->step_count;
     make_steps(m, false);
     t->scratch = YK_NEW(t->arena, double, m->most_arguments + 3);
-    return !yk_arena_failed(t->arena) && yk_tape_place(t, work, g, leaves, roots, m->made) && yk_tape_make_one(t, work);
+    return !yk_arena_failed(t->arena) && yk_tape_order(m, work, roots) &&
+           yk_tape_place(t, work, g, leaves, roots, m->made) && yk_tape_make_one(t, work);
 }
 
 YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
@@ -206,7 +210,8 @@ void yk_tape_pack_lanes(YkTape *t, size_t leaf, const double *lanes, const size_
 void yk_tape_set(YkTape *t, size_t leaf, double value)
 {
     if (!yk_tape_needs(t, leaf)) return;
-    for (size_t k = 0; k < t->lanes; k++) t->own_row[leaf][k] = value;
+    size_t width = t->is_parameter[leaf] ? 1 : t->lanes;
+    for (size_t k = 0; k < width; k++) t->own_row[leaf][k] = value;
     t->row[leaf] = t->own_row[leaf];
     double *one = yk_tape_leaf_of_one(t, leaf);
     if (one) *one = value;
@@ -214,7 +219,11 @@ void yk_tape_set(YkTape *t, size_t leaf, double value)
 
 void yk_tape_prepare(YkTape *t)
 {
-    yk_tape_run_steps(t, t->steps, t->prelude_count, t->lanes);
+    yk_tape_run_steps(t, t->steps, t->prelude_count, 1);
+    for (size_t k = 0; k < t->wide_count; k++) {
+        double *row = t->row[t->wide[k]];
+        for (size_t i = 1; i < t->lanes; i++) row[i] = row[0];
+    }
     yk_tape_prepare_one(t);
 }
 

@@ -8,6 +8,7 @@ typedef struct Placer {
     const YkGraph *graph;
     int32_t *row;    // per value, or YK_NONE
     int32_t *last;   // per value: the last step that reads it; YK_NONE: its row is never free
+    bool *is_wide;   // per value that depends on parameters alone: a step of a pose reads it lane by lane
     int32_t *vacant; // rows that are free, a stack
     size_t vacant_count, own_count;
 } Placer;
@@ -96,6 +97,16 @@ static void place_constant(Placer *p, int32_t *value, int32_t step)
     if (v->of_parameters && v->op != YK_VALUE_LEAF && p->row[*value] == YK_NONE) p->row[*value] = new_row(p);
 }
 
+// Notes which values of parameters a step of a pose reads lane by lane.
+static void note_wide(Placer *p, const YkTapeStep *s)
+{
+    for (int32_t k = 0; k < YK_TAPE_OPERANDS; k++)
+        if (s->in[k] != YK_NONE && yk_tape_reads_lanes(s, k)) p->is_wide[s->in[k]] = true;
+    if (s->call == YK_NONE) return;
+    const YkTapeCall *call = &p->tape->calls[s->call];
+    for (size_t k = 0; k < call->argument_count; k++) p->is_wide[call->arguments[k]] = true;
+}
+
 // Adds steps for roots that no step computes in their own rows.
 static void copy_roots(Placer *p, const YkRef *roots)
 {
@@ -104,39 +115,81 @@ static void copy_roots(Placer *p, const YkRef *roots)
         int32_t out = (int32_t)(t->leaf_count + k);
         if (p->row[roots[k]] == out) continue;
         place_constant(p, &(int32_t){roots[k]}, 0);
-        t->steps[t->step_count++] =
-            (YkTapeStep){.op = YK_TAPE_COPY, .out = out, .in = {p->row[roots[k]], out, out, out, out}, .call = YK_NONE};
+        t->steps[t->step_count++] = (YkTapeStep){.op = YK_TAPE_COPY,
+                                                 .scalars = p->graph->values[roots[k]].of_parameters,
+                                                 .out = out,
+                                                 .in = {p->row[roots[k]], out, out, out, out},
+                                                 .call = YK_NONE};
     }
 }
 
 // --- memory
 
-static double *next_row(const YkTape *t, double **numbers)
+// Returns how many numbers a row holds, with those that keep it apart from the next one.
+static size_t room_of(const Placer *p, bool is_single)
 {
-    double *row = *numbers;
-    *numbers += t->lanes + APART;
-    return row;
+    return is_single ? 1 : p->tape->lanes + APART;
+}
+
+// Marks the rows that hold one number for all lanes.
+static void find_single(const Placer *p, bool *is_single)
+{
+    for (size_t v = 0; v < p->graph->count; v++)
+        if (p->row[v] != YK_NONE && p->graph->values[v].of_parameters) is_single[p->row[v]] = !p->is_wide[v];
+}
+
+static bool is_own(const YkTape *t, size_t row, const bool *is_needed)
+{
+    return row < t->leaf_count ? is_needed[row] : row >= t->leaf_count + t->root_count;
+}
+
+// Rows of lanes begin at cache lines; single numbers follow them side by side.
+static bool make_memory(Placer *p, const bool *is_needed, const bool *is_single)
+{
+    YkTape *t = p->tape;
+    size_t room = 8;
+    for (size_t k = 0; k < t->row_count; k++) room += is_own(t, k, is_needed) ? room_of(p, is_single[k]) : 0;
+    double *numbers = YK_NEW(t->arena, double, room);
+    if (!numbers) return false;
+    numbers = (double *)(((uintptr_t)numbers + 63) & ~(uintptr_t)63);
+    for (int singles = 0; singles < 2; singles++)
+        for (size_t k = 0; k < t->row_count; k++) {
+            if (!is_own(t, k, is_needed) || is_single[k] != singles) continue;
+            t->row[k] = numbers;
+            numbers += room_of(p, singles);
+        }
+    return true;
+}
+
+// Fills the rows of numbers, and lists those of parameters that have to be filled for every set of them.
+static void fill_numbers(const Placer *p)
+{
+    YkTape *t = p->tape;
+    for (size_t v = 0; v < p->graph->count; v++) {
+        const YkValue *value = &p->graph->values[v];
+        if (p->row[v] == YK_NONE || !value->of_parameters) continue;
+        if (value->op != YK_VALUE_NUMBER) {
+            if (p->is_wide[v]) t->wide[t->wide_count++] = p->row[v];
+            continue;
+        }
+        size_t width = p->is_wide[v] ? t->lanes : 1;
+        for (size_t k = 0; k < width; k++) t->row[p->row[v]][k] = value->number;
+    }
 }
 
 static bool make_rows(Placer *p, const bool *is_needed)
 {
     YkTape *t = p->tape;
     t->row_count = t->leaf_count + t->root_count + p->own_count;
-    size_t rows = p->own_count;
-    for (size_t k = 0; k < t->leaf_count; k++) rows += is_needed[k];
     t->row = YK_NEW(t->arena, double *, t->row_count + 1);
     t->own_row = YK_NEW(t->arena, double *, t->leaf_count + 1);
-    double *numbers = YK_NEW(t->arena, double, rows *(t->lanes + APART) + 8);
+    t->wide = YK_NEW(t->arena, int32_t, t->row_count + 1);
+    bool *is_single = YK_NEW(t->arena, bool, t->row_count + 1);
     if (yk_arena_failed(t->arena)) return false;
-    numbers = (double *)(((uintptr_t)numbers + 63) & ~(uintptr_t)63); // a cache line
-    for (size_t k = t->leaf_count + t->root_count; k < t->row_count; k++) t->row[k] = next_row(t, &numbers);
-    for (size_t k = 0; k < t->leaf_count; k++)
-        if (is_needed[k]) t->row[k] = t->own_row[k] = next_row(t, &numbers);
-    for (size_t v = 0; v < p->graph->count; v++) {
-        const YkValue *value = &p->graph->values[v];
-        if (value->op != YK_VALUE_NUMBER || p->row[v] == YK_NONE) continue;
-        for (size_t k = 0; k < t->lanes; k++) t->row[p->row[v]][k] = value->number;
-    }
+    find_single(p, is_single);
+    if (!make_memory(p, is_needed, is_single)) return false;
+    for (size_t k = 0; k < t->leaf_count; k++) t->own_row[k] = t->row[k];
+    fill_numbers(p);
     return true;
 }
 
@@ -171,13 +224,17 @@ bool yk_tape_place(YkTape *t, YkArena *work, const YkGraph *graph, const YkRef *
     p.row = YK_NEW(work, int32_t, values);
     p.last = YK_NEW(work, int32_t, values);
     p.vacant = YK_NEW(work, int32_t, values);
+    p.is_wide = YK_NEW(work, bool, values);
+    t->is_parameter = YK_NEW(t->arena, bool, t->leaf_count + 1);
     bool *is_needed = YK_NEW(work, bool, t->leaf_count + 1);
-    if (yk_arena_failed(work)) return false;
+    if (yk_arena_failed(work) || yk_arena_failed(t->arena)) return false;
+    for (size_t k = 0; k < t->leaf_count; k++) t->is_parameter[k] = graph->values[leaves[k]].of_parameters;
     place_lasting(&p, leaves, roots);
     for (size_t s = 0; s < t->step_count; s++) {
         each_operand(&p, &t->steps[s], (int32_t)s, place_constant);
         if (s < t->prelude_count) place_constant(&p, &(int32_t){made[s]}, 0);
         each_operand(&p, &t->steps[s], (int32_t)s, note_reader);
+        if (s >= t->prelude_count) note_wide(&p, &t->steps[s]);
     }
     if (!has_all_leaves(&p, roots)) return false;
     for (size_t s = 0; s < t->step_count; s++) place_step(&p, &t->steps[s], made[s], (int32_t)s);

@@ -8,9 +8,59 @@
 
 // One operation over lanes. The row of the result is none of the operands'.
 #define EACH(expression)                                                                                               \
-    YK_EACH_LANE                                                                                                       \
-    for (size_t i = 0; i < n; i++) out[i] = (expression);                                                              \
-    break
+    {                                                                                                                  \
+        YK_EACH_LANE                                                                                                   \
+        for (size_t i = 0; i < n; i++) out[i] = (expression);                                                          \
+        break;                                                                                                         \
+    }
+
+// The same with operands x, y that are lanes or, where `scalars` has their bit, one number.
+#define KERNEL(op, scalars) 4 * YK_TAPE_##op + (scalars)
+#define OF_ONE(op, x)                                                                                                  \
+    case KERNEL(op, 0):                                                                                                \
+        EACH(op(x[i]))                                                                                                 \
+    case KERNEL(op, 1): {                                                                                              \
+        const double one = *x;                                                                                         \
+        EACH(op(one))                                                                                                  \
+    }
+#define OF_TWO(op, x, y)                                                                                               \
+    OF_ONE_OF_TWO(op, x, y)                                                                                            \
+    case KERNEL(op, 3): {                                                                                              \
+        const double one = *x, other = *y;                                                                             \
+        EACH(op(one, other))                                                                                           \
+    }
+#define OF_ONE_OF_TWO(op, x, y)                                                                                        \
+    case KERNEL(op, 0):                                                                                                \
+        EACH(op(x[i], y[i]))                                                                                           \
+    case KERNEL(op, 1): {                                                                                              \
+        const double one = *x;                                                                                         \
+        EACH(op(one, y[i]))                                                                                            \
+    }                                                                                                                  \
+    case KERNEL(op, 2): {                                                                                              \
+        const double other = *y;                                                                                       \
+        EACH(op(x[i], other))                                                                                          \
+    }
+
+#define ADD(a, b) (a) + (b)
+#define SUBTRACT(a, b) (a) - (b)
+#define DIVIDE(a, b) (a) / (b)
+#define PRODUCT_PLUS(b, c) a[i] * (b) + (c)
+#define PRODUCT_LESS(b, c) a[i] * (b) - (c)
+#define LESS_PRODUCT(b, c) (c) - a[i] * (b)
+#define DOT(b, d) a[i] * (b) + c[i] * (d)
+#define CROSS(b, d) a[i] * (b)-c[i] * (d)
+#define PLUS_DOT(b, d) e[i] + (a[i] * (b) + c[i] * (d))
+#define LESS_DOT(b, d) e[i] - (a[i] * (b) + c[i] * (d))
+#define DOT_LESS(b, d) (a[i] * (b) + c[i] * (d)) - e[i]
+#define PLUS_CROSS(b, d) e[i] + (a[i] * (b)-c[i] * (d))
+#define LESS_CROSS(b, d) e[i] - (a[i] * (b)-c[i] * (d))
+#define CROSS_LESS(b, d) (a[i] * (b)-c[i] * (d)) - e[i]
+#define PLUS_PLUS(b, d) (e[i] + a[i] * (b)) + c[i] * (d)
+#define PLUS_LESS(b, d) (e[i] + a[i] * (b)) - c[i] * (d)
+#define LESS_PLUS(b, d) (e[i] - a[i] * (b)) + c[i] * (d)
+#define LESS_LESS(b, d) (e[i] - a[i] * (b)) - c[i] * (d)
+#define MULTIPLY(b) a[i] * (b)
+#define COPY(a) (a)
 
 YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n)
 {
@@ -18,58 +68,38 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
     for (const YkTapeStep *s = steps; s < steps + count; s++) {
         double *out = row[s->out];
         const double *a = row[s->in[0]], *b = row[s->in[1]], *c = row[s->in[2]], *d = row[s->in[3]], *e = row[s->in[4]];
-        switch (s->op) {
-        case YK_TAPE_ADD:
-            EACH(a[i] + b[i]);
-        case YK_TAPE_SUBTRACT:
-            EACH(a[i] - b[i]);
-        case YK_TAPE_MULTIPLY:
-            EACH(a[i] * b[i]);
-        case YK_TAPE_DIVIDE:
-            EACH(a[i] / b[i]);
-        case YK_TAPE_MINUS:
-            EACH(-a[i]);
-        case YK_TAPE_PRODUCT_PLUS:
-            EACH(a[i] * b[i] + c[i]);
-        case YK_TAPE_PRODUCT_LESS:
-            EACH(a[i] * b[i] - c[i]);
-        case YK_TAPE_LESS_PRODUCT:
-            EACH(c[i] - a[i] * b[i]);
-        case YK_TAPE_DOT:
-            EACH(a[i] * b[i] + c[i] * d[i]);
-        case YK_TAPE_CROSS:
-            EACH(a[i] * b[i] - c[i] * d[i]);
-        case YK_TAPE_PLUS_DOT:
-            EACH(e[i] + (a[i] * b[i] + c[i] * d[i]));
-        case YK_TAPE_LESS_DOT:
-            EACH(e[i] - (a[i] * b[i] + c[i] * d[i]));
-        case YK_TAPE_DOT_LESS:
-            EACH((a[i] * b[i] + c[i] * d[i]) - e[i]);
-        case YK_TAPE_PLUS_CROSS:
-            EACH(e[i] + (a[i] * b[i] - c[i] * d[i]));
-        case YK_TAPE_LESS_CROSS:
-            EACH(e[i] - (a[i] * b[i] - c[i] * d[i]));
-        case YK_TAPE_CROSS_LESS:
-            EACH((a[i] * b[i] - c[i] * d[i]) - e[i]);
-        case YK_TAPE_PLUS_PLUS:
-            EACH((e[i] + a[i] * b[i]) + c[i] * d[i]);
-        case YK_TAPE_PLUS_LESS:
-            EACH((e[i] + a[i] * b[i]) - c[i] * d[i]);
-        case YK_TAPE_LESS_PLUS:
-            EACH((e[i] - a[i] * b[i]) + c[i] * d[i]);
-        case YK_TAPE_LESS_LESS:
-            EACH((e[i] - a[i] * b[i]) - c[i] * d[i]);
-        case YK_TAPE_ROOT:
-            EACH(sqrt(a[i]));
-        case YK_TAPE_SIZE:
-            EACH(fabs(a[i]));
-        case YK_TAPE_NONZERO:
-            EACH(fabs(a[i]) + 1e-200);
-        case YK_TAPE_CHOOSE:
-            EACH(a[i] < 0 ? b[i] : c[i]);
-        case YK_TAPE_COPY:
-            EACH(a[i]);
-        case YK_TAPE_RARE:
+        switch (4 * (int)s->op + s->scalars) {
+            OF_ONE(MULTIPLY, b)
+            OF_ONE(COPY, a)
+            OF_ONE_OF_TWO(ADD, a, b)
+            OF_ONE_OF_TWO(SUBTRACT, a, b)
+            OF_ONE_OF_TWO(DIVIDE, a, b)
+            OF_TWO(PRODUCT_PLUS, b, c)
+            OF_TWO(PRODUCT_LESS, b, c)
+            OF_TWO(LESS_PRODUCT, b, c)
+            OF_TWO(DOT, b, d)
+            OF_TWO(CROSS, b, d)
+            OF_TWO(PLUS_DOT, b, d)
+            OF_TWO(LESS_DOT, b, d)
+            OF_TWO(DOT_LESS, b, d)
+            OF_TWO(PLUS_CROSS, b, d)
+            OF_TWO(LESS_CROSS, b, d)
+            OF_TWO(CROSS_LESS, b, d)
+            OF_TWO(PLUS_PLUS, b, d)
+            OF_TWO(PLUS_LESS, b, d)
+            OF_TWO(LESS_PLUS, b, d)
+            OF_TWO(LESS_LESS, b, d)
+        case KERNEL(MINUS, 0):
+            EACH(-a[i])
+        case KERNEL(ROOT, 0):
+            EACH(sqrt(a[i]))
+        case KERNEL(SIZE, 0):
+            EACH(fabs(a[i]))
+        case KERNEL(NONZERO, 0):
+            EACH(fabs(a[i]) + 1e-200)
+        case KERNEL(CHOOSE, 0):
+            EACH(a[i] < 0 ? b[i] : c[i])
+        case KERNEL(RARE, 0):
             for (size_t i = 0; i < n; i++) yk_tape_run_rare(tape, tape->calls, row, s, i);
             break;
         }
@@ -79,7 +109,7 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
 // Whole blocks have loops of a length that the compiler knows.
 YK_INLINE void yk_tape_run_steps_body(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n)
 {
-    if (n == YK_TAPE_BLOCK)
+    if (YK_KNOWS_BLOCKS && n == YK_TAPE_BLOCK)
         run_over(tape, steps, count, YK_TAPE_BLOCK);
     else
         run_over(tape, steps, count, n);

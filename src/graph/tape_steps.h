@@ -36,6 +36,7 @@ typedef enum YkTapeOp {
 enum { YK_TAPE_OPERANDS = 5 };
 typedef struct YkTapeStep {
     YkTapeOp op;
+    int32_t scalars; // bits: which of yk_tape_scalar_operand are the same in all lanes, so that only the first is read
     int32_t out, in[YK_TAPE_OPERANDS]; // rows
     YkValueKind kind;                  // RARE: of the value
     YkFunction function;
@@ -55,9 +56,12 @@ struct YkTape {
     YkArena *arena;
     YkTapeLaws laws;
     size_t lanes;
-    double **row;     // rows of the leaves, then those of the roots, then the tape's own
-    double **own_row; // [leaf]: what yk_tape_set fills; NULL for a leaf that nothing depends on
+    double **row;       // rows of the leaves, then those of the roots, then the tape's own
+    double **own_row;   // [leaf]: what yk_tape_set fills; NULL for a leaf that nothing depends on
+    bool *is_parameter; // [leaf]: it depends on parameters alone
     size_t leaf_count, root_count, row_count;
+    int32_t *wide; // rows of parameters that some step reads lane by lane; all others have one number
+    size_t wide_count;
     YkTapeStep *steps;
     size_t prelude_count, step_count; // the first steps depend on parameters alone
     YkTapeCall *calls;
@@ -69,6 +73,7 @@ typedef struct YkTapeMaker { // what makes a tape
     YkTape *tape;
     const YkGraph *graph;
     int32_t *uses;    // per value: how many needed values, and roots, depend on it
+    int32_t *in_sums; // per value: how many of these are operands of sums
     bool *is_within;  // per value: a product or sum that its only user computes itself
     YkRef *inner;     // per sum: the sum within it, or YK_NONE
     int32_t *of_call; // per call of the graph: that of the tape, or YK_NONE
@@ -88,6 +93,16 @@ YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d);
 void yk_tape_find_sums(YkTapeMaker *maker);
 // Makes the step of a sum.
 YkTapeStep yk_tape_sum(const YkTapeMaker *maker, YkRef value);
+
+// tape_scalars.c: puts factors that depend on parameters alone second, and marks operands of a pose's step that do.
+void yk_tape_mark_scalars(const YkTapeMaker *maker, YkTapeStep *step);
+// Returns the operand of an operation that the first or second bit of `scalars` is about; YK_NONE if there is none.
+int32_t yk_tape_scalar_operand(YkTapeOp op, int32_t bit);
+// Returns whether a step reads its operand lane by lane.
+bool yk_tape_reads_lanes(const YkTapeStep *step, int32_t operand);
+
+// tape_order.c: puts the steps of a pose into an order in which few values wait. Returns false when out of memory.
+bool yk_tape_order(YkTapeMaker *maker, YkArena *work, const YkRef *roots);
 
 // tape_rows.c: replaces the values in the steps by rows, which are reused once their values are no longer needed.
 // made[k]: the value that step k computes. Returns false when out of memory, or if a leaf that is needed is not among

@@ -14,6 +14,27 @@ static bool is_own_product(const YkTapeMaker *m, YkRef sum, YkRef operand)
            v->of_parameters == yk_tape_value(m, sum)->of_parameters;
 }
 
+static bool has_scalar_factor(const YkTapeMaker *m, YkRef value)
+{
+    const YkValue *v = yk_tape_value(m, value);
+    if (v->op != YK_VALUE_MULTIPLY || v->of_parameters) return false;
+    return yk_tape_value(m, v->a)->of_parameters || yk_tape_value(m, v->b)->of_parameters;
+}
+
+// A lane multiplied by a number costs a sum no more than another lane: where sums alone need such a product, each of
+// them computes it.
+static void find_shared_products(YkTapeMaker *m)
+{
+    for (YkRef v = 0; v < (YkRef)m->graph->count; v++) {
+        const YkValue *sum = yk_tape_value(m, v);
+        if (m->uses[v] == 0 || !is_sum(m, v)) continue;
+        m->in_sums[sum->a]++;
+        m->in_sums[sum->b]++;
+    }
+    for (YkRef v = 0; v < (YkRef)m->graph->count; v++)
+        if (m->uses[v] > 0 && m->in_sums[v] == m->uses[v] && has_scalar_factor(m, v)) m->is_within[v] = true;
+}
+
 static void find_own_products(YkTapeMaker *m)
 {
     for (YkRef v = 0; v < (YkRef)m->graph->count; v++) {
@@ -102,5 +123,6 @@ YkTapeStep yk_tape_sum(const YkTapeMaker *m, YkRef value)
 void yk_tape_find_sums(YkTapeMaker *m)
 {
     find_own_products(m);
+    find_shared_products(m);
     find_own_sums(m);
 }

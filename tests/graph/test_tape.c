@@ -117,17 +117,40 @@ static void test_random_graphs(void **unused)
     }
 }
 
+// Compares all lanes of the second root with the values of the graph, in lanes and alone.
+static void check_second_root(Case *c, YkTape *t)
+{
+    double *numbers = calloc(c->graph.count, sizeof *numbers);
+    run(c, t, 0, LANES);
+    for (size_t i = 0; i < LANES; i++) {
+        for (int k = 0; k < LEAVES + PARAMETERS; k++) numbers[c->leaves[k]] = c->leaf[k][i];
+        graph_evaluate(&c->graph, numbers);
+        assert_memory_equal(&c->out[1][i], &numbers[c->roots[1]], sizeof(double));
+        run(c, t, i, 1);
+        assert_memory_equal(&c->out[1][i], &numbers[c->roots[1]], sizeof(double));
+    }
+    free(numbers);
+}
+
+// Returns a product of leaves; which: the factor that is a parameter, or 2.
+static YkRef product_with(Case *c, int leaf, int parameter, int which)
+{
+    YkRef first = which == 0 ? c->leaves[LEAVES + parameter] : c->leaves[leaf];
+    YkRef second = which == 1 ? c->leaves[LEAVES + parameter] : c->leaves[leaf + 1];
+    return yk_graph_multiply(&c->graph, first, second);
+}
+
 // A sum of two products and one more term is one step, with the bits of its parts; so is the size that is never 0.
+// Factors may be the same in all lanes.
 static void test_joined_sums(void **unused)
 {
     (void)unused;
     static Case c;
     uint64_t seed = 5;
-    for (int kind = 0; kind < 11; kind++) {
+    for (int kind = 0; kind < 99; kind++) {
         start(&c, &seed);
         YkGraph *g = &c.graph;
-        YkRef e = c.leaves[4], ab = yk_graph_multiply(g, c.leaves[0], c.leaves[1]),
-              cd = yk_graph_multiply(g, c.leaves[2], c.leaves[3]);
+        YkRef e = c.leaves[4], ab = product_with(&c, 0, 0, kind / 11 % 3), cd = product_with(&c, 2, 1, kind / 33);
         YkRef dot = yk_graph_add(g, ab, cd), cross = yk_graph_subtract(g, ab, cd);
         YkRef plus = yk_graph_add(g, e, ab), less = yk_graph_subtract(g, e, ab);
         const YkRef sums[] = {
@@ -135,20 +158,58 @@ static void test_joined_sums(void **unused)
             yk_graph_add(g, e, cross),      yk_graph_subtract(g, e, cross),        yk_graph_subtract(g, cross, e),
             yk_graph_add(g, plus, cd),      yk_graph_subtract(g, plus, cd),        yk_graph_add(g, less, cd),
             yk_graph_subtract(g, less, cd), yk_graph_unary(g, YK_VALUE_NONZERO, e)};
-        for (int k = 0; k < ROOTS; k++) c.roots[k] = sums[kind];
+        for (int k = 0; k < ROOTS; k++) c.roots[k] = sums[kind % 11];
         YkTape *t = tape_of(&c, (YkTapeLaws){0});
         assert_int_equal(yk_tape_length(t), ROOTS); // one step, and copies for the other roots
-        double *numbers = calloc(g->count, sizeof *numbers);
-        run(&c, t, 0, LANES);
-        for (size_t i = 0; i < LANES; i++) {
-            for (int k = 0; k < LEAVES + PARAMETERS; k++) numbers[c.leaves[k]] = c.leaf[k][i];
-            graph_evaluate(g, numbers);
-            assert_memory_equal(&c.out[1][i], &numbers[sums[kind]], sizeof(double));
-            run(&c, t, i, 1);
-            assert_memory_equal(&c.out[1][i], &numbers[sums[kind]], sizeof(double));
-        }
+        check_second_root(&c, t);
         yk_tape_free(t);
-        free(numbers);
+        end(&c);
+    }
+}
+
+// Sums, differences and quotients whose terms are the same in all lanes.
+static void test_terms_of_parameters(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 7;
+    for (int kind = 0; kind < 18; kind++) {
+        start(&c, &seed);
+        YkGraph *g = &c.graph;
+        YkRef x = c.leaves[0], p = c.leaves[LEAVES], q = c.leaves[LEAVES + 1], y = kind < 9 ? c.leaves[1] : q;
+        YkRef product = yk_graph_multiply(g, x, y);
+        const YkRef values[] = {
+            yk_graph_add(g, x, p),       yk_graph_subtract(g, x, p),       yk_graph_subtract(g, p, x),
+            yk_graph_divide(g, x, p),    yk_graph_divide(g, p, x),         product,
+            yk_graph_add(g, product, p), yk_graph_subtract(g, product, p), yk_graph_subtract(g, p, product)};
+        for (int k = 0; k < ROOTS; k++) c.roots[k] = values[kind % 9];
+        YkTape *t = tape_of(&c, (YkTapeLaws){0});
+        assert_int_equal(yk_tape_length(t), ROOTS);
+        check_second_root(&c, t);
+        yk_tape_free(t);
+        end(&c);
+    }
+}
+
+// A product with a parameter is part of every sum that needs it; as a root of its own it is a step.
+static void test_shared_products(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 13;
+    for (int is_root = 0; is_root < 2; is_root++) {
+        start(&c, &seed);
+        YkGraph *g = &c.graph;
+        YkRef product = yk_graph_multiply(g, c.leaves[0], c.leaves[LEAVES]);
+        for (int k = 0; k < ROOTS; k++)
+            c.roots[k] = k % 2 ? yk_graph_add(g, product, c.leaves[1 + k % 5])
+                               : yk_graph_subtract(g, c.leaves[1 + k % 5], product);
+        c.roots[2] = is_root ? product : c.roots[2];
+        c.roots[ROOTS - 1] = yk_graph_add(g, c.leaves[5], c.leaves[4]);
+        YkTape *t = tape_of(&c, (YkTapeLaws){0});
+        assert_int_equal(yk_tape_length(t), ROOTS);
+        check_second_root(&c, t);
+        yk_tape_free(t);
         end(&c);
     }
 }
@@ -253,6 +314,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_graphs),
         cmocka_unit_test(test_joined_sums),
+        cmocka_unit_test(test_terms_of_parameters),
+        cmocka_unit_test(test_shared_products),
         cmocka_unit_test(test_values_for_all_lanes),
         cmocka_unit_test(test_laws),
         cmocka_unit_test(test_equations),

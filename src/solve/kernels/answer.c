@@ -1,4 +1,5 @@
 // Answers: angles between bodies, differences of rates, and masks for lanes that do not close.
+#include <string.h>
 #include "solve/angle.h"
 #include "solve/kernels/lanes.h"
 
@@ -86,14 +87,27 @@ YK_INLINE void yk_lanes_swing_body(bool *swings, const double *c, const double *
 YK_KERNEL(yk_lanes_swing, (bool *swings, const double *c, const double *s, double least, size_t n),
           (swings, c, s, least))
 
+// Adds rows: no sum is finite unless all of its parts are. Returns bits of which the highest is set if one is not.
+YK_INLINE uint64_t find_not_finite(const double *a, const double *b, const double *c, const double *d, size_t n)
+{
+    const uint64_t exponent = (uint64_t)0x7ff << 52, one = (uint64_t)1 << 52;
+    uint64_t found = 0;
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) {
+        double sum = (a[i] + b[i]) + (c[i] + d[i]);
+        uint64_t bits;
+        memcpy(&bits, &sum, sizeof bits);
+        found |= (bits & exponent) + one;
+    }
+    return found;
+}
+
 YK_INLINE void yk_lanes_finite_body(bool *finite, double *const *rows, size_t count, size_t n)
 {
-    uint64_t bad = 0;
-    for (const double *const *row = (const double *const *)rows; row < (const double *const *)rows + count; row++) {
-        const double *value = *row;
-        YK_EACH_LANE
-        for (size_t i = 0; i < n; i++) bad |= value[i] - value[i] == 0 ? 0u : 1u;
-    }
-    *finite = bad == 0;
+    uint64_t found = 0;
+    size_t k = 0;
+    for (; k + 4 <= count; k += 4) found |= find_not_finite(rows[k], rows[k + 1], rows[k + 2], rows[k + 3], n);
+    for (; k < count; k++) found |= find_not_finite(rows[k], rows[k], rows[k], rows[k], n);
+    *finite = found >> 63 == 0;
 }
 YK_KERNEL(yk_lanes_finite, (bool *finite, double *const *rows, size_t count, size_t n), (finite, rows, count))
