@@ -170,6 +170,7 @@ static void print_table(const YkVec *places)
 {
     printf("// Start solutions of Alt's problem. Written by tools/find-alt-start: change that.\n"
            "#include \"synthesis/alt_start.h\"\n\n"
+           "// clang-format off\n"
            "const YkVec yk_alt_start_at[YK_ALT_PLACES] = {\n");
     for (size_t k = 0; k < P; k++) printf("    {%.3f, %.3f},\n", places[k].x, places[k].y);
     printf("};\n\nconst char yk_alt_start_text[YK_ALT_TRIPLES][YK_ALT_START_LENGTH + 1] = {\n");
