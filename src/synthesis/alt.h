@@ -65,8 +65,17 @@ typedef struct YkAltTask {
 } YkAltTask;
 // alt_paths.c: poses the problem. `seed` chooses the routes.
 void yk_alt_pose(const YkVec *point, uint64_t seed, YkAltTask *task);
-// Follows path `piece` of YK_ALT_ROUTES * YK_ALT_TRIPLES: start solution piece % YK_ALT_TRIPLES along one of the routes. Where it
-// comes too near to infinity, its other names are tried, for which it need not. Returns whether it arrived.
+
+// The equations keep their form as all z and all z^ are multiplied by a number each: a route begins at the start solutions
+// multiplied by numbers of modulus 1, so that every pair of numbers leads along other places to those of the task.
+typedef struct YkAltRoute {
+    YkVec z, hat;
+    YkVec from[YK_ALT_PLACES];
+} YkAltRoute;
+// Lays route `number` of a task, 0 to YK_ALT_ROUTES - 1.
+void yk_alt_lay(const YkAltTask *task, size_t number, YkAltRoute *route);
+// Follows path `piece` of YK_ALT_ROUTES * YK_ALT_TRIPLES: start solution piece % YK_ALT_TRIPLES along one of the routes. Where
+// it comes too near to infinity, its other names are tried, for which it need not. Returns whether it arrived.
 bool yk_alt_path(const YkAltTask *task, size_t piece, YkPace *pace, YkVec *x);
 
 #endif

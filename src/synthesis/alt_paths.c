@@ -18,14 +18,7 @@ void yk_alt_pose(const YkVec *point, uint64_t seed, YkAltTask *task)
     }
 }
 
-// The equations keep their form as all z and all z^ are multiplied by a number each: a route begins at the start solutions
-// multiplied by numbers of modulus 1, so that it is another path through the places for every pair of them.
-typedef struct Route {
-    YkVec z, hat;
-    YkVec from[YK_ALT_PLACES];
-} Route;
-
-static void lay(const YkAltTask *task, size_t number, Route *route)
+void yk_alt_lay(const YkAltTask *task, size_t number, YkAltRoute *route)
 {
     const YkVec *start = yk_alt_start_places();
     uint64_t seed = yk_mix(task->seed * YK_ALT_ROUTES + number);
@@ -38,10 +31,10 @@ static void lay(const YkAltTask *task, size_t number, Route *route)
 bool yk_alt_path(const YkAltTask *task, size_t piece, YkPace *pace, YkVec *x)
 {
     enum { COGNATES = 3 };
-    Route route;
+    YkAltRoute route;
     YkVec start[YK_ALT_SIZE];
     if (!yk_alt_start(piece % YK_ALT_TRIPLES, start)) return false;
-    lay(task, piece / YK_ALT_TRIPLES, &route);
+    yk_alt_lay(task, piece / YK_ALT_TRIPLES, &route);
     YkAltPath path = {route.from, task->places, 1e-5, pace};
     for (size_t k = 0; k < YK_ALT_SIZE; k++)
         start[k] = yk_mul(k % YK_ALT_DYAD < YK_ALT_X_HAT ? route.z : route.hat, start[k]);
