@@ -112,95 +112,20 @@ static void add_lines(YkSynthesis *s)
 
 // --- pairs
 
-// Fills the input's angles at the positions: on and on in one sense (+1, -1), or each the nearest way (0). Returns
-// false if going on and on takes more than a turn.
-static bool fill_inputs(const YkDesign *design, const YkMotionTask *motion, int sense, double *input)
-{
-    for (size_t k = 0; k < motion->count; k++) {
-        double angle[3];
-        yk_design_angles(design, motion->pose[k], angle);
-        input[k] = angle[0];
-        if (k == 0) continue;
-        double step = yk_remainder(angle[0] - input[k - 1], 2 * YK_PI);
-        if (sense != 0 && step * sense < 0) step += sense * 2 * YK_PI;
-        input[k] = input[k - 1] + step;
-    }
-    return sense == 0 || fabs(input[motion->count - 1] - input[0]) < 2 * YK_PI;
-}
-
-typedef struct Attempt {
-    YkDefect defect;
-    YkDesign design;
-    YkVerdict verdict;
-    YkText text;
-} Attempt;
-
-// Tries one machine with one side driven, in each sense.
-static void attempt(YkSynthesis *s, const YkDesign *design, Attempt *trial)
-{
-    const YkMotionTask *motion = &s->task->motion;
-    double input[YK_POSES_MAX], angle[YK_POSES_MAX][3];
-    YkJourney journey = {.task = s->task, .input = input, .count = motion->count, .turns = s->task->turns};
-    journey.pose = motion->pose;
-    journey.exact = true;
-    trial->design = *design;
-    trial->defect = yk_design_bounds(design, s->task);
-    for (size_t k = 0; k < motion->count; k++) yk_design_angles(design, motion->pose[k], angle[k]);
-    if (trial->defect == YK_DEFECT_NONE) trial->defect = yk_design_signs(design, angle, motion->count);
-    if (trial->defect == YK_DEFECT_NONE && s->task->turns && !yk_design_turns(design)) trial->defect = YK_DEFECT_INPUT;
-    if (trial->defect != YK_DEFECT_NONE) return;
-    static const int in_order[] = {1, -1}, anyhow[] = {0, 1, -1};
-    size_t senses = s->task->any_order ? 3 : 2;
-    YkDefect best = YK_DEFECT_ORDER;
-    for (size_t k = 0; k < senses; k++) {
-        if (!fill_inputs(design, motion, s->task->any_order ? anyhow[k] : in_order[k], input)) continue;
-        best = yk_synthesis_try(s, design, &journey, &trial->text, &trial->verdict);
-        if (best == YK_DEFECT_NONE || best > YK_DEFECT_ORDER || s->failed) break;
-    }
-    // Between dead points and on one circuit: if it can pass the positions somehow, only their order is wrong.
-    if (best == YK_DEFECT_BRANCH && !s->task->any_order && fill_inputs(design, motion, 0, input)) {
-        YkVerdict verdict;
-        if (yk_synthesis_try(s, design, &journey, &trial->text, &verdict) != YK_DEFECT_BRANCH) best = YK_DEFECT_ORDER;
-    }
-    trial->defect = best;
-}
-
 // Takes a pair of dyads, driven from either side that may be the input: a link of the ground, not a slide.
 static void take_pair(YkSynthesis *s, size_t i, size_t k)
 {
-    Attempt trial[YK_SIDES] = {{.defect = YK_DEFECT_NONE}};
-    const YkDyad *dyad[YK_SIDES] = {&s->dyads[i], &s->dyads[k]};
-    int best = -1;
-    for (int side = 0; side < YK_SIDES; side++) {
-        size_t input = side == 0 ? i : k, output = side == 0 ? k : i;
-        YkDesign design;
-        if (!(s->sides[input] & 1) || !(s->sides[output] & 2) || dyad[side]->kind != YK_DYAD_RR) continue;
-        if (yk_design_of_dyads(&s->task->motion.pose[0], dyad[side], dyad[1 - side], &design)) {
-            design.dyad[0] = (int)input;
-            design.dyad[1] = (int)output;
-            attempt(s, &design, &trial[side]);
-        } else {
-            design.dyad[0] = (int)input;
-            design.dyad[1] = (int)output;
-            trial[side].design = design;
-            trial[side].defect = YK_DEFECT_ASSEMBLY;
-        }
-        if (best < 0) {
-            best = side;
-            continue;
-        }
-        bool old_good = trial[best].defect == YK_DEFECT_NONE, good = trial[side].defect == YK_DEFECT_NONE;
-        if (old_good && good) // both sides may drive it: the one with the better transmission does
-            best = trial[side].verdict.transmission[0] > trial[best].verdict.transmission[0] ? side : best;
-        else if (good || (!old_good && trial[side].defect > trial[best].defect))
-            best = side;
+    const YkMotionTask *motion = &s->task->motion;
+    const size_t index[YK_SIDES] = {i, k};
+    YkPair pair = {.pose = motion->pose, .count = motion->count, .is_motion = true};
+    for (size_t side = 0; side < YK_SIDES; side++) {
+        size_t other = index[1 - side];
+        pair.dyad[side] = s->dyads[index[side]];
+        pair.index[side] = (int)index[side];
+        pair.may_drive[side] =
+            (s->sides[index[side]] & 1) && (s->sides[other] & 2) && pair.dyad[side].kind == YK_DYAD_RR;
     }
-    if (best >= 0 && trial[best].defect == YK_DEFECT_NONE)
-        yk_synthesis_keep(s, &trial[best].design, &trial[best].text, &trial[best].verdict,
-                          trial[best].verdict.transmission[0]);
-    else if (best >= 0)
-        yk_synthesis_leave(s, &trial[best].design, trial[best].defect, &trial[best].verdict);
-    for (int side = 0; side < YK_SIDES; side++) yk_text_free(&trial[side].text);
+    yk_synthesis_take_pair(s, &pair);
 }
 
 // Whether two kinds of dyads make a machine that the task seeks.

@@ -27,6 +27,15 @@ typedef struct YkPathSearch {
     YkVec *path;                  // [count]
 } YkPathSearch;
 
+// path_exact.c: returns whether the task has nine points and nothing else, so that all its four-bars can be found.
+bool yk_path_is_exact(const YkTask *task);
+// Pieces of the exact search, before those of other searches: paths of Alt's problem as numbers[yk_path_width].
+size_t yk_path_exact_pieces(const YkTask *task);
+void yk_path_exact_piece(const YkTask *task, uint64_t seed, size_t piece, YkPace *pace, double *numbers);
+// Finds all four-bars and judges those that are real, as the part of the call from 0 to `to`. Returns whether none of the
+// solutions is missing. Cost: 3 to 10 s.
+bool yk_synthesise_exact_path(YkSynthesis *s, double to);
+
 // path_problem.c: states the problem of a task for one kind of bar, and a coarse version of it with about 16 of the points,
 // evenly spaced.
 bool yk_path_batches_new(YkArena *arena, const YkTask *task, YkDesignKind kind, uint64_t seed, YkPathBatches *batches);

@@ -10,8 +10,8 @@ struct YkPieces {
     YkArena *arena;
     YkPace pace;
     uint64_t seed;
-    size_t width, count;
-    YkPathBatches *path[2]; // four-bars, slider-cranks
+    size_t width, count, exact; // exact: pieces of the exact search, which come first
+    YkPathBatches *path[2];     // four-bars, slider-cranks
     YkMachineFit fit;
     bool has_fit;
 };
@@ -20,7 +20,8 @@ static bool prepare_paths(YkPieces *p)
 {
     static const YkDesignKind kinds[] = {YK_DESIGN_FOUR_BAR, YK_DESIGN_SLIDER_CRANK};
     p->width = yk_path_width(p->task);
-    p->count = 2 * YK_PATH_BATCHES;
+    p->exact = yk_path_exact_pieces(p->task);
+    p->count = p->exact + 2 * YK_PATH_BATCHES;
     for (size_t k = 0; k < 2; k++) {
         p->path[k] = YK_NEW(p->arena, YkPathBatches, 1);
         if (!p->path[k] || !yk_path_batches_new(p->arena, p->task, kinds[k], p->seed, p->path[k])) return false;
@@ -99,7 +100,8 @@ uint64_t yk_pieces_signature(const YkPieces *p)
 static size_t work_of(const YkPieces *p, size_t piece)
 {
     if (p->task->kind == YK_TASK_MACHINE) return yk_machine_batch_work(p->task);
-    return yk_path_batch_work(p->path[piece / YK_PATH_BATCHES]);
+    if (piece < p->exact) return 1; // a path counts its own steps
+    return yk_path_batch_work(p->path[(piece - p->exact) / YK_PATH_BATCHES]);
 }
 
 static void compute(YkPieces *p, size_t piece, double *numbers)
@@ -110,8 +112,12 @@ static void compute(YkPieces *p, size_t piece, double *numbers)
         yk_machine_pack(p->task, &best, is_found, numbers);
         return;
     }
-    YkPathBatches *batches = p->path[piece / YK_PATH_BATCHES];
-    bool closes = yk_path_batch(batches, piece % YK_PATH_BATCHES);
+    if (piece < p->exact) {
+        yk_path_exact_piece(p->task, p->seed, piece, &p->pace, numbers);
+        return;
+    }
+    YkPathBatches *batches = p->path[(piece - p->exact) / YK_PATH_BATCHES];
+    bool closes = yk_path_batch(batches, (piece - p->exact) % YK_PATH_BATCHES);
     yk_path_pack(batches, closes, numbers);
 }
 

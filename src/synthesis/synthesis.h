@@ -60,6 +60,23 @@ YkFound *yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText 
 // Counts one that did not.
 void yk_synthesis_leave(YkSynthesis *s, const YkDesign *design, YkDefect defect, const YkVerdict *verdict);
 
+enum { YK_PAIR_POSES = 9 };
+
+// Two dyads that take a body through positions in common.
+typedef struct YkPair {
+    const YkPose *pose; // [count], at most YK_PAIR_POSES
+    size_t count;
+    bool
+        is_motion; // the angles of the positions are the task's; otherwise only the body's origin is to pass the points
+    bool turns;    // the input is to turn through, whatever the task requires
+    YkDyad dyad[YK_SIDES];
+    int index[YK_SIDES];      // of the dyads among those of the answer; -1: they are not among them
+    bool may_drive[YK_SIDES]; // may be the input
+} YkPair;
+// Judges the machine of two dyads, driven from either side that may be, and keeps the better one or counts its defect
+// (pair.c).
+void yk_synthesis_take_pair(YkSynthesis *s, const YkPair *pair);
+
 // Returns what a caller sees of a machine (answers.c).
 YkCandidate yk_found_candidate(const YkFound *found);
 
