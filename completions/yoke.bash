@@ -20,6 +20,10 @@ _yoke() {
         COMPREPLY=($(compgen -W "$words" -- "$word"))
         return
         ;;
+    --solver)
+        COMPREPLY=($(compgen -W "elimination paths both" -- "$word"))
+        return
+        ;;
     --task)
         COMPREPLY=($(compgen -W "motion function stroke" -- "$word"))
         return

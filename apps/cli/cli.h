@@ -54,6 +54,7 @@ typedef struct YkRequest {
     YkFormat format;
     bool sensitivities, fresh; // study
     const char *within;        // solve --all, synthesize
+    const char *solver;        // solve --all
     const char *task;          // new
     const char *fluctuation;   // balance
     const char *weights;       // balance

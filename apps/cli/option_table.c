@@ -26,6 +26,9 @@ const YkOption yk_options[] = {
      "every assembly configuration at the requested pose, not only the machine's own"},
     {"within", 0, YK_OPTION_WORD, FIELD(within), "TIME", " solve synthesize ",
      "with --all: stop after this time and say what is proved by then"},
+    {"solver", 0, YK_OPTION_WORD, FIELD(solver), "NAME", " solve ",
+     "with --all: find the solutions of groups by elimination, by paths, or by both (default), whichever finds them "
+     "all"},
     {"centers", 0, YK_OPTION_SWITCH, FIELD(centers), NULL, " solve draw ",
      "also the instant centres of all bodies, in the order in which Kennedy's theorem finds them"},
     {"centrodes", 0, YK_OPTION_WORD, FIELD(centrodes), "BODY[,BODY]", " draw ",

@@ -1,6 +1,7 @@
 // Enumerates and names the configurations at the asked pose, for as long as --within allows.
 #include "roll.h"
 #include <stdlib.h>
+#include <string.h>
 #include "answer.h"
 #include "reach.h"
 #include "stop.h"
@@ -36,6 +37,19 @@ bool yk_roll_within(YkSession *session, double *seconds)
     return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--within %s: a time above 0 is needed", within);
 }
 
+bool yk_roll_solver(YkSession *session, YkGroupSolver *solver)
+{
+    const char *word = session->request->solver;
+    *solver = YK_SOLVER_BOTH;
+    if (!word) return true;
+    if (!session->request->all)
+        return yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--solver %s needs --all", word);
+    if (strcmp(word, "paths") == 0) *solver = YK_SOLVER_PATHS;
+    if (strcmp(word, "elimination") == 0) *solver = YK_SOLVER_ELIMINATION;
+    if (*solver != YK_SOLVER_BOTH || strcmp(word, "both") == 0) return true;
+    return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--solver takes elimination, paths or both, not %q", word);
+}
+
 static bool make_rolls(YkSession *session)
 {
     if (session->rolls) return true;
@@ -55,6 +69,7 @@ static YkConfigurationsOptions options_of(YkSession *session)
 {
     YkConfigurationsOptions options = yk_default_configurations_options();
     options.in_search_order = options.with_names = true;
+    yk_roll_solver(session, &options.solver);
     if (session->rolls->deadline > 0) options.enough = (YkProgress){is_within, session->rolls};
     return options;
 }

@@ -1,9 +1,9 @@
 // Every configuration of a machine at its inputs, with a proof that the list is complete.
 //
 // Dyads have two, in closed form. A larger group is a system of polynomials in e^(i angle) and distances; all its
-// complex solutions are followed from those of a generic system of the same structure, each is proved by interval
-// arithmetic (it exists, is alone in its neighbourhood, is real or is not), and their number is compared with the count
-// that no such group exceeds. docs/configurations.md has the mathematics and its sources.
+// complex solutions are found by elimination, or followed from those of a generic system of the same structure. Each is
+// proved by interval arithmetic (it exists, is alone in its neighbourhood, is real or is not), and their number is
+// compared with the count that no such group exceeds. docs/configurations.md has the mathematics and its sources.
 #ifndef YOKE_CONFIGURATIONS_H
 #define YOKE_CONFIGURATIONS_H
 
@@ -39,6 +39,13 @@ typedef struct YkConfigurationsReport {
     char message[240]; // one sentence: why it is complete, or what is missing
 } YkConfigurationsReport;
 
+// How the complex solutions of a group are found. They are proved and counted in the same way however they are found.
+typedef enum YkGroupSolver {
+    YK_SOLVER_BOTH,       // elimination; and paths where that cannot be or does not find all
+    YK_SOLVER_PATHS,      // from the solutions of a generic system, found by monodromy
+    YK_SOLVER_ELIMINATION // one eigenvalue problem, for groups of up to four loops; larger ones are searched
+} YkGroupSolver;
+
 typedef struct YkConfigurationsOptions {
     // Visits what yk_state_each visits first, in its order, and then the others. It costs that search, at every pose.
     // Otherwise the solutions of a group are sorted by its unknowns.
@@ -49,6 +56,7 @@ typedef struct YkConfigurationsOptions {
     // Names (yk_configurations_name) are asked for while it visits: what they need is enumerated before, once for the
     // same inputs.
     bool with_names;
+    YkGroupSolver solver;
 } YkConfigurationsOptions;
 YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 
@@ -58,7 +66,8 @@ YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 // such systems (with more gears, cams or constraints that repeat others, or of more than 7 loops) are searched as
 // yk_state_each does, and the report is not complete. Returns YK_OK, YK_NO_ASSEMBLY (with report->complete: proved),
 // YK_STOPPED, or YK_NO_MEMORY.
-// Cost: the paths of all complex solutions of each group at each combination of earlier blocks.
+// Cost: an eigenvalue problem of size 6, 20, 70 for groups of 2, 3, 4 loops, beyond that the paths of all complex
+// solutions, of each group at each combination of earlier blocks.
 YK_API YkStatus yk_configurations_each(YkConfigurations *configurations, YkState *state,
                                        const YkConfigurationsOptions *options,
                                        bool (*visit)(void *context, YkState *state), void *context,

@@ -141,7 +141,7 @@ bool yk_certify(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkCer
 {
     static const double radii[] = {1e-6, 1e-8, 1e-10, 3e-12, 2e-13};
     Proof p = {.shape = shape, .coefficients = coefficients, .x = x};
-    bool looks_real = make_real(shape, x);
+    bool looks_real = make_real(shape, x), is_proved = false;
     for (size_t k = 0; k < shape->unknowns; k++) p.size[k] = size_of(shape, x, k);
     if (!invert_jacobian(&p)) return false;
     bound_miss(&p);
@@ -150,11 +150,13 @@ bool yk_certify(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkCer
         if (!(image < radii[r])) continue;
         // Conjugation moves a point of the image by twice its distance from x, and by the rounding of |z| = 1, at most.
         bool is_real = looks_real && 3 * image + 1e-14 < radii[r];
+        if (is_proved && !is_real) continue;
         *certificate = (YkCertificate){radii[r], image, YK_REALITY_UNKNOWN};
         certificate->reality = is_real ? YK_REAL : avoids_reals(&p, image) ? YK_NOT_REAL : YK_REALITY_UNKNOWN;
-        return true;
+        is_proved = true;
+        if (certificate->reality != YK_REALITY_UNKNOWN) break; // otherwise a smaller polydisc may tell
     }
-    return false;
+    return is_proved;
 }
 
 bool yk_enclose(const YkShape *shape, const YkVec *coefficients, const double *radii, const YkVec *x,

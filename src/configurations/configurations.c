@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "base/text.h"
+#include "configurations/eliminate.h"
 #include "configurations/exclude.h"
 #include "configurations/group.h"
 #include "configurations/namesakes.h"
@@ -142,8 +143,10 @@ static const char *reason_outside(YkOutside outside)
         return "its equations are not as many as its unknowns";
     case YK_OUTSIDE_LARGE:
         return "it has more than seven loops";
-    default:
+    case YK_OUTSIDE_LINES:
         return "a distance runs along more than one line";
+    default:
+        return "elimination takes groups of up to four loops";
     }
 }
 
@@ -187,7 +190,10 @@ static size_t list(void *context, const YkRun *run, size_t index, YkOptionRoom *
     size_t count = 0;
     YkPace *pace = all->enough.progress.goes_on ? &all->enough : all->state->pace;
     if (pace == &all->enough && yk_pace_is_stopped(all->state->pace)) return 0;
-    YkGroupStatus status = yk_group_solve_all(&m->kept, run, index, pace, &m->solutions);
+    m->kept.solver = all->options.solver;
+    bool is_large = m->kept.solver == YK_SOLVER_ELIMINATION && m->kept.shape.loops > YK_ELIMINATION_LOOPS_MAX;
+    if (is_large) m->solutions.has_pose = m->solutions.is_complete = false;
+    YkGroupStatus status = is_large ? YK_GROUP_OUTSIDE : yk_group_solve_all(&m->kept, run, index, pace, &m->solutions);
     all->is_cut_short |= status == YK_GROUP_STOPPED;
     all->out_of_memory |= status == YK_GROUP_NO_MEMORY;
     bool is_excluded = status == YK_GROUP_OUTSIDE && exclude(all, run, index, pace);

@@ -1,10 +1,11 @@
-// Counts, follows and proves the solutions of one group.
+// Counts, finds and proves the solutions of one group.
 #include "configurations/group.h"
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
 #include "base/mix.h"
 #include "configurations/count.h"
+#include "configurations/eliminate.h"
 #include "configurations/follow.h"
 #include "num/complex.h"
 
@@ -82,6 +83,36 @@ static bool prove(const YkShape *shape, const YkVec *coefficients, const YkVec *
     if (!YK_ROOM(out->proved, out->proved_count, out->proved_capacity)) return false;
     out->proved[out->proved_count++] = candidate;
     return true;
+}
+
+// --- finding
+
+static bool has_all(const YkGroupKept *kept, const YkGroupSolutions *out)
+{
+    return kept->is_counted && out->proved_count >= kept->expected;
+}
+
+// Eliminates with one unknown hidden after the other until all solutions are proved, or as often as given.
+static YkGroupStatus eliminate_all(const YkGroupKept *kept, const YkVec *pose, size_t attempts, YkPace *pace,
+                                   YkGroupSolutions *out)
+{
+    static const uint64_t work[] = {0, 1000, 20000, 500000, 15000000}; // by loops
+    const YkShape *shape = &kept->shape;
+    if (shape->loops > YK_ELIMINATION_LOOPS_MAX) return YK_GROUP_SOLVED;
+    YkVec *found = malloc(YK_ELIMINATION_MOST * shape->unknowns * sizeof *found);
+    bool has_memory = found != NULL;
+    for (size_t attempt = 0; has_memory && attempt < attempts && !has_all(kept, out); attempt++) {
+        size_t count = 0;
+        if (!yk_pace_spend(pace, work[shape->loops])) break;
+        has_memory = yk_eliminate(shape, pose, attempt, found, &count);
+        for (size_t k = 0; k < count && has_memory; k++) {
+            YkVec *x = found + k * shape->unknowns;
+            if (yk_system_polish(shape, pose, x) < 1e-10) has_memory = prove(shape, pose, x, out);
+        }
+    }
+    free(found);
+    if (!has_memory) return YK_GROUP_NO_MEMORY;
+    return yk_pace_is_stopped(pace) ? YK_GROUP_STOPPED : YK_GROUP_SOLVED;
 }
 
 // Follows all paths from the generic system to the pose, over `between` unless it is NULL.
@@ -166,18 +197,29 @@ static bool write_real(const YkShape *shape, double size, YkGroupSolutions *out)
     return true;
 }
 
-static YkGroupStatus solve_at(YkGroupKept *kept, const YkVec *pose, YkPace *pace, YkGroupSolutions *out)
+static YkGroupStatus follow_to(YkGroupKept *kept, const YkVec *pose, YkPace *pace, YkGroupSolutions *out)
 {
     YkVec between[COEFFICIENTS_MAX];
     const YkShape *shape = &kept->shape;
     uint64_t seed = 1;
-    YkGroupStatus status = count(kept, pose, pace);
-    if (status == YK_GROUP_SOLVED) status = prepare(kept, pose, pace);
+    YkGroupStatus status = prepare(kept, pose, pace);
     for (int detour = 0; status == YK_GROUP_SOLVED && detour <= DETOURS && kept->generic.count > 0; detour++) {
         if (detour > 0) make_detour(shape, pose, &seed, between);
         status = follow_all(kept, detour > 0 ? between : NULL, pose, pace, out);
         if (out->proved_count >= (kept->is_counted ? kept->expected : kept->generic.count)) break;
     }
+    return status;
+}
+
+static YkGroupStatus solve_at(YkGroupKept *kept, const YkVec *pose, YkPace *pace, YkGroupSolutions *out)
+{
+    size_t attempts = kept->solver == YK_SOLVER_ELIMINATION ? kept->shape.unknowns : 2;
+    YkGroupStatus status = count(kept, pose, pace);
+    bool is_dyad = kept->shape.loops == 1; // two short paths
+    if (status == YK_GROUP_SOLVED && kept->solver != YK_SOLVER_PATHS && !(is_dyad && kept->solver == YK_SOLVER_BOTH))
+        status = eliminate_all(kept, pose, attempts, pace, out);
+    if (status == YK_GROUP_SOLVED && kept->solver != YK_SOLVER_ELIMINATION && !has_all(kept, out))
+        status = follow_to(kept, pose, pace, out);
     return status;
 }
 

@@ -1,6 +1,7 @@
 // All solutions of one group at a pose, proved.
 #ifndef CONFIGURATIONS_GROUP_H
 #define CONFIGURATIONS_GROUP_H
+#include <yoke/configurations.h>
 #include "configurations/certify.h"
 #include "configurations/matroid.h"
 #include "configurations/generic.h"
@@ -8,6 +9,7 @@
 // What is kept for a group from pose to pose.
 typedef struct YkGroupKept {
     YkOutside outside;
+    YkGroupSolver solver;
     YkShape shape;
     YkMatroid matroid; // of the pose for which `expected` was counted
     bool is_counted;

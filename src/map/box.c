@@ -10,6 +10,7 @@ typedef struct Visit {
     int *counts;
     bool is_within_hull; // a dyad below is taken in pieces
     YkFold *fold;        // NULL: not asked for; its level is YK_NOT_FOUND until there is one
+    YkGap *gap;          // likewise
 } Visit;
 
 static int count_from(Visit *v, size_t level);
@@ -76,13 +77,58 @@ static void note_fold(Visit *v, size_t level, const YkDiscCoefficients *c)
     *v->fold = (YkFold){level, c->at[2]};
 }
 
+static void note_gap(Visit *v, size_t level, const YkDiscCoefficients *c)
+{
+    const YkShape *shape = &v->tracer->pieces[level].shape;
+    double gap = yk_dyad_gap(shape, c).at.at.x;
+    if (shape->angles == 2 && yk_norm(c->at[2]) < 1e-6) return;
+    if (v->gap->level != YK_NOT_FOUND && fabs(v->gap->value) <= fabs(gap)) return;
+    *v->gap = (YkGap){level, gap};
+}
+
+// Returns the gap of the first dyad, with its derivative by one of the inputs.
+static YkDual first_gap(YkTracer *t, const YkBall input[2], int by)
+{
+    YkDiscs *d = &t->discs;
+    YkDiscCoefficients c;
+    int32_t mapped = d->mapped, second = d->second;
+    if (by == 1) d->mapped = second, d->second = mapped;
+    d->input = input[by];
+    d->second_input = input[1 - by];
+    yk_trace_steps(t, d, 0);
+    yk_piece_coefficients(&t->pieces[0], d, &c);
+    d->mapped = mapped;
+    d->second = second;
+    d->input = input[0];
+    d->second_input = input[1];
+    return yk_dyad_gap(&t->pieces[0].shape, &c);
+}
+
+// Counts the solutions of a dyad by the gap in the middle of the box and its slopes over the box: near a place where they
+// touch, that is sharper than bounds of the lengths. For the first dyad alone, whose coefficients depend on inputs only.
+static int count_by_slopes(Visit *v, size_t level, const YkDiscCoefficients *c)
+{
+    YkTracer *t = v->tracer;
+    const YkBall box[2] = {t->discs.input, t->discs.second_input};
+    if (level > 0 || t->pieces[0].shape.angles == 0 || (box[0].radius == 0 && box[1].radius == 0)) return -1;
+    const YkBall middle[2] = {yk_ball(box[0].at, 0), yk_ball(box[1].at, 0)};
+    YkBall gap = first_gap(t, middle, 0).at;
+    double first = yk_ball_most(yk_dyad_gap(&t->pieces[0].shape, c).rate), second = 0;
+    if (t->discs.second != YK_NONE) second = yk_ball_most(first_gap(t, box, 1).rate);
+    first_gap(t, box, 0); // as it was
+    double off = YK_BALL_OUT(gap.radius + YK_BALL_OUT(first * box[0].radius) + YK_BALL_OUT(second * box[1].radius));
+    return gap.at.x > off ? 2 : gap.at.x < -off ? 0 : -1;
+}
+
 static int count_dyad(Visit *v, size_t level, const YkDiscCoefficients *c)
 {
     if (v->fold) note_fold(v, level, c);
+    if (v->gap) note_gap(v, level, c);
     YkTracer *t = v->tracer;
     const YkShape *shape = &t->pieces[level].shape;
     YkBall x[2];
     int total = 0, count = yk_dyad_count(shape, c);
+    if (count < 0) count = count_by_slopes(v, level, c);
     note(v, level, count);
     if (count < 0) return unless_empty_above(v, level, c);
     if (count == 0 || level + 1 == t->piece_count) return count;
@@ -171,15 +217,23 @@ static int visit(Visit *v, const double low[2], const double high[2])
 
 int yk_box_count(YkTracer *t, const double low[2], const double high[2], int *counts)
 {
-    Visit v = {t, counts, false, NULL};
+    Visit v = {t, counts, false, NULL, NULL};
     if (counts) memset(counts, 0, (t->piece_count + 1) * sizeof *counts);
     return visit(&v, low, high);
 }
 
 bool yk_box_fold(YkTracer *t, const double at[2], YkFold *fold)
 {
-    Visit v = {t, NULL, false, fold};
+    Visit v = {t, NULL, false, fold, NULL};
     fold->level = YK_NOT_FOUND;
     visit(&v, at, at);
     return fold->level != YK_NOT_FOUND;
+}
+
+bool yk_box_gap(YkTracer *t, const double at[2], YkGap *gap)
+{
+    Visit v = {t, NULL, false, NULL, gap};
+    gap->level = YK_NOT_FOUND;
+    visit(&v, at, at);
+    return gap->level != YK_NOT_FOUND;
 }

@@ -20,4 +20,13 @@ typedef struct YkFold {
 // Returns false if there is none.
 bool yk_box_fold(YkTracer *tracer, const double at[2], YkFold *fold);
 
+// How near two solutions of a dyad are to each other: yk_dyad_gap, at a pose.
+typedef struct YkGap {
+    size_t level; // of the piece
+    double value;
+} YkGap;
+// Finds the dyad with the smallest gap at a pose, over all branches of the dyads below; dyads whose ends meet do not
+// count. Returns false if there is none.
+bool yk_box_gap(YkTracer *tracer, const double at[2], YkGap *gap);
+
 #endif

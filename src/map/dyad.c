@@ -67,6 +67,40 @@ int yk_dyad_count(const YkShape *shape, const YkDiscCoefficients *coefficients)
     }
 }
 
+// --- the gap
+
+static YkDual dual(const YkDiscCoefficients *c, size_t k)
+{
+    return (YkDual){yk_ball(c->at[k], c->radius[k]), yk_ball(c->rate[k], c->rate_radius[k])};
+}
+
+static YkDual square_of(YkDual a) // |a|^2
+{
+    return yk_dual_mul(a, yk_dual_conjugate(a));
+}
+
+static YkDual minus(YkDual a, YkDual b)
+{
+    return yk_dual_add(a, yk_dual_negate(b));
+}
+
+// Returns |a|^2 |b|^2 - Im(c conj b)^2.
+static YkDual chord(YkDual a, YkDual b, YkDual c)
+{
+    YkDual area = yk_dual_mul(c, yk_dual_conjugate(b)), twice = minus(area, yk_dual_conjugate(area));
+    return yk_dual_add(yk_dual_mul(square_of(a), square_of(b)),
+                       yk_dual_times(yk_vec(0.25, 0), yk_dual_mul(twice, twice)));
+}
+
+YkDual yk_dyad_gap(const YkShape *shape, const YkDiscCoefficients *coefficients)
+{
+    YkDual a = dual(coefficients, 0), b = dual(coefficients, 1), c = dual(coefficients, 2);
+    if (shape->angles == 0) return yk_dual_constant(yk_vec(INFINITY, 0));
+    if (shape->angles == 1) return shape->turning[1] < 0 ? chord(a, b, c) : chord(c, b, a);
+    YkDual rest = minus(square_of(c), yk_dual_add(square_of(a), square_of(b)));
+    return minus(yk_dual_times(yk_vec(4, 0), yk_dual_mul(square_of(a), square_of(b))), yk_dual_mul(rest, rest));
+}
+
 // --- in bounds
 
 static YkBall between(double low, double high)

@@ -8,10 +8,12 @@
 // WALKED on, a bit for each of its sides: an outline runs along it.
 enum { YK_CELL_PROVED = 1, YK_CELL_LOST = 2, YK_CELL_NEAR = 4, YK_CELL_WALKED = 8 };
 
-// A place where a dyad turns freely: all about it the number of configurations is the same, at it there is a continuum.
+// A place about which the number of configurations is the same, but not at it: a dyad turns freely there, so that there
+// is a continuum, or two solutions of a dyad touch, and are one.
 typedef struct YkFoldPlace {
     double at[2];
     size_t level; // of the piece
+    bool is_touch;
 } YkFoldPlace;
 enum { YK_FOLD_PLACES = 32 };
 
@@ -26,6 +28,7 @@ typedef struct YkField {
     size_t proved, lost; // cells
     YkFoldPlace folds[YK_FOLD_PLACES];
     size_t fold_count;
+    size_t boxes_left; // that may still be divided finer than cells
 } YkField;
 
 static inline double yk_field_center(const YkField *f, int axis, size_t index)

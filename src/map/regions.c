@@ -98,21 +98,28 @@ static int compare(const void *a, const void *b)
     return p->cell < q->cell ? -1 : p->cell > q->cell;
 }
 
-static void tell_proved(const YkRegions *r, double percent, YkText *text)
+// Lists the places of one kind, if there are any.
+static void tell_places(const YkRegions *r, bool is_touch, const char *what, YkText *text)
 {
     enum { SHOWN = 4 };
     const YkField *f = &r->field;
-    yk_text_format(text, "the number of configurations is proved in %g %% of the map, all but strips along the curves",
-                   percent);
-    if (f->fold_count == 0) return;
-    yk_text_puts(text, " and places where a dyad of equal links turns freely: ");
-    for (size_t k = 0; k < f->fold_count && k < SHOWN; k++) {
+    size_t count = 0;
+    for (size_t k = 0; k < f->fold_count; k++) {
         const YkFoldPlace *p = &f->folds[k];
-        yk_text_format(text, "%sjoint `%s` at %e %s, %e %s", k == 0 ? "" : "; ",
+        if (p->is_touch != is_touch || count++ >= SHOWN) continue;
+        yk_text_format(text, "%sjoint `%s` at %e %s, %e %s", count == 1 ? what : "; ",
                        r->mech->blocks[f->tracer.pieces[p->level].block].label, p->at[0], f->is_angle[0] ? "rad" : "m",
                        p->at[1], f->is_angle[1] ? "rad" : "m");
     }
-    if (f->fold_count > SHOWN) yk_text_format(text, "; and %z others", f->fold_count - SHOWN);
+    if (count > SHOWN) yk_text_format(text, "; and %z others", count - SHOWN);
+}
+
+static void tell_proved(const YkRegions *r, double percent, YkText *text)
+{
+    yk_text_format(text, "the number of configurations is proved in %g %% of the map, all but strips along the curves",
+                   percent);
+    tell_places(r, false, " and places where a dyad of equal links turns freely: ", text);
+    tell_places(r, true, " and single places where two configurations meet: ", text);
 }
 
 static void tell(YkRegions *r)

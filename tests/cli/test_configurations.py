@@ -68,6 +68,24 @@ class Configurations(Case):
         answer = Run("solve", example("double-butterfly"), "--all", "--within", "1h", "--format", "json").json()
         self.assertIs(answer["complete"], True)
 
+    def test_both_solvers_give_the_same_answer(self):
+        answers = []
+        for solver in ("elimination", "paths", "both"):
+            answer = Run("solve", example("double-butterfly"), "--all", "--solver", solver, "--format", "json").json()
+            self.assertIs(answer["complete"], True)
+            self.assertEqual(answer["complex"], {"proved": 16, "counted": 16})
+            answers.append([(c["label"], {name: round(q["position"], 9) for name, q in c["coordinates"].items()}) for c in answer["configurations"]])
+        self.assertEqual(len(answers[0]), 8)
+        self.assertEqual(answers[0], answers[1])
+        self.assertEqual(answers[0], answers[2])
+
+    def test_bad_solvers_are_refused(self):
+        for words, reason in ((("--all", "--solver", "newton"), "takes elimination, paths or both"), (("--solver", "paths"), "needs --all")):
+            run = Run("solve", example("double-butterfly"), *words)
+            self.assertEqual(run.code, 2, words)
+            self.assertIn(reason, run.err)
+            self.assertEqual(run.out, "")
+
     def test_bad_times_are_refused(self):
         for words, code in ((("--all", "--within", "0s"), "E0"), (("--all", "--within", "-1s"), "E0"),
                             (("--all", "--within", "2mm"), "E0"), (("--all", "--within", "soon"), "E0"),

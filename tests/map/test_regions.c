@@ -254,14 +254,43 @@ static void test_places_where_a_dyad_turns_freely_are_told(void **unused)
     machine_free(&m);
 }
 
-// Where the couplers are just long enough for the cranks stretched apart, two configurations meet at one pose. Couplers
-// that differ by more than rounding do not turn freely, but fail to close within a circle narrower than the tolerance.
-static void test_places_at_which_configurations_only_touch_are_not_proved(void **unused)
+// Where the couplers are just long enough for the cranks stretched apart, at u = pi and v = 0, two configurations meet at
+// one pose. All about it is proved, as it is where the couplers are a little longer and nothing meets.
+static void test_places_at_which_configurations_touch_are_told(void **unused)
 {
     (void)unused;
-    const FiveBar touching = {0.06, {0.2, 0.2}, {0.26, 0.26}}, unequal = {0.06, {0.2, 0.2}, {0.3, 0.3 + 1e-9}};
     for (int k = 0; k < 2; k++) {
-        Machine m = five_bar(k == 0 ? &touching : &unequal, 2, 1);
+        double longer = k == 0 ? 0 : 1e-6;
+        const FiveBar f = {0.06, {0.2, 0.2}, {0.26 + longer, 0.26 + longer}};
+        Machine m = five_bar(&f, 2, 1);
+        assert_true(stand(&m));
+        YkRegions *r = regions_of(&m, 5e-3);
+        if (!yk_regions_are_complete(r)) print_error("%s\n", yk_regions_message(r));
+        assert_true(yk_regions_are_complete(r));
+        assert_int_equal(yk_regions_count(r), 1);
+        assert_int_equal(yk_regions_region(r, 0).configurations, 2);
+        const char *place = strstr(yk_regions_message(r), "two configurations meet: joint `P` at ");
+        assert_int_equal(place != NULL, k == 0);
+        if (place) {
+            char *end;
+            double u = strtod(strstr(place, " at ") + 4, &end), v = strtod(strstr(end, ", ") + 2, &end);
+            CHECK_NEAR(u, YK_PI, 1e-5);
+            CHECK_NEAR(v, 0, 1e-8);
+            assert_null(strstr(end, " at "));
+        }
+        yk_regions_free(r);
+        machine_free(&m);
+    }
+}
+
+// Couplers that are a little too short do not close within a small circle; those that differ by more than rounding do not
+// turn freely, but do not close within one either. It is narrower than the tolerance, and only said not to be proved.
+static void test_small_gaps_are_not_proved(void **unused)
+{
+    (void)unused;
+    const FiveBar apart = {0.06, {0.2, 0.2}, {0.26, 0.26 - 1e-6}}, unequal = {0.06, {0.2, 0.2}, {0.3, 0.3 + 1e-9}};
+    for (int k = 0; k < 2; k++) {
+        Machine m = five_bar(k == 0 ? &apart : &unequal, 2, 1);
         assert_true(stand(&m));
         YkRegions *r = regions_of(&m, 5e-3);
         assert_false(yk_regions_are_complete(r));
@@ -451,7 +480,8 @@ int main(void)
         cmocka_unit_test(test_workspaces_are_annuli),
         cmocka_unit_test(test_cranks_reach_what_the_couplers_span),
         cmocka_unit_test(test_places_where_a_dyad_turns_freely_are_told),
-        cmocka_unit_test(test_places_at_which_configurations_only_touch_are_not_proved),
+        cmocka_unit_test(test_places_at_which_configurations_touch_are_told),
+        cmocka_unit_test(test_small_gaps_are_not_proved),
         cmocka_unit_test(test_counts_are_those_of_solve_all),
         cmocka_unit_test(test_loops_of_a_group_that_cannot_close_empty_a_square),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),

@@ -340,6 +340,86 @@ static void a_large_random_matrix_fills_its_disc(void **state)
     free(A);
 }
 
+// --- complex matrices
+
+static YkVec random_complex(uint64_t *seed)
+{
+    double x = check_uniform(seed, -1, 1), y = check_uniform(seed, -1, 1);
+    return yk_vec(x, y);
+}
+
+// Returns the largest entry of A v - value v, over that of v; v is column k of vectors.
+static double complex_miss(size_t n, const YkVec *A, YkVec value, const YkVec *vectors, size_t k)
+{
+    double most = 0, size = 0;
+    for (size_t i = 0; i < n; i++) {
+        YkVec sum = yk_scale(-1, yk_mul(value, vectors[i * n + k]));
+        for (size_t j = 0; j < n; j++) sum = yk_add(sum, yk_mul(A[i * n + j], vectors[j * n + k]));
+        most = fmax(most, yk_norm(sum));
+        size = fmax(size, yk_norm(vectors[i * n + k]));
+    }
+    return most / size;
+}
+
+static void complex_vectors_satisfy_their_equation(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    for (size_t n = 1; n <= 40; n += 1 + n / 4) {
+        YkVec A[1600], B[1600], values[40], vectors[1600], trace = {0, 0};
+        for (size_t k = 0; k < n * n; k++) A[k] = B[k] = random_complex(&seed);
+        assert_true(yk_eigen_complex(n, B, values, vectors));
+        for (size_t k = 0; k < n; k++) {
+            assert_true(complex_miss(n, A, values[k], vectors, k) < 1e-12 * (double)n);
+            trace = yk_add(trace, yk_sub(A[k * n + k], values[k]));
+        }
+        assert_true(yk_norm(trace) < 1e-13 * (double)n);
+    }
+}
+
+// A real matrix has the values that the real routine finds, by reflections and double shifts.
+static void both_ways_agree_on_real_matrices(void **state)
+{
+    (void)state;
+    enum { N = 12 };
+    uint64_t seed = 22;
+    for (int trial = 0; trial < 20; trial++) {
+        double A[N * N], real[N], imaginary[N];
+        YkVec B[N * N], values[N], vectors[N * N];
+        fill((size_t)N * N, A, &seed);
+        for (size_t k = 0; k < N * N; k++) B[k] = yk_vec(A[k], 0);
+        assert_true(yk_eigen_general(N, A, real, imaginary) && yk_eigen_complex(N, B, values, vectors));
+        for (size_t k = 0; k < N; k++) {
+            double nearest = 1;
+            for (size_t j = 0; j < N; j++)
+                nearest = fmin(nearest, hypot(values[j].x - real[k], values[j].y - imaginary[k]));
+            assert_true(nearest < 1e-11);
+        }
+    }
+}
+
+// Equal values: with a vector each where the matrix has them, and without end where it has not.
+static void equal_complex_values_are_found(void **state)
+{
+    (void)state;
+    const YkVec value = {0.5, -2};
+    YkVec values[3], vectors[9], zero[9] = {{0, 0}}, jordan[4] = {value, {1, 0}, {0, 0}, value}, diagonal[9] = {{0, 0}};
+    assert_true(yk_eigen_complex(3, zero, values, vectors));
+    for (size_t k = 0; k < 3; k++) assert_true(values[k].x == 0 && values[k].y == 0 && vectors[4 * k].x == 1);
+    YkVec tiny[4] = {{0, 0}, {1e-300, 0}, {-4e-300, 0}, {0, 0}}; // 2e-300 i and its conjugate
+    assert_true(yk_eigen_complex(2, tiny, values, vectors));
+    CHECK_NEAR(fabs(values[0].y), 2e-300, 1e-314);
+    CHECK_NEAR(values[0].y, -values[1].y, 1e-314);
+    assert_true(yk_eigen_complex(2, jordan, values, vectors));
+    for (size_t k = 0; k < 2; k++) CHECK_NEAR(yk_norm(yk_sub(values[k], value)), 0, 1e-7);
+    diagonal[0] = diagonal[4] = value;
+    diagonal[2] = diagonal[8] = yk_vec(1, 0); // the first and the last share a plane
+    YkVec A[9];
+    memcpy(A, diagonal, sizeof A);
+    assert_true(yk_eigen_complex(3, diagonal, values, vectors));
+    for (size_t k = 0; k < 3; k++) assert_true(complex_miss(3, A, values[k], vectors, k) < 1e-14);
+}
+
 static void what_is_not_a_number_is_refused(void **state)
 {
     (void)state;
@@ -348,6 +428,8 @@ static void what_is_not_a_number_is_refused(void **state)
         double A[4] = {1, 2, bad[i], 3}, B[4] = {1, bad[i], bad[i], 3}, real[2], imaginary[2];
         assert_false(yk_eigen_general(2, A, real, imaginary));
         assert_false(yk_eigen_symmetric(2, B, real, NULL));
+        YkVec C[4] = {{1, 0}, {0, bad[i]}, {2, 1}, {0, 0}}, values[2], vectors[4];
+        assert_false(yk_eigen_complex(2, C, values, vectors));
     }
 }
 
@@ -368,6 +450,9 @@ int main(void)
         cmocka_unit_test(bad_units_are_balanced),
         cmocka_unit_test(triangular_matrices_show_their_diagonal),
         cmocka_unit_test(a_large_random_matrix_fills_its_disc),
+        cmocka_unit_test(complex_vectors_satisfy_their_equation),
+        cmocka_unit_test(both_ways_agree_on_real_matrices),
+        cmocka_unit_test(equal_complex_values_are_found),
         cmocka_unit_test(what_is_not_a_number_is_refused),
     };
     return cmocka_run_group_tests_name("num/eigen", tests, NULL, NULL);

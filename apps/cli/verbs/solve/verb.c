@@ -200,7 +200,9 @@ int yk_run_solve(YkSession *session)
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))
         return YK_EXIT_WRONG;
     double seconds;
-    bool good = yk_roll_within(session, &seconds) && read_columns(session, &columns);
+    YkGroupSolver solver;
+    bool good =
+        yk_roll_within(session, &seconds) && yk_roll_solver(session, &solver) && read_columns(session, &columns);
     if (session->request->centers && session->request->format == YK_FORMAT_CSV)
         good = yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--centers are written as text or json, not %q", "csv");
     YkPolygonKind kind;
