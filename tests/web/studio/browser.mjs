@@ -40,7 +40,7 @@ export async function open({ browser, address }, options = {}, hash = "") {
   page.on("console", (line) => line.type() === "error" && page.faults.push(line.text()));
   page.on("request", (request) => !request.url().startsWith(address) && !/^(data|blob):/.test(request.url()) && page.faults.push("asked for " + request.url()));
   await page.goto(address + hash);
-  await page.locator("#tools button").first().waitFor();
+  await page.locator("#tools button").first().waitFor({ state: "attached" });
   await until(page, () => !document.body.inert);
   return page;
 }
