@@ -129,6 +129,22 @@ const tests = {
     core.close();
     assert.equal(await lost, "CoreLost");
   },
+  async "a command that is stopped answers at once with what it has told, not complete; the machine stays"() {
+    const core = start(), points = Array.from({ length: 12 }, (_, k) => [(k * 7) % 12, (k * k) % 11]), heard = [];
+    const { machine: told } = await core.open(machine("slider-crank"), "slider-crank.yaml");
+    let first;
+    const begun = new Promise((done) => { first = done; });
+    const reply = core.run(["synthesize", "t.yaml", "--format", "json", "--so-far"], { "t.yaml": `synthesis: path\npoints: ${JSON.stringify(points)}\n` }, (text) => { heard.push(text); first(); });
+    const waiting = core.run(["check", "m.yaml"], { "m.yaml": machine("four-bar") });
+    await begun;
+    core.stop();
+    assert.deepEqual(await reply, { exit: -1, out: heard.join(""), err: "", files: {}, complete: false });
+    assert.deepEqual(await waiting, { exit: -1, out: "", err: "", files: {}, complete: false });
+    assert.equal((await core.at({ theta: 1 })).bodies.length, 3 * told.bodies.length);
+    const whole = await core.run(["check", "m.yaml"], { "m.yaml": machine("four-bar") });
+    assert.deepEqual([whole.exit, whole.complete], [0, true]);
+    core.close();
+  },
   async "panels.wasm answers its verbs as yoke.wasm does, and leaves it the others"() {
     const core = start(), alone = start({ panels: bytes(whole) }), files = { "m.yaml": machine("four-bar") };
     for (const words of [["check", "m.yaml"], ["solve", "m.yaml"], ["derive", "m.yaml"], ["sweep", "m.yaml", "--over", "t=0:1s"], ["draw", "m.yaml"], ["cam", "m.yaml"], ["gears", "m.yaml"],

@@ -1,6 +1,6 @@
 // Gives the page its core: starts the worker, hands it one request at a time, and starts another one when it dies.
 import { CoreLost, Overtaken } from "./door";
-import type { Answer, Core, Opened, Request, Source } from "./door";
+import type { Answer, Core, Opened, Reply, Request, Source } from "./door";
 
 export * from "./door";
 
@@ -21,7 +21,7 @@ export interface CoreOptions {
   onRestart?: (opened: Opened | null) => void; // the core was started anew, with the last text
 }
 
-interface Waiting { request: Request; key: string; resolve: (value: never) => void; reject: (problem: Error) => void; hear?: (text: string) => void }
+interface Waiting { request: Request; key: string; resolve: (value: never) => void; reject: (problem: Error) => void; hear?: (text: string) => void; heard?: string }
 
 // Requests that may take each other's place have one key.
 function keyOf(kind: string, words: unknown[]): string {
@@ -70,7 +70,10 @@ class Client {
   private take(answer: Answer): void {
     const asked = this.busy;
     if (!asked || answer.id !== asked.request.id) return;
-    if (answer.heard !== undefined) return asked.hear?.(answer.heard);
+    if (answer.heard !== undefined) {
+      asked.heard = (asked.heard ?? "") + answer.heard;
+      return asked.hear?.(answer.heard);
+    }
     if (answer.lost !== undefined) return this.lose(answer.lost);
     this.busy = null;
     clearTimeout(this.timer);
@@ -86,15 +89,16 @@ class Client {
     this.watch();
   }
 
-  // Ends the worker and starts another one with the last text; what it worked on is lost.
-  private lose(why: string, asOvertaken = false): void {
+  // Ends the worker and starts another one with the last text; what it worked on is lost, but for a reply that was made of it.
+  private lose(why: string, asOvertaken = false, reply?: Reply): void {
     const asked = this.busy;
     this.busy = null;
     clearTimeout(this.timer);
     this.timer = undefined;
     this.port.onmessage = this.port.onerror = null;
     this.port.terminate();
-    asked?.reject(asOvertaken ? new Overtaken(why) : new CoreLost(why));
+    if (reply) asked?.resolve(reply as never);
+    else asked?.reject(asOvertaken ? new Overtaken(why) : new CoreLost(why));
     if (this.isStarting || !asked) { // it does not even start: not again by itself, but with the next request
       this.queue.splice(0).forEach((waiting) => waiting.reject(new CoreLost(why)));
       this.port = { postMessage: () => {}, terminate: () => {}, onmessage: null, onerror: null };
@@ -144,6 +148,16 @@ class Client {
     });
   }
 
+  // Ends the command that runs, and those that wait.
+  stop(): void {
+    const soFar = (waiting: Waiting): Reply => ({ exit: -1, out: waiting.heard ?? "", err: "", files: {}, complete: false });
+    for (let k = this.queue.length - 1; k >= 0; k--) if (this.queue[k].request.kind === "run") {
+      const [waiting] = this.queue.splice(k, 1);
+      waiting.resolve(soFar(waiting) as never);
+    }
+    if (this.busy?.request.kind === "run") this.lose("it was stopped", false, soFar(this.busy));
+  }
+
   close(): void {
     this.port.onmessage = this.port.onerror = null;
     this.port.terminate();
@@ -175,6 +189,7 @@ export function startCore(options: CoreOptions): Core & { close(): void } {
     forces: () => client.ask("forces"),
     turn: (coordinate) => client.ask("turn", coordinate),
     run: (words, files, hear) => client.listen(hear, "run", [words, files]),
+    stop: () => client.stop(),
     close: () => client.close(),
   };
 }

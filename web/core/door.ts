@@ -16,7 +16,8 @@ export interface Pose { status: string; message: string; time: number; bodies: F
 export interface Rates { status: string; points: Float64Array; coordinates: Float64Array }
 // Of every joint: x, y, the force fx, fy of its first body on its second, N, and 1 where it is determinate. Empty where it cannot be computed; the message says why.
 export interface Forces { status: string; message: string; joints: Float64Array }
-export interface Reply { exit: number; out: string; err: string; files: Record<string, Uint8Array> }
+// complete: false: the command was stopped; `out` is what it had told until then, and there is no exit status.
+export interface Reply { exit: number; out: string; err: string; files: Record<string, Uint8Array>; complete: boolean }
 export interface Core {
   open(text: string, name: string): Promise<Opened>;                      // reads as a sketch; never rejects because of the text
   parameter(name: string, value: number): Promise<Opened>;                // a slider: without parsing the text again where the engine can
@@ -35,6 +36,7 @@ export interface Core {
   forces(): Promise<Forces>;                                              // in the joints, with the inputs moving as they do in the pose
   turn(coordinate: number): Promise<{ from: number; rate: number } | null>; // where its drive begins at t = 0, and the rate, if that does not change
   run(words: string[], files: Record<string, string>, hear?: (text: string) => void): Promise<Reply>; // with --so-far `hear` takes what it prints, while it runs. The command itself: run(["derive", "machine.yaml", "--format", "mathml"], {"machine.yaml": text})
+  stop(): void;                                                           // ends the command that runs, or waits to run: its reply comes at once, and is not complete. The machine stays as opened
 }
 
 // A newer request of its kind took the place of one that still waited.

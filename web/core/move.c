@@ -15,11 +15,12 @@ static void write_numbers(const YkState *state, double *numbers)
 {
     size_t bodies = yk_model_body_count(yk_core.model), coordinates = yk_coordinate_count(yk_core.mech);
     const YkDrawing *drawing = yk_core.drawing;
-    const YkFrame *frames = yk_drawing_frames(drawing, drawing->pose_count - 2); // yk_drawing_parts placed them
+    // yk_drawing_parts placed them, and told all angles at once: one by one each costs as many steps as it has ancestors
+    const YkFrame *frames = yk_drawing_frames(drawing, drawing->pose_count - 2);
     for (size_t b = 0; b < bodies; b++) {
         numbers[3 * b] = frames[b].origin.x;
         numbers[3 * b + 1] = frames[b].origin.y;
-        numbers[3 * b + 2] = yk_state_body(state, b).position + yk_drawing_follower_turn(drawing, b);
+        numbers[3 * b + 2] = drawing->motions[b].position + yk_drawing_follower_turn(drawing, b);
     }
     for (size_t k = 0; k < coordinates; k++) numbers[3 * bodies + k] = yk_state_coordinate(state, k).position;
 }

@@ -51,7 +51,7 @@ export function serve(port: Port): void {
     const reply = runCommand(command, { words, files, hear });
     const written = [...files].filter(([name, bytes]) => given.get(name) !== bytes);
     return {
-      exit: reply.exit, out: decode.decode(reply.out), err: decode.decode(reply.err),
+      exit: reply.exit, out: decode.decode(reply.out), err: decode.decode(reply.err), complete: true,
       files: Object.fromEntries(written.map(([name, bytes]) => [name, bytes.slice()])),
     };
   }

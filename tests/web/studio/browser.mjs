@@ -40,7 +40,7 @@ export async function open({ browser, address }, options = {}, hash = "") {
   page.on("console", (line) => line.type() === "error" && page.faults.push(line.text()));
   page.on("request", (request) => !request.url().startsWith(address) && !/^(data|blob):/.test(request.url()) && page.faults.push("asked for " + request.url()));
   await page.goto(address + hash);
-  await page.locator("#tools button").first().waitFor();
+  await page.locator("#tools button").first().waitFor({ state: "attached" });
   await until(page, () => !document.body.inert);
   return page;
 }
@@ -58,16 +58,17 @@ export async function write(page, content) {
   await page.keyboard.press("Control+a");
   await page.keyboard.insertText(content);
 }
+// How far a body is turned on the canvas, degrees.
 export const turn = (page, body) => page.evaluate((name) => {
-  const found = document.querySelector(`#scene [data-body="${name}"]`)?.getAttribute("transform").match(/rotate\(([^)]+)\)/);
-  return found ? Number(found[1]) : null;
+  const found = document.querySelector(`#scene [data-body="${name}"]`)?.transform.baseVal.getItem(0).matrix;
+  return found ? (Math.atan2(found.b, found.a) * 180) / Math.PI : null;
 }, body);
 export const until = async (page, what, ...values) => page.waitForFunction(what, values.length > 1 ? values : values[0], { timeout: PATIENCE });
 export const bodies = (page, count) => until(page, (n) => new Set(Array.from(document.querySelectorAll("#scene [data-body]"), (one) => one.dataset.body)).size >= n, count);
 export const joints = (page, name) => until(page, (one) => document.querySelector(".cm-content").textContent.includes(`${one}: {pin`), name);
 export const moves = async (page, body, from) => until(page, ([name, before]) => {
-  const found = document.querySelector(`#scene [data-body="${name}"]`)?.getAttribute("transform").match(/rotate\(([^)]+)\)/);
-  return found && Math.abs(Number(found[1]) - before) > 1;
+  const found = document.querySelector(`#scene [data-body="${name}"]`)?.transform.baseVal.getItem(0).matrix;
+  return found && Math.abs((Math.atan2(found.b, found.a) * 180) / Math.PI - before) > 1;
 }, body, from);
 
 // Runs tests one after the other (those whose name contains `only`, if it is given), tells how each went, and ends the process.

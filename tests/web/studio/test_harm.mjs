@@ -74,6 +74,47 @@ const tests = {
     assert.match(await text(page), /coupler/);
     await close(page);
   },
+  async "the served file is changed by another editor: taken where nothing is lost, else asked, and written over only when told to"() {
+    // Stands for the server of `yoke studio`, whose own answers tests/cli/test_studio.py holds.
+    const disk = { text: "# first\nbodies:\n  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0], A: [1, 0]}}\njoints:\n  O: {pin: [ground, a]}\n", version: 1 }, puts = [];
+    const browser = await world.browser.newContext({ viewport: { width: 1280, height: 800 } }), page = await browser.newPage();
+    page.setDefaultTimeout(150_000);
+    await page.route("**/machine?token=*", async (route) => {
+      const request = route.request();
+      if (request.method() === "PUT") {
+        puts.push(request.headers()["if-match"]);
+        if (request.headers()["if-match"] !== String(disk.version)) return route.fulfill({ status: 409, json: { text: disk.text } });
+        disk.text = request.postData();
+        return route.fulfill({ json: { version: String(++disk.version) } });
+      }
+      return route.fulfill({ json: { name: "served.yaml", text: disk.text, version: String(disk.version) } });
+    });
+    const change = (to) => { disk.text = to; disk.version++; };
+    await page.goto(world.address + "?token=x");
+    await until(page, () => document.querySelector(".cm-content").textContent.includes("# first"));
+    change(disk.text.replace("first", "second"));
+    await until(page, () => document.querySelector(".cm-content").textContent.includes("# second"));
+    await page.click(".cm-content");
+    await page.keyboard.press("Control+Home");
+    await page.keyboard.insertText("# mine\n");
+    change(disk.text.replace("second", "theirs"));
+    await page.locator("#question").waitFor();
+    assert.match(await text(page), /# mine/);
+    assert.match(disk.text, /# theirs/, "nothing of the other editor is lost");
+    await page.click("#question >> text=Overwrite");
+    await until(page, () => document.querySelector("#question").hidden);
+    for (let k = 0; k < 300 && !disk.text.includes("# mine"); k++) await page.waitForTimeout(50);
+    assert.match(disk.text, /# mine/);
+    assert.equal(puts.at(-1), "3"); // the version that was seen last, not blindly
+    await page.keyboard.press("Control+Home");
+    await page.click(".cm-content");
+    await page.keyboard.insertText("# later\n");
+    change(disk.text.replace("mine", "other"));
+    await page.locator("#question").waitFor();
+    await page.click("#question >> text=Take the file's");
+    await until(page, () => document.querySelector(".cm-content").textContent.includes("# other"));
+    await browser.close();
+  },
   async "a reload amid a drag keeps the machine"() {
     const page = await open(world);
     await chooseExample(page, "four-bar");

@@ -8,6 +8,7 @@ import { Keys } from "./canvas/keys";
 import { Hand } from "./canvas/pointer";
 import { TOOLS } from "./canvas/tools";
 import { byId, el, fill, isTyping } from "./dom";
+import { embed, isEmbedded } from "./embed";
 import { Editor } from "./editor/editor";
 import { icon } from "./icons";
 import { inline } from "./inline";
@@ -81,7 +82,7 @@ function build(): void {
   document.title = words.title;
   const { menu } = words;
   fill(byId("menu"), button("new", menu.new, () => load("", words.untitled)), button("examples", menu.examples, () => void showGallery(load)), button("open", menu.open, () => void files.open()),
-    button("save", menu.save, () => void save()), button("share", menu.share, () => void share(session)), button("export", menu.export, () => showExports(session, motion.period)));
+    button("save", menu.save, () => void save()), button("share", menu.share, () => void share(session)), button("export", menu.export, () => showExports(session, { start: () => startCore(sources), period: motion.period, lasts: motion.lasts, traces: canvas.overlay.traced })));
   fill(byId("right-menu"), button("undo", `${menu.undo} (Ctrl+Z)`, editor.undo, "undo"), button("redo", `${menu.redo} (Ctrl+Y)`, editor.redo, "redo"), button("theme", menu.theme, turnTheme, "theme"), button("help", menu.help, showHelp, "help"));
   fill(byId("tools"), ...TOOLS.map((tool) => {
     const [name, how] = words.tools[tool.id];
@@ -92,9 +93,10 @@ function build(): void {
     for (const one of TOOLS) byId(`tool-${one.id}`).setAttribute("aria-pressed", String(one === tool));
     canvas.root.dataset.tool = tool.id;
     invite();
-    if (tool.id === "curve") tabs.show("design");
+    if (tool.id === "curve" || tool.id === "pose") tabs.show("design");
     session.emit("said", words.tools[tool.id][1]);
   };
+  design.onPlace = () => hand.choose("pose");
   design.onDraw = () => hand.choose("curve");
   design.onTake = () => {
     hand.choose("select");
@@ -119,6 +121,7 @@ function turnTheme(): void {
   document.documentElement.dataset.theme = isDark ? "light" : "dark";
   try { localStorage.setItem("yoke-studio-theme", document.documentElement.dataset.theme); } catch { /* it holds for this visit */ }
   diagrams.refresh();
+  canvas.recolour();
 }
 
 function listen(): void {
@@ -203,10 +206,16 @@ async function begin(): Promise<void> {
   build();
   listen();
   tabs.show("text");
+  const ready = isEmbedded ? embed(() => motion.toggle()) : null;
+  autosave.isOff = isEmbedded;
+  if (ready) {
+    if (await fromAddress()) await session.settled.then(ready);
+    return;
+  }
   if ((await fromAddress()) || (await fromServer()) || fromPage()) return;
   const kept = autosave.last();
   if (kept) load(kept.text, kept.name);
   else load("", words.untitled);
 }
 void begin().finally(() => { document.body.inert = false; });
-if ("serviceWorker" in navigator && isSecureContext && location.protocol !== "file:" && !new URLSearchParams(location.search).has("token")) void navigator.serviceWorker.register("sw.js").catch(() => undefined);
+if ("serviceWorker" in navigator && isSecureContext && location.protocol !== "file:" && !isEmbedded && !new URLSearchParams(location.search).has("token")) void navigator.serviceWorker.register("sw.js").catch(() => undefined);

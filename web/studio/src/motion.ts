@@ -21,6 +21,7 @@ export class Motion {
   private isNew = true;
   private last = 0;
   private pulled: Parameters<Hand["onPull"]>[0] = null;
+  private asked = 0; // for traces
   private traced = new Set<string>();
   private play = el("button", { class: "play", onclick: () => this.toggle() });
   private slider = el("input", { type: "range", min: 0, max: STEPS, step: "any", value: "0", "aria-label": words.motion.time });
@@ -41,6 +42,10 @@ export class Motion {
     hand.onPull = (pull) => {
       this.pulled = pull;
       return this.state === "free";
+    };
+    hand.shape.onHold = (body, point) => {
+      this.keep(body, point);
+      void this.retrace();
     };
     canvas.scene.onGhost = (index) => void this.choose(index);
     this.state = "still";
@@ -67,6 +72,11 @@ export class Motion {
     this.isNew = false;
     this.tell();
     await this.retrace();
+  }
+
+  // How long a turn takes on the screen, s.
+  get lasts(): number {
+    return this.period / Number(this.speed.value);
   }
 
   get isDriven(): boolean {
@@ -210,12 +220,13 @@ export class Motion {
   }
 
   private async retrace(): Promise<void> {
-    const paths: { key: string; points: Float64Array }[] = [], { session } = this;
+    const paths: { key: string; points: Float64Array }[] = [], { session } = this, asked = ++this.asked;
     for (const key of this.traced) {
       const [body, name] = JSON.parse(key) as [string, string];
       const point = session.machine?.bodies.find((one) => one.name === body)?.points.find((one) => one.name === name);
       if (!point) continue;
       const points = await session.ask(() => session.core.trace(body, point.at, "t", 0, this.period, STEPS));
+      if (asked !== this.asked) return; // a newer machine has been asked for
       if (points) paths.push({ key, points });
     }
     this.canvas.overlay.setTraces(paths);

@@ -1,6 +1,7 @@
 // The session: the text, what the core makes of it, the pose, and what is selected. Everybody else listens.
 import { CoreLost, Overtaken } from "../../core/door";
 import type { Core, Machine, Opened, Pose } from "../../core/door";
+import type { Dyad, Placed } from "./canvas/poses";
 import type { Wanted } from "./canvas/stroke";
 import { Draft } from "./document/gestures";
 import { words } from "./words";
@@ -9,12 +10,15 @@ export type Selection = { kind: "body"; body: string } | { kind: "point"; body: 
 // Where the machine was last moved to, so that it stands there again after an edit.
 export type Stand = { kind: "start" } | { kind: "time"; time: number } | { kind: "inputs"; inputs: Record<string, number> };
 
+export interface Trial { text: string; machine: Machine; start: Pose; last: string /* shown last */ }
+
 interface Events {
   text: string; // the text changed
   opened: Opened; // the core read it
   pose: Pose;
   scene: null; // it was drawn again, for another view
   selection: Selection;
+  posed: boolean; // places for a body, or links for them, were set; true: by a hand that has done
   wanted: Wanted | null; // the curve that a linkage is to draw
   said: string; // a sentence for the person
   lost: string; // the core died and was started anew
@@ -30,6 +34,8 @@ export class Session {
   pose: Pose | null = null;
   selection: Selection = null;
   wanted: Wanted | null = null;
+  poses: Placed[] = []; // of a body that a linkage is to lead through them
+  dyads: Dyad[] = []; // links that do
   stand: Stand = { kind: "start" };
   isCurrent = false; // the machine is that of the text
   settled: Promise<void> = Promise.resolve();
@@ -88,12 +94,47 @@ export class Session {
     this.emit("wanted", wanted);
   }
 
+  // Sets the places that a body is to pass; the links found for others go.
+  place(poses: Placed[], isDone: boolean): void {
+    if (poses !== this.poses) this.dyads = [];
+    this.poses = poses;
+    this.emit("posed", isDone);
+  }
+
   // Shows a slider's value before it is written.
   async preview(name: string, value: number): Promise<void> {
     const opened = await this.ask(() => this.core.parameter(name, value));
     if (!opened) return;
     this.adopt(opened);
     if (this.stand.kind !== "start") await this.standAgain(this.edition);
+  }
+
+  // What an edit is tried on: the machine as it is before the hand takes hold of a point.
+  get trial(): Trial | null {
+    return this.isCurrent && this.machine && this.start ? { text: this.text, machine: this.machine, start: this.start, last: this.text } : null;
+  }
+
+  // Shows what a gesture would make of the machine, before it is written; one that makes none is told, and shows nothing.
+  async tryOut(trial: Trial, gesture: (draft: Draft) => void, resolution: number): Promise<void> {
+    const draft = new Draft(trial.text, trial.machine, trial.start, resolution);
+    gesture(draft);
+    if (draft.text === trial.last) return;
+    trial.last = draft.text;
+    const opened = await this.ask(() => this.core.open(draft.text, this.name));
+    if (!opened || trial.last !== draft.text) return;
+    if (!opened.machine || !opened.pose) return this.emit("said", opened.problems[0]?.message ?? words.say.noAnswer);
+    this.adopt(opened);
+    if (this.stand.kind !== "start") await this.standAgain(this.edition);
+  }
+
+  // Ends a trial: what was shown last is written, or the machine stands as it was.
+  async endTrial(trial: Trial, isKept: boolean): Promise<void> {
+    const text = isKept ? trial.last : trial.text;
+    trial.last = trial.text; // what is still on its way shows nothing
+    this.stand = { kind: "start" };
+    if (text !== this.text) this.write(text);
+    else this.settled = this.open();
+    await this.settled;
   }
 
   // Asks the core. Answers that were overtaken, and a core that was lost, answer null.

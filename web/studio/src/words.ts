@@ -6,6 +6,7 @@ export const words = {
   coreStarts: "Starting the core …",
   mendFirst: "Mend the marked lines of the file first; then you can draw again.",
   untitled: "machine",
+  embed: "Open in Studio",
   tools: {
     select: ["Move", "Drag the machine; click a part to read about it"],
     bar: ["Bar", "Click where it begins, then where it ends. Ends on other parts are pinned there. Type a length, as 120 mm 30 deg"],
@@ -26,6 +27,7 @@ export const words = {
     mass: ["Mass", "Click a body to give it mass"],
     shape: ["Reshape", "Drag a point to change the bodies that have it"],
     curve: ["Curve", "Draw a curve in one stroke, or click its points: linkages that trace it are found"],
+    pose: ["Place", "Click where a body is to be, then where its x axis points; two to five places. Drag them later: links that reach them appear"],
     delete: ["Delete", "Click what is to go"],
   } as Record<string, [string, string]>,
   say: {
@@ -55,6 +57,8 @@ export const words = {
     fileTooLarge: "This file is larger than 4 MB, which no machine file is.",
     conflict: "The file changed on disk meanwhile.",
     offline: "The server does not answer. Your changes stay in this page; save a copy.",
+    posesFull: (most: number) => `${most} places are all that a four-bar can be led through.`,
+    many: "The machine has very many parts: their names are switched off.",
     noAnswer: "The core has no answer.",
     steady: "The machine stands: nothing drives it. Give it a motor, or let it go.",
     noPictures: "The examples could not be loaded.",
@@ -115,8 +119,8 @@ export const words = {
     ] as [string, string][],
   },
   design: {
-    how: "Draw a curve on the canvas: the core looks for linkages whose point traces it, and drives each of them through it before it is shown here.",
-    draw: "Draw a curve", clear: "Clear", mechanism: "Mechanism", mechanisms: [["four-bar", "Four-bars"], ["slider-crank", "Slider-cranks"], ["four-bar, slider-crank", "Both"]] as [string, string][],
+    how: "Draw a curve, and the core looks for linkages whose point traces it. Or set two to five places of a body, and it looks for those that lead the body through them. Each is driven through the task before it is shown.",
+    draw: "Draw a curve", place: "Set places", dyads: (n: number) => (n === 1 ? "1 link reaches all places" : `${n} links reach all places`), clear: "Clear", mechanism: "Mechanism", mechanisms: [["four-bar", "Four-bars"], ["slider-crank", "Slider-cranks"], ["four-bar, slider-crank", "Both"]] as [string, string][],
     task: "Task file", find: "Find linkages", others: "Find others", stop: "Stop", wait: "Searching …", progress: "Progress of the search", none: "Draw a curve first, or write a task.",
     soFar: (n: number) => (n === 0 ? "Searching …" : `Searching … ${n} so far; better ones come to the front. Click one to take it, or stop.`),
     stopped: (n: number) => (n === 0 ? "Stopped before any was found." : `Stopped: the best so far, not the best there are. Click one to take it into the file.`),
@@ -125,7 +129,7 @@ export const words = {
     about: (worst: string, angle: string | null) => `off by ${worst} at most${angle === null ? "" : `, transmission from ${angle}°`}`, take: "Take it into the file", taken: "Taken into the file; undo brings back what was there.",
   },
   command: {
-    hint: "Any command, with this machine as FILE", run: "Run", wait: "Running …", label: "Command line", out: "Answer", list: [
+    hint: "Any command, with this machine as FILE", run: "Run", wait: "Running …", stopped: "Stopped: this answer is not complete.", label: "Command line", out: "Answer", list: [
       ["What it is", "check FILE"], ["This pose", "solve FILE"], ["Forces", "solve FILE --of energy,shaking.x,shaking.y"], ["A table", "sweep FILE --over t=0:1s --steps 24"],
       ["All assemblies", "solve FILE --all"], ["Gears", "gears FILE"], ["Cam", "cam FILE"], ["Equilibria", "rest FILE"],
     ] as [string, string][],
@@ -134,7 +138,8 @@ export const words = {
   exports: {
     title: "Export", yaml: ["Machine file", "YAML, as it stands"], report: ["Report", "one page: findings, motion, diagrams, equations"], svg: ["Drawing", "SVG"], dxf: ["Drawing", "DXF"], movie: ["Moving drawing", "SVG that moves by itself"],
     png: ["Drawing", "PNG"],
-    others: "GIF, MP4, WebM and PDF need programs that a page cannot start: yoke draw FILE --animate machine.gif",
+    gif: ["Moving picture", "GIF, one turn"], webm: ["Film", "WebM, one turn"], mp4: ["Film", "MP4, one turn"], shooting: "Shooting …", noFilms: "The script for films could not be loaded.",
+    others: "PDF needs a program that a page cannot start: yoke draw FILE -o machine.pdf",
     csv: ["Table", "CSV over one period"], c: ["Controller", "C11, tests itself"], latex: ["Equations", "LaTeX"], page: ["MathML", "equations as a page"],
   } as Record<string, string | string[]>,
   keep: {
@@ -142,7 +147,7 @@ export const words = {
   },
   help: {
     title: "Keys",
-    keys: [["V B Y P J G S L M E H U C K D F W R Q X", "tools"], ["Space", "play, pause"], ["[ and ]", "a step back, a step on"], ["Home", "back to the start"], ["Arrows, Enter", "crosshair on the drawing, click"],
+    keys: [["V B Y P J G S L M E H U C K D F W R Q I X", "tools"], ["Space", "play, pause"], ["[ and ]", "a step back, a step on"], ["Home", "back to the start"], ["Arrows, Enter", "crosshair on the drawing, click"],
       ["N, Shift+N", "next, last point"], ["Esc", "ends a gesture"], ["Delete", "removes what is selected"], ["0", "shows all"], ["+ and -", "zoom"], ["T", "traces the selected point"], ["O", "other assemblies"], ["A", "arrows: velocities, accelerations, joint forces"],
       ["Ctrl+Z, Ctrl+Y", "undo, redo"], ["Ctrl+S, Ctrl+O", "save, open"], ["Alt while drawing", "no snapping"]] as [string, string][],
   },

@@ -139,6 +139,16 @@ static void add_whole_script(YkText *html, const char *nonce, const YkAsset *scr
     yk_text_puts(html, "\n</script>\n");
 }
 
+// Writes the scripts that the page otherwise fetches when it plots, or makes a film.
+static void add_later_scripts(Page *page)
+{
+    static const char *const later[] = {"plot.js", "film.js"};
+    for (size_t k = 0; k < sizeof later / sizeof *later; k++) {
+        const YkAsset *script = yk_assets_find(page->assets, later[k]);
+        if (script) add_whole_script(page->html, page->nonce, script);
+    }
+}
+
 // Puts what a line refers to in the place of the line.
 static void add_line(Page *page, const char *line, size_t size)
 {
@@ -159,9 +169,8 @@ static void add_line(Page *page, const char *line, size_t size)
     } else if (script) {
         add_whole_script(&page->scripts, page->nonce, script);
     } else if (between(line, size, "</body", ">", &length)) {
-        const YkAsset *plot = yk_assets_find(page->assets, "plot.js"); // which the page otherwise fetches when it plots
         add_inline(page->html, page->assets, page->served, page->nonce);
-        if (plot) add_whole_script(page->html, page->nonce, plot);
+        add_later_scripts(page);
         yk_text_join(page->html, &page->scripts);
         yk_text_puts(page->html, "</body>\n");
     } else {

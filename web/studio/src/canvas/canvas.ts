@@ -32,13 +32,15 @@ export class Canvas {
     this.scene = new Scene(session);
     this.overlay = new Overlay(session, this.view);
     this.arrows = new Arrows(session, this.view, () => this.redraw());
-    root.append(svg("g", {}, this.grid.group, this.scene.group, this.arrows.group, this.overlay.group));
+    document.querySelector("#backdrop")!.append(this.grid.group);
+    root.append(svg("g", {}, this.scene.group, this.arrows.group, this.overlay.group));
     new ResizeObserver(() => {
       const box = root.getBoundingClientRect(), isFirst = this.view.width <= 1;
       this.view.resize(box.width, box.height);
       if (!this.isFitted || isFirst || !this.isMoved) this.fit();
       this.redraw();
     }).observe(root);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.recolour());
     session.on("scene", () => { this.scene.mount(); this.redraw(); });
     session.on("opened", () => {
       if (session.text.trim() !== "") this.units = unitsOf(new Source(session.text));
@@ -49,6 +51,7 @@ export class Canvas {
     session.on("pose", () => this.redraw());
     session.on("selection", () => this.redraw());
     session.on("wanted", () => this.redraw());
+    session.on("posed", () => this.redraw());
   }
 
   // Shows another machine: it is fitted into the canvas once it is there.
@@ -56,6 +59,12 @@ export class Canvas {
     this.isFitted = false;
     this.looked = 0;
     void this.session.ask(() => this.session.core.look(0)); // as large as it is: the view follows it
+  }
+
+  // The page went from day to night, or back.
+  recolour(): void {
+    this.scene.recolour();
+    this.redraw();
   }
 
   get step(): number {

@@ -1,9 +1,10 @@
 // What a press of the pointer takes hold of, and where two fingers have their middle.
-import type { Selection, Session } from "../session";
+import type { Selection, Session, Trial } from "../session";
 import { frameOf, toBody } from "./frames";
+import type { Grip } from "./poses";
 import type { Spot } from "./snap";
 
-export type Drag = { kind: "pan" } | { kind: "body"; body: string; point: [number, number] } | { kind: "shape"; spot: Spot } | { kind: "tool" } | { kind: "pinch"; span: number };
+export type Drag = { kind: "pan" } | { kind: "body"; body: string; point: [number, number] } | { kind: "shape"; spot: Spot; trial: Trial } | { kind: "pose"; grip: Grip } | { kind: "tool" } | { kind: "pinch"; span: number };
 
 // Takes hold of the body under the pointer; of the plane where there is none.
 export function grab({ machine, pose }: Session, spot: Spot): Drag {

@@ -8,7 +8,12 @@ export class Grid {
   private axes = svg("path", { class: "axes" });
   readonly group = svg("g", { id: "grid", "aria-hidden": "true" }, this.fine, this.strong, this.axes);
 
+  private drawn = ""; // the view in which the lines lie
+
   draw(view: View, unit: number): void {
+    const key = view.key + unit;
+    if (key === this.drawn) return;
+    this.drawn = key;
     const step = view.gridStep(unit, 14), strongStep = view.gridStep(unit, 70);
     this.fine.setAttribute("d", this.lines(view, step));
     this.strong.setAttribute("d", this.lines(view, strongStep));

@@ -1,8 +1,9 @@
 // What Studio draws over the machine: points to take hold of, the selection, the crosshair, the gesture being made, traces.
 import { fill, svg } from "../dom";
 import type { Session } from "../session";
-import { frameOf, toGround } from "./frames";
+import { frameOf, indexOf, toGround } from "./frames";
 import type { Point } from "./frames";
+import { Poses } from "./poses";
 import { corners } from "./snap";
 import type { Spot } from "./snap";
 import type { View } from "./view";
@@ -21,17 +22,33 @@ export interface Shown {
 export class Overlay {
   private traces = svg("g", { class: "traces" });
   private marks = svg("g", { class: "marks" });
-  readonly group = svg("g", { id: "overlay", "aria-hidden": "true" }, this.traces, this.marks);
+  private poses: Poses;
+  readonly group: SVGElement;
   private paths: { key: string; points: Float64Array }[] = [];
 
-  constructor(private session: Session, private view: View) {}
+  constructor(private session: Session, private view: View) {
+    this.poses = new Poses(view);
+    this.group = svg("g", { id: "overlay", "aria-hidden": "true" }, this.traces, this.poses.group, this.marks);
+  }
+
+  private drawn = ""; // the view in which the traces lie
 
   setTraces(paths: { key: string; points: Float64Array }[]): void {
     this.paths = paths;
+    this.drawn = "";
+  }
+
+  // Returns the paths of traced points, m.
+  get traced(): Float64Array[] {
+    return this.paths.map(({ points }) => points);
   }
 
   draw(shown: Shown): void {
-    fill(this.traces, ...this.paths.map(({ points }, k) => svg("polyline", { points: this.line(points), class: `trace trace-${k % 4}` })));
+    if (this.drawn !== this.view.key) {
+      this.drawn = this.view.key;
+      fill(this.traces, ...this.paths.map(({ points }, k) => svg("polyline", { points: this.line(points), class: `trace trace-${k % 4}` })));
+    }
+    this.poses.draw(this.session.poses, this.session.dyads);
     fill(this.marks, ...this.handles(shown.tool), ...this.selected(), ...this.hovered(shown), ...this.wanted(), ...this.sketched(shown), ...this.crossed(shown));
   }
 
@@ -66,7 +83,7 @@ export class Overlay {
     const { machine, pose, selection } = this.session;
     if (!machine || !pose || !selection) return [];
     const at = (body: string, point: string) => {
-      const found = machine.bodies.find((one) => one.name === body)?.points.find((one) => one.name === point);
+      const found = machine.bodies[indexOf(machine, body)]?.points.find((one) => one.name === point);
       return found ? [this.circle(toGround(frameOf(machine, pose, body), found.at), 9, "chosen")] : [];
     };
     if (selection.kind === "point") return at(selection.body, selection.point);
@@ -74,7 +91,7 @@ export class Overlay {
       const joint = machine.joints.find((one) => one.name === selection.joint);
       return joint && joint.points.length ? at(joint.bodies[0], joint.points[0]!) : [];
     }
-    const body = machine.bodies.find((one) => one.name === selection.body), frame = frameOf(machine, pose, selection.body);
+    const body = machine.bodies[indexOf(machine, selection.body)], frame = frameOf(machine, pose, selection.body);
     const places = (body?.points ?? []).map((point) => toGround(frame, point.at));
     return [...places.slice(1).map((place, k) => this.segment(places[k], place, "chosen-line")), ...places.map((place) => this.circle(place, 7, "chosen"))];
   }

@@ -9,10 +9,12 @@ import type { Point } from "./frames";
 import { words } from "../words";
 import { grab, meantBy, middle } from "./grab";
 import type { Drag } from "./grab";
+import { gripAt, moved } from "./poses";
+import { Shape } from "./shape";
 import { snap } from "./snap";
 import type { Spot } from "./snap";
 import { meant } from "./stroke";
-import { MANY, reshape, TOOLS, toolOf } from "./tools";
+import { MANY, TOOLS, toolOf } from "./tools";
 import type { Tool, ToolId } from "./tools";
 
 export class Hand {
@@ -22,6 +24,7 @@ export class Hand {
   // Is told of a pull on the machine while it is let go; true: the pull is taken.
   onPull: (pull: { body: string; point: [number, number]; to: [number, number] } | null) => boolean = () => false;
   onGrab: () => void = () => {};
+  readonly shape: Shape;
   private fingers = new Map<number, [number, number]>();
   private drag: Drag | null = null;
   private pressed: [number, number] = [0, 0];
@@ -33,6 +36,7 @@ export class Hand {
 
   constructor(private canvas: Canvas, private session: Session) {
     const { root } = canvas;
+    this.shape = new Shape(canvas, session);
     root.addEventListener("pointerdown", (event) => this.down(event));
     root.addEventListener("pointermove", (event) => this.move(event));
     root.addEventListener("pointerup", (event) => void this.up(event));
@@ -70,10 +74,8 @@ export class Hand {
   }
 
   spot(screen: Point, event: PointerEvent): Spot {
-    const reach = event.pointerType === "touch" ? 22 : 12;
-    return snap(this.session, this.canvas.view, this.canvas.view.toWorld(screen), {
-      reach, grid: this.canvas.step, isFree: event.altKey, client: [event.clientX, event.clientY], from: this.spots.at(-1)?.world,
-    });
+    const reach = event.pointerType === "touch" ? 22 : 12, client: Point = [event.clientX, event.clientY];
+    return snap(this.session, this.canvas.view, this.canvas.view.toWorld(screen), { reach, grid: this.canvas.step, isFree: event.altKey, client, from: this.spots.at(-1)?.world });
   }
 
   private down(event: PointerEvent): void {
@@ -87,10 +89,11 @@ export class Hand {
     this.pressed = at;
     this.hasMoved = false;
     this.canvas.shown.hover = null;
-    const spot = this.spot(at, event);
+    const spot = this.spot(at, event), grip = this.tool.id === "pose" && !this.spots.length ? gripAt(this.session.poses, this.canvas.view, spot.world) : null;
     if (event.button === 1 || event.button === 2) this.drag = { kind: "pan" };
     else if (this.tool.id === "select") this.drag = grab(this.session, spot);
-    else if (this.tool.id === "shape") this.drag = spot.all.length ? { kind: "shape", spot } : { kind: "pan" };
+    else if (this.tool.id === "shape") this.drag = this.shape.hold(spot);
+    else if (grip) this.drag = { kind: "pose", grip };
     else {
       this.drag = { kind: "tool" };
       this.stroke = [spot.world];
@@ -125,7 +128,8 @@ export class Hand {
       view.pan(at[0] - before[0], at[1] - before[1]);
       this.canvas.onView();
     } else if (drag.kind === "body") this.pull(drag.body, drag.point, view.toWorld(at));
-    else if (drag.kind === "shape") this.canvas.shown.sketching = { from: drag.spot, to: this.target(at, event), label: "" };
+    else if (drag.kind === "shape") this.shape.move(drag.spot, drag.trial, this.target(at, event));
+    else if (drag.kind === "pose") this.session.place(moved(this.session.poses, drag.grip, this.spot(at, event).world), false);
     else if (this.tool.id === "curve") this.draw(view.toWorld(at));
     else this.preview(this.spot(at, event));
     this.fingers.set(event.pointerId, at);
@@ -162,12 +166,14 @@ export class Hand {
     this.endPull();
     if (drag?.kind === "tool" && this.tool.id === "curve" && this.hasMoved) this.session.want(meant(this.stroke));
     else if (drag?.kind === "tool") await this.release(() => this.spot(at, event), this.hasMoved && distance(at, this.pressed) > 12);
-    else if (drag?.kind === "shape" && this.hasMoved) await this.reshape(drag.spot, this.target(at, event).world);
+    else if (drag?.kind === "shape" && this.hasMoved) await this.shape.end(drag.trial, true);
+    else if (drag?.kind === "pose") this.session.place(this.session.poses, true);
     else if (!this.hasMoved && drag && drag.kind !== "pinch") this.select(this.spot(at, event));
     this.canvas.redraw();
   }
 
   private lost(event: PointerEvent): void {
+    if (this.drag?.kind === "shape") void this.shape.end(this.drag.trial, false);
     this.fingers.delete(event.pointerId);
     this.drag = null;
     this.endPull();
@@ -200,10 +206,7 @@ export class Hand {
       return this.preview(spot);
     }
     if (tool.places === MANY) return this.corner(spot);
-    if (tool.places === 2 && tool.id !== "pin" && distance(first.world, spot.world) < 1e-9) {
-      this.cancel();
-      return;
-    }
+    if (tool.places === 2 && tool.id !== "pin" && distance(first.world, spot.world) < 1e-9) return void this.cancel();
     const answer = await tool.finish(this.session, tool.places === 2 ? [first, spot] : [spot], this.canvas.resolution);
     this.cancel();
     if (typeof answer === "string") this.session.emit("said", answer);
@@ -225,12 +228,6 @@ export class Hand {
   private goOn({ world, body, point }: Place): void {
     this.spots = [{ world, body, point, all: body && point ? [{ body, point }] : [], snapped: "point" }];
     this.preview(this.spots[0]);
-  }
-
-  private async reshape(spot: Spot, world: Point): Promise<void> {
-    const problem = await reshape(this.session, spot, world, this.canvas.resolution);
-    this.canvas.shown.sketching = null;
-    if (problem) this.session.emit("said", problem);
   }
 
   hover(spot: Spot | null): void {

@@ -1,7 +1,8 @@
 // What lies under the pointer: points first, then bodies, then the grid.
 import type { Session } from "../session";
 import type { Place } from "../document/gestures";
-import { distance, frameOf, toGround, toSegment } from "./frames";
+import type { Machine, Pose } from "../../../core/door";
+import { distance, frameOf, indexOf, toGround, toSegment } from "./frames";
 import type { Point } from "./frames";
 import type { View } from "./view";
 
@@ -11,14 +12,20 @@ export interface Spot extends Place { all: At[]; onBody?: string; snapped: "poin
 
 export interface Corner extends At { world: [number, number] }
 
-// Returns all points of all bodies where they stand now.
+// The points of the pose last asked for: the pointer asks many times about one pose.
+let known: { machine: Machine; pose: Pose; corners: Corner[] } | null = null;
+
+// Returns all points of all bodies where they stand now, body by body.
 export function corners(session: Session): Corner[] {
   const { machine, pose } = session;
   if (!machine || !pose) return [];
-  return machine.bodies.flatMap((body) => {
+  if (known?.machine === machine && known.pose === pose) return known.corners;
+  const found = machine.bodies.flatMap((body) => {
     const frame = frameOf(machine, pose, body.name);
     return body.points.map((point) => ({ body: body.name, point: point.name, world: toGround(frame, point.at) }));
   });
+  known = { machine, pose, corners: found };
+  return found;
 }
 
 // Returns the body whose drawing lies under a place on the screen, or whose line between two points is near.
@@ -26,13 +33,15 @@ function bodyAt(session: Session, view: View, world: Point, client: Point | null
   if (client) {
     for (const element of document.elementsFromPoint(client[0], client[1])) {
       const name = element.closest?.("#scene [data-body]")?.getAttribute("data-body");
-      if (name && session.machine?.bodies.some((body) => body.name === name && !body.ground)) return name;
+      const index = name && session.machine ? indexOf(session.machine, name) : -1;
+      if (index >= 0 && !session.machine!.bodies[index].ground) return name!;
     }
   }
   let best: string | undefined, least = reach / view.scale;
+  let first = 0; // of the body's own among the places
   for (const body of session.machine?.bodies ?? []) {
+    const own = places.slice(first, (first += body.points.length));
     if (body.ground) continue;
-    const own = places.filter((corner) => corner.body === body.name);
     own.forEach((corner, k) => {
       const far = toSegment(world, corner.world, own[(k + 1) % own.length].world);
       if (far < least) [best, least] = [body.name, far];

@@ -3,13 +3,14 @@ import { addBelt, addCam, addDamper, addPolygon, addRack } from "../document/ele
 import type { Draft, Place } from "../document/gestures";
 import type { Session } from "../session";
 import { words } from "../words";
-import { distance } from "./frames";
+import { bearing, distance } from "./frames";
 import type { Point } from "./frames";
+import { MOST_POSES } from "./poses";
 import type { At, Spot } from "./snap";
 import { extended } from "./stroke";
 
 export type ToolId = "select" | "bar" | "polygon" | "point" | "pin" | "slide" | "slot" | "ground" | "motor" | "gear" | "rack" | "belt" | "cam" | "mass"
-  | "spring" | "damper" | "force" | "shape" | "curve" | "delete";
+  | "spring" | "damper" | "force" | "shape" | "curve" | "pose" | "delete";
 export const MANY = 1000; // places of a gesture that ends where it began
 
 export interface Tool {
@@ -221,8 +222,7 @@ export const TOOLS: Tool[] = [
     async finish(session, [spot], resolution) {
       const body = spot.onBody ?? moving(spot).body;
       if (!body) return words.say.onBody;
-      if (!(await draw(session, resolution, (draft) => (draft.source.has(["bodies", body, "mass"]) ? false : (draft.addMass(body), true)))))
-        return words.say.massAlready(body);
+      if (!(await draw(session, resolution, (draft) => (draft.source.has(["bodies", body, "mass"]) ? false : (draft.addMass(body), true))))) return words.say.massAlready(body);
       session.select({ kind: "body", body });
       return null;
     },
@@ -232,6 +232,14 @@ export const TOOLS: Tool[] = [
     id: "curve", key: "q", places: 1,
     async finish(session, [spot]) {
       session.want(extended(session.wanted, spot.world));
+      return null;
+    },
+  },
+  {
+    id: "pose", key: "i", places: 2,
+    async finish(session, [from, to]) {
+      if (session.poses.length >= MOST_POSES) return words.say.posesFull(MOST_POSES);
+      session.place([...session.poses, { at: from.world, angle: bearing(from.world, to.world) }], true);
       return null;
     },
   },
@@ -247,11 +255,5 @@ export const TOOLS: Tool[] = [
     },
   },
 ];
-
-// Moves a point of all bodies that have it; returns a sentence where an expression says where it is.
-export async function reshape(session: Session, spot: Spot, world: Point, resolution: number): Promise<string | null> {
-  const stays = await draw(session, resolution, (draft) => draft.movePoint(spot.all, world));
-  return stays ? words.say.expression(stays) : null;
-}
 
 export const toolOf = (id: ToolId): Tool => TOOLS.find((tool) => tool.id === id)!;

@@ -20,6 +20,11 @@ export class View {
     return [this.centre[0] + (x - this.width / 2) / this.scale, this.centre[1] - (y - this.height / 2) / this.scale];
   }
 
+  // Two views with one key show the same part of the plane.
+  get key(): string {
+    return [this.scale, ...this.centre, this.width, this.height].join(" ");
+  }
+
   resize(width: number, height: number): void {
     [this.width, this.height] = [Math.max(1, width), Math.max(1, height)];
   }

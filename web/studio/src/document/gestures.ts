@@ -178,9 +178,11 @@ export class Draft {
     return name;
   }
 
-  // Moves the points of all bodies at a joint; returns the path of a value that is an expression and stays.
+  // Moves the points of all bodies at a joint; returns the path of a value that is an expression and stays. A point of one body alone, in no
+  // joint, gives up its expression.
   movePoint(places: { body: string; point: string }[], world: Point): string | null {
-    for (const { body, point } of places) {
+    const isAlone = places.length === 1 && !this.machine.joints.some((joint) => joint.points.some((name, side) => name === places[0].point && joint.bodies[side] === places[0].body));
+    if (!isAlone) for (const { body, point } of places) {
       const path = ["bodies", body, "points", point], value = this.source.value(path);
       if (value !== null && !/^\[\s*[-+\d.e]+(\s*[a-z]+)?\s*,\s*[-+\d.e]+(\s*[a-z]+)?\s*\]$/i.test(value)) return path.join("/");
     }

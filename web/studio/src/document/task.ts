@@ -1,10 +1,12 @@
-// The task file that asks `yoke synthesize` for linkages that draw a curve.
+// The task files that ask `yoke synthesize` for linkages that draw a curve, or lead a body through places.
 import type { Point } from "../canvas/frames";
+import type { Placed } from "../canvas/poses";
 import type { Wanted } from "../canvas/stroke";
-import { length, point } from "./numbers";
+import { angle, length, point } from "./numbers";
 import type { Units } from "./numbers";
 
 export const FILE = "curve.yaml";
+const MOST_EXACT = 5; // places
 const A_LINE = 6; // points
 const SMALL = 0.1, LARGE = 2; // of the curve's size: what links may be
 
@@ -27,6 +29,17 @@ bounds: {lengths: [${part(SMALL)}, ${part(LARGE)}], coupler_point: [${part(-LARG
 require: {input: turns, transmission: 20 deg}
 best: 6
 units: {length: ${units.length}}
+`;
+}
+
+// Five places leave nothing to choose; four and fewer do, and then links are asked to be of the size of the task.
+export function placesTask(poses: Placed[], mechanism: string, units: Units, resolution: number): string {
+  const lines = poses.map((one) => `  - {at: ${point(one.at, units, resolution)}, angle: ${angle(one.angle, units)}}`);
+  return `synthesis: motion
+positions:
+${lines.join("\n")}
+${poses.length < MOST_EXACT ? `mechanisms: [${mechanism}]\nrequire: {size_ratio: 6}\n` : ""}best: 6
+units: {length: ${units.length}, angle: ${units.angle}}
 `;
 }
 

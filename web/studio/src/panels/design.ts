@@ -2,7 +2,7 @@
 // the search runs. It has a core of its own, so that the drawing stays quick; stopping ends that core, and keeps what it told.
 import type { Core } from "../../../core/door";
 import type { Canvas } from "../canvas/canvas";
-import { FILE, inUnits, taskOf } from "../document/task";
+import { FILE, inUnits, placesTask, taskOf } from "../document/task";
 import { byId, el, fill } from "../dom";
 import type { Session } from "../session";
 import { words } from "../words";
@@ -10,13 +10,14 @@ import { Finds, readLines } from "./finds";
 import type { Candidate } from "./finds";
 
 type Worker = Core & { close(): void };
-interface Found { candidates: Candidate[]; left_out: Record<string, number> }
+interface Found { candidates: Candidate[]; left_out: Record<string, number>; dyads: { fixed: [number, number]; moving: [number, number] }[] }
 
 const WITHIN = "30s", MODEL = "machine.yaml", PICTURE = "moving.svg";
 const DEGREES = 180 / Math.PI;
 
 export class Design {
   onDraw: () => void = () => {}; // the person wants to draw a curve
+  onPlace: () => void = () => {}; // the person wants to set places of a body
   onTake: () => void = () => {}; // a linkage comes into the document: `coupler.P` draws the curve
   private finder: Worker | null = null;
   private painter: Worker | null = null;
@@ -27,7 +28,7 @@ export class Design {
   private task = el("textarea", { rows: 9, "aria-label": words.design.task, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
   private find = el("button", { class: "small", onclick: () => void this.search(true) }, words.design.find);
   private others = el("button", { class: "quiet", hidden: true, onclick: () => void this.search(false) }, words.design.others);
-  private end = el("button", { class: "quiet", hidden: true, onclick: () => this.stop() }, words.design.stop);
+  private end = el("button", { class: "quiet", hidden: true, onclick: () => this.finder?.stop() }, words.design.stop);
   private part = el("progress", { max: "1", value: "0", hidden: true, "aria-label": words.design.progress });
   private note = el("pre", { class: "hint note", role: "status" });
   private cards = el("div", { class: "cards" });
@@ -35,20 +36,32 @@ export class Design {
 
   constructor(private session: Session, private canvas: Canvas, private start: () => Worker) {
     fill(byId("panel-design"), el("p", { class: "hint" }, words.design.how),
-      el("div", { class: "row wrap" }, el("button", { class: "strong", onclick: () => this.onDraw() }, words.design.draw), this.mechanism, el("button", { class: "quiet", onclick: () => session.want(null) }, words.design.clear)),
+      el("div", { class: "row wrap" }, el("button", { class: "strong", onclick: () => this.onDraw() }, words.design.draw), el("button", { class: "strong", onclick: () => this.onPlace() }, words.design.place), this.mechanism, el("button", { class: "quiet", onclick: () => { session.want(null); session.place([], true); } }, words.design.clear)),
       el("details", {}, el("summary", {}, words.design.task), this.task), el("div", { class: "row wrap" }, this.find, this.others, this.end, this.part), this.note, this.cards);
     this.mechanism.addEventListener("change", () => this.write());
+    session.on("posed", (isDone) => { if (isDone) this.placed(); });
     session.on("wanted", (wanted) => {
       if (wanted && !wanted.isDone) return;
       this.write();
+      if (wanted) session.place([], true);
       if (wanted && wanted.points.length > 9) void this.search(true); // drawn in one stroke
     });
   }
 
-  // Writes the task of the curve; without one the task that stands there stays.
+  // Places were set: with two of them there is a task.
+  private placed(): void {
+    const { session } = this;
+    if (!session.poses.length) return;
+    if (session.wanted) session.want(null);
+    this.write();
+    if (session.poses.length > 1) void this.search(true);
+  }
+
+  // Writes the task of the curve, or of the places; without one the task that stands there stays.
   private write(): void {
-    const { wanted } = this.session;
-    if (wanted && wanted.points.length > 1) this.task.value = taskOf(wanted, this.mechanism.value, this.canvas.units, this.canvas.resolution);
+    const { wanted, poses } = this.session, { units, resolution } = this.canvas;
+    if (poses.length > 1) this.task.value = placesTask(poses, this.mechanism.value, units, resolution);
+    else if (wanted && wanted.points.length > 1) this.task.value = taskOf(wanted, this.mechanism.value, units, resolution);
   }
 
   private stop(): void {
@@ -75,12 +88,11 @@ export class Design {
       const hear = readLines((line) => { if (this.finder === finder) this.hear(line); });
       const reply = await finder.run(["synthesize", FILE, "--format", "json", "--so-far", "--seed", String(this.seed), "--within", WITHIN], { [FILE]: this.task.value }, hear);
       const answer = reply.out.search(/^\{$/m); // behind the lines that were heard
-      if (answer < 0) this.tell(reply.err.trim() || words.say.noAnswer);
+      if (!reply.complete) this.tell(words.design.stopped(this.finds.count));
+      else if (answer < 0) this.tell(reply.err.trim() || words.say.noAnswer);
       else this.show(JSON.parse(reply.out.slice(answer)) as Found);
-    } catch { // stopped, or a newer search took its place
-      if (this.finder === null) this.tell(words.design.stopped(this.finds.count));
-    }
-    if (this.finder !== null && this.finder !== finder) return;
+    } catch { /* a newer search took its place, or the core was lost, which is told */ }
+    if (this.finder !== finder) return;
     this.stop();
     this.busy(false);
   }
@@ -109,8 +121,10 @@ export class Design {
   }
 
   private show(found: Found): void {
-    const count = this.finds.settle(found.candidates);
-    this.tell(count ? words.design.found(count) : words.design.nothing(Object.entries(found.left_out).map(([why, times]) => `${times} ${why}`).join(", ")));
+    const count = this.finds.settle(found.candidates), { session } = this, dyads = session.poses.length && found.dyads?.length ? words.design.dyads(found.dyads.length) + ". " : "";
+    session.dyads = session.poses.length ? found.dyads ?? [] : [];
+    session.emit("posed", false);
+    this.tell(dyads + (count ? words.design.found(count) : words.design.nothing(Object.entries(found.left_out).map(([why, times]) => `${times} ${why}`).join(", "))));
   }
 
   // Has the command draw the linkage with its curve: moving, unless the person wants pages to be still.

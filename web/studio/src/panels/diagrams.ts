@@ -1,6 +1,7 @@
 // Diagrams of whatever is selected, over time or a driven coordinate, linked to the pose.
 import type { Coordinate, Machine } from "../../../core/door";
 import { byId, eachFrame, el, fill } from "../dom";
+import { later } from "../later";
 import { unitsOf } from "../document/numbers";
 import { Source } from "../document/source";
 import type { Motion } from "../motion";
@@ -10,20 +11,7 @@ import type { Curves, Plot } from "./plot";
 
 const STEPS = 180;
 type PlotMaker = typeof Plot;
-// Loads the script that plots; a page in one file has it already.
-let maker: Promise<PlotMaker> | null = null;
-function plots(): Promise<PlotMaker> {
-  const made = () => (globalThis as { yokePlot?: PlotMaker }).yokePlot;
-  maker ??= new Promise((resolve, reject) => {
-    const ready = made();
-    if (ready) return resolve(ready);
-    const script = el("script", { src: "plot.js" });
-    script.onload = () => resolve(made()!);
-    script.onerror = () => { maker = null; reject(new Error(words.diagrams.noPlots)); };
-    document.head.append(script);
-  });
-  return maker;
-}
+const plots = later<PlotMaker>("plot.js", "yokePlot", words.diagrams.noPlots);
 
 interface Channel { name: string; unit: string; factor: number }
 interface Chart { title: string; channels: Channel[] }

@@ -1,8 +1,11 @@
 // The dialogs: gallery of examples, export, share, help.
+import type { Core } from "../../../core/door";
 import { el, fill } from "../dom";
 import { inline } from "../inline";
 import { picture } from "../markup";
 import { download } from "../keep/files";
+import type { Films } from "../keep/film";
+import { later } from "../later";
 import { pngOf } from "../keep/png";
 import { isTooLong, pack } from "../keep/address";
 import type { Session } from "../session";
@@ -68,7 +71,16 @@ const EXPORTS: [string, string[], string][] = [
   ["c", ["code", FILE], "machine.c"], ["latex", ["derive", FILE, "--format", "latex"], "equations.tex"], ["page", ["derive", FILE, "--format", "mathml"], "equations.html"],
 ];
 
-export function showExports(session: Session, period: number): void {
+const films = later<Films>("film.js", "yokeFilm", words.exports.noFilms as string);
+const FILMS: [string, string][] = [["webm", "video/webm;codecs=vp9"], ["webm", "video/webm"], ["mp4", "video/mp4;codecs=avc1.42E01F"], ["mp4", "video/mp4"]];
+// Returns the kind of film that the browser records under a name; null if it cannot.
+const recorded = (kind: string): string | null =>
+  typeof MediaRecorder === "undefined" ? null : FILMS.find(([name, type]) => name === kind && MediaRecorder.isTypeSupported(type))?.[1] ?? null;
+
+// What a film needs: a core of its own, a turn of the machine and how long it lasts on the screen, s, and the paths on the canvas.
+export interface Filming { start: () => Core & { close(): void }; period: number; lasts: number; traces: Float64Array[] }
+
+export function showExports(session: Session, { start, period, lasts, traces }: Filming): void {
   const note = el("pre", { class: "hint", role: "status" });
   const line = (id: string, action: () => void) => {
     const [name, about] = words.exports[id] as string[];
@@ -96,8 +108,24 @@ export function showExports(session: Session, period: number): void {
       note.textContent = String((error as Error).message ?? error);
     }
   };
+  const part = el("progress", { max: "1", value: "0", hidden: true, "aria-label": words.exports.shooting as string });
+  const shoot = async (kind: string) => {
+    const core = start(), order = { text: session.text, name: session.name, seconds: period, lasts, traces, tell: (done: number) => { part.value = done; } };
+    [part.hidden, note.textContent] = [false, words.exports.shooting as string];
+    try {
+      const { film, gif } = await films();
+      download(`${session.name}.${kind}`, kind === "gif" ? await gif(core, order) : await film(core, order, recorded(kind)!));
+      note.textContent = "";
+    } catch (error) {
+      note.textContent = String((error as Error).message ?? error);
+    } finally {
+      part.hidden = true;
+      core.close();
+    }
+  };
   open(words.exports.title as string, el("div", { class: "exports" }, line("yaml", () => download(`${session.name}.yaml`, session.text)), ...EXPORTS.map(([id, list, file]) => line(id, () => void run(list, file))),
-    line("png", () => void png())), el("p", { class: "hint" }, words.exports.others as string), note);
+    line("png", () => void png()), line("gif", () => void shoot("gif")), ...["webm", "mp4"].filter(recorded).map((kind) => line(kind, () => void shoot(kind)))),
+    el("p", { class: "hint" }, words.exports.others as string), part, note);
 }
 
 export function showHelp(): void {
