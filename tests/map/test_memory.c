@@ -58,7 +58,7 @@ static void test_each_failure_of_regions_is_told(void **unused)
     YkCompileOptions options = yk_default_compile_options();
     options.inputs = inputs;
     options.input_count = 2;
-    const YkRegionsOptions coarse = {0.05};
+    const YkRegionsOptions coarse = {.tolerance = 0.05};
     const YkRegionsPicture picture = {{"x", NULL}, {"m", NULL}, {1, 1}};
     long failures = 0, blocks = live;
     for (long allowed = 0;; allowed += 1 + allowed / 40) {

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "picture/convert.h"
+#include "ranks.h"
 #include "reach.h"
 #include "session.h"
 #include "stop.h"
@@ -174,13 +175,26 @@ static bool is_asked_well(YkSession *session)
     return true;
 }
 
+// Makes the map, on all ranks where there are several.
+static void find_regions(YkRegionsAnswer *answer, YkRegionsOptions *options)
+{
+    YkMapSpread *spread = yk_ranks() ? yk_map_spread(answer, options) : NULL;
+    if (!yk_ranks() || spread)
+        answer->regions = yk_regions_new(answer->state, answer->coordinate[0], answer->coordinate[1], options,
+                                         answer->session->problems);
+    yk_map_gather(spread);
+}
+
 static int write_answer(YkRegionsAnswer *answer)
 {
     YkSession *session = answer->session;
     YkRegionsOptions options = yk_default_regions_options();
     if (!read_tolerance(session, &options.tolerance)) return YK_EXIT_WRONG;
-    answer->regions =
-        yk_regions_new(answer->state, answer->coordinate[0], answer->coordinate[1], &options, session->problems);
+    if (yk_ranks() && yk_ranks_rank() > 0) {
+        yk_map_serve(answer);
+        return YK_EXIT_DONE; // rank 0 gives the exit code of the run
+    }
+    find_regions(answer, &options);
     if (!answer->regions) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
     if (session->request->format == YK_FORMAT_JSON)
         yk_map_regions_json(answer);
