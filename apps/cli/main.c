@@ -10,15 +10,17 @@
 // Several ranks would all do the same: only some verbs share their work among them, and rank 0 alone tells the rest.
 static bool shares_work(const YkRequest *request)
 {
-    return request->verb->run == yk_run_study || request->verb->run == yk_run_synthesize;
+    return request->verb->run == yk_run_study || request->verb->run == yk_run_synthesize ||
+           request->verb->run == yk_run_map;
 }
 
 static bool refuse_ranks(YkSession *session)
 {
     yk_session_refuse(session, YK_CODE_RANKS_VERB, "mpirun started `yoke %s` on several ranks, which it cannot use",
                       session->request->verb->name);
-    yk_problem_hint(session->problems,
-                    "start it without mpirun: `yoke study` and `yoke synthesize` share their work among ranks");
+    yk_problem_hint(
+        session->problems,
+        "start it without mpirun: `yoke study`, `yoke synthesize` and `yoke map` share their work among ranks");
     return false;
 }
 

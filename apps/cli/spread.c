@@ -106,7 +106,7 @@ void yk_spread_serve(bool (*compute)(void *context, YkSpreadWork work), void *co
     bool good = true;
     double pause = 0;
     for (;;) {
-        YkSpreadWork work = {0, 0};
+        YkSpreadWork work = {.count = 0};
         int from, tag;
         size_t bytes;
         if (good && yk_stop_is_asked()) {

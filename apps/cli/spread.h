@@ -16,7 +16,8 @@ typedef struct YkSpreadHello {
     char said[2048]; // its messages, if it could not
 } YkSpreadHello;
 typedef struct YkSpreadWork {
-    uint64_t from, count; // designs, or pieces of a search
+    uint64_t from, count; // designs, pieces of a search, or tiles
+    YkTilePlane plane;    // of a map
 } YkSpreadWork;
 typedef struct YkSpreadRows {
     uint64_t from, count;

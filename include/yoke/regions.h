@@ -16,10 +16,27 @@ extern "C" {
 
 typedef struct YkRegions YkRegions;
 
+// The plane that is divided: from low to high, into squares x squares.
+typedef struct YkTilePlane {
+    double low[2], high[2]; // rad or m
+    size_t squares;         // a side
+    bool has_curves;        // whether the curves are sought too
+} YkTilePlane;
+
+// Where a map gets its tiles (yk_tiles_new) if it does not compute them itself. `get` gives tile `tile` of the `count` that
+// a plane has, as yk_tiles_compute gives it: words that stay until its next call. It is called for the tiles of one plane
+// after the other, and of each in ascending order. It returns YK_OK, or an error, with which the map ends.
+typedef struct YkTileSource {
+    YkStatus (*get)(void *context, const YkTilePlane *plane, size_t tile, size_t count, const uint32_t **words,
+                    size_t *word_count);
+    void *context;
+} YkTileSource;
+
 typedef struct YkRegionsOptions {
     // How wide a square may stay unproved, over the larger extent of the map: from 1e-4 to 0.1. A region, or a part of
     // one, that is narrower may be missing. Default 1e-3.
     double tolerance;
+    YkTileSource tiles; // {NULL}: the map computes them itself
 } YkRegionsOptions;
 YK_API YkRegionsOptions yk_default_regions_options(void);
 
@@ -33,6 +50,18 @@ YK_API YkRegionsOptions yk_default_regions_options(void);
 YK_API YkRegions *yk_regions_new(YkState *start, size_t first, size_t second, const YkRegionsOptions *options,
                                  YkProblems *problems);
 YK_API void yk_regions_free(YkRegions *regions);
+
+// The tiles of a map, for whoever distributes it over threads, processes or machines. A tile is a square of the plane, of
+// which there are some hundreds; it depends on the machine, the plane and its own number alone, so it does not matter who
+// computes it, or when.
+typedef struct YkTiles YkTiles;
+// Prepares to compute tiles; arguments and errors as for yk_regions_new. The state must outlive them; its progress watches.
+YK_API YkTiles *yk_tiles_new(YkState *start, size_t first, size_t second, YkProblems *problems);
+YK_API void yk_tiles_free(YkTiles *tiles);
+// Computes a tile of a plane: words that stay until the next call. Returns YK_OK, YK_STOPPED, YK_NO_MEMORY, or
+// YK_BAD_ARGUMENT for a tile or a plane that does not exist. Cost: some hundred squares; and for each new plane some thousand.
+YK_API YkStatus yk_tiles_compute(YkTiles *tiles, const YkTilePlane *plane, size_t tile, const uint32_t **words,
+                                 size_t *word_count);
 
 // Returns whether all that is not proved lies along the curves that were found, and at single places where a dyad of equal
 // links turns freely, which the message names.

@@ -183,3 +183,29 @@ void yk_generic_free(YkGeneric *generic)
     free(generic->solutions);
     *generic = (YkGeneric){0};
 }
+
+static void *copy_of(const void *from, size_t bytes)
+{
+    void *to = malloc(bytes + 1);
+    if (to) memcpy(to, from, bytes);
+    return to;
+}
+
+bool yk_generic_copy(YkGeneric *to, const YkGeneric *from, const YkShape *shape)
+{
+    yk_generic_free(to);
+    if (!from->coefficients) return true;
+    to->coefficients = copy_of(from->coefficients, 2 * yk_coefficient_count(shape) * sizeof *to->coefficients);
+    to->solutions = copy_of(from->solutions, from->count * shape->unknowns * sizeof *to->solutions);
+    to->count = to->capacity = from->count;
+    if (to->coefficients && to->solutions) return true;
+    yk_generic_free(to);
+    return false;
+}
+
+bool yk_generics_are_same(const YkGeneric *a, const YkGeneric *b, const YkShape *shape)
+{
+    if (a->count != b->count || !a->coefficients != !b->coefficients) return false;
+    size_t bytes = 2 * yk_coefficient_count(shape) * sizeof *a->coefficients;
+    return !a->coefficients || memcmp(a->coefficients, b->coefficients, bytes) == 0;
+}

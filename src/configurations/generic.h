@@ -23,5 +23,9 @@ typedef enum YkGenericStatus {
 YkGenericStatus yk_generic_make(YkGeneric *start, const YkShape *shape, const YkVec *coefficients, size_t wanted,
                                 YkPace *pace);
 void yk_generic_free(YkGeneric *start);
+// Copies a start; `to` is freed first. Returns false when out of memory, with `to` empty.
+bool yk_generic_copy(YkGeneric *to, const YkGeneric *from, const YkShape *shape);
+// Returns whether two starts are the same.
+bool yk_generics_are_same(const YkGeneric *a, const YkGeneric *b, const YkShape *shape);
 
 #endif

@@ -25,6 +25,38 @@ void yk_group_solutions_end(YkGroupSolutions *solutions)
     *solutions = (YkGroupSolutions){0};
 }
 
+// Makes `to` a copy of so many bytes. Returns false when out of memory.
+static bool copy_bytes(void **to, const void *from, size_t bytes)
+{
+    void *copy = realloc(*to, bytes + 1);
+    if (!copy) return false;
+    if (from && bytes > 0) memcpy(copy, from, bytes);
+    *to = copy;
+    return true;
+}
+
+bool yk_group_solutions_copy(YkGroupSolutions *to, const YkGroupSolutions *from, const YkShape *shape)
+{
+    void *pose = to->pose, *proved = to->proved, *real = to->real;
+    bool good = copy_bytes(&pose, from->pose, 2 * yk_coefficient_count(shape) * sizeof *from->pose);
+    good = good && copy_bytes(&proved, from->proved, from->proved_count * sizeof *from->proved);
+    good = good && copy_bytes(&real, from->real, from->real_count * shape->unknowns * sizeof *from->real);
+    YkGroupSolutions copy = *from;
+    copy.pose = pose;
+    copy.proved = proved;
+    copy.real = real;
+    copy.proved_capacity = from->proved_count;
+    copy.real_capacity = from->real_count;
+    if (!good) { // nothing is kept
+        free(pose);
+        free(proved);
+        free(real);
+        copy = (YkGroupSolutions){0};
+    }
+    *to = copy;
+    return good;
+}
+
 // --- counting
 
 static YkGroupStatus count_matroid(YkGroupKept *kept, YkPace *pace)

@@ -40,6 +40,8 @@ typedef enum YkGroupStatus { YK_GROUP_SOLVED, YK_GROUP_OUTSIDE, YK_GROUP_STOPPED
 
 void yk_group_kept_end(YkGroupKept *kept);
 void yk_group_solutions_end(YkGroupSolutions *solutions);
+// Copies the solutions of a pose; the arrays of `to` are reused. Returns false when out of memory.
+bool yk_group_solutions_copy(YkGroupSolutions *to, const YkGroupSolutions *from, const YkShape *shape);
 // Solves the system with these coefficients; the second half must be the conjugates of the first. size: that of the
 // machine, m.
 YkGroupStatus yk_group_solve_at(YkGroupKept *kept, const YkVec *pose, double size, YkPace *pace, YkGroupSolutions *out);

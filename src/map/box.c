@@ -237,3 +237,57 @@ bool yk_box_gap(YkTracer *t, const double at[2], YkGap *gap)
     visit(&v, at, at);
     return gap->level != YK_NOT_FOUND;
 }
+
+// --- memory
+
+bool yk_box_remember(const YkTracer *t, YkBoxMemory *memory)
+{
+    bool good = true;
+    for (size_t k = 0; k < t->piece_count && good; k++) {
+        good = yk_generic_copy(&memory->generic[k], &t->kept[k].generic, &t->pieces[k].shape);
+        memory->expected[k] = t->expected[k];
+    }
+    return good;
+}
+
+bool yk_box_recall(YkTracer *t, const YkBoxMemory *memory, const YkGroupSolutions *near)
+{
+    bool good = true;
+    for (size_t k = 0; k < t->piece_count && good; k++) {
+        const YkShape *shape = &t->pieces[k].shape;
+        YkGeneric *own = &t->kept[k].generic;
+        if (!yk_generics_are_same(own, &memory->generic[k], shape))
+            good = yk_generic_copy(own, &memory->generic[k], shape);
+        t->expected[k] = memory->expected[k];
+        if (near)
+            good = good && yk_group_solutions_copy(&t->solutions[k], &near[k], shape);
+        else
+            t->solutions[k].has_pose = false;
+    }
+    return good;
+}
+
+YkGroupSolutions *yk_box_near(YkTracer *t)
+{
+    bool has_groups = false, good = true;
+    for (size_t k = 0; k < t->piece_count; k++) has_groups |= t->solutions[k].has_pose;
+    if (!has_groups) return NULL;
+    YkGroupSolutions *near = calloc(t->piece_count, sizeof *near);
+    for (size_t k = 0; near && k < t->piece_count && good; k++)
+        good = yk_group_solutions_copy(&near[k], &t->solutions[k], &t->pieces[k].shape);
+    if (near && good) return near;
+    yk_box_near_free(near, t->piece_count);
+    t->out_of_memory = true;
+    return NULL;
+}
+
+void yk_box_near_free(YkGroupSolutions *near, size_t piece_count)
+{
+    for (size_t k = 0; near && k < piece_count; k++) yk_group_solutions_end(&near[k]);
+    free(near);
+}
+
+void yk_box_memory_end(YkBoxMemory *memory)
+{
+    for (size_t k = 0; k < YK_BOX_LEVELS; k++) yk_generic_free(&memory->generic[k]);
+}

@@ -3,20 +3,20 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "map/tile.h"
 
-enum { COARSE = 64, ZOOMS = 6, SEARCHES = 24, COUNT_MAX = 60000 };
+enum { COARSE = 64, ZOOMS = 6, SEARCHES = 24 };
 
 void yk_field_end(YkField *f)
 {
+    yk_tiles_forget(f);
     yk_tracer_end(&f->tracer);
     free(f->count);
     free(f->state);
     yk_crossings_end(&f->crossings);
-}
-
-static bool is_over(const YkField *f)
-{
-    return f->tracer.out_of_memory || yk_pace_is_stopped(f->tracer.pace);
+    yk_box_memory_end(&f->first);
+    yk_box_memory_end(&f->memory);
+    free(f->tiles);
 }
 
 static int count_at(YkField *f, double x, double y, int *counts)
@@ -27,58 +27,63 @@ static int count_at(YkField *f, double x, double y, int *counts)
 
 // --- dividing
 
-static void fill(YkField *f, size_t x, size_t y, size_t size, int count, unsigned char state)
+bool yk_field_begin(YkField *f, const double start[2])
 {
-    for (size_t row = y; row < y + size; row++)
-        for (size_t k = row * f->n + x; k < row * f->n + x + size; k++) {
-            f->count[k] = (uint16_t)(count < COUNT_MAX ? count : COUNT_MAX);
-            f->state[k] = state;
-        }
+    double reach = yk_tracer_reach(f->tracer.mech);
+    count_at(f, start[0] + 0.0123456789 * (f->is_angle[0] ? 1 : reach),
+             start[1] + 0.0198765432 * (f->is_angle[1] ? 1 : reach), NULL);
+    if (yk_field_is_over(f)) return false;
+    if (yk_box_remember(&f->tracer, &f->first)) return true;
+    f->tracer.out_of_memory = true;
+    return false;
 }
 
-// Counts at the centre of a cell, or, where configurations meet just there, beside it.
-static void sample(YkField *f, size_t x, size_t y)
-{
-    static const double aside[][2] = {{0, 0}, {0.231, 0.117}, {-0.173, 0.219}, {-0.127, -0.259}, {0.287, -0.191}};
-    for (size_t k = 0; k < sizeof aside / sizeof *aside && !is_over(f); k++) {
-        int count = count_at(f, yk_field_center(f, 0, x) + aside[k][0] * f->step[0],
-                             yk_field_center(f, 1, y) + aside[k][1] * f->step[1], NULL);
-        if (count < 0) continue;
-        fill(f, x, y, 1, count, 0);
-        return;
-    }
-    fill(f, x, y, 1, x > 0 ? f->count[y * f->n + x - 1] : 0, YK_CELL_LOST);
-    f->lost++;
-}
-
-static void divide(YkField *f, size_t x, size_t y, size_t size)
-{
-    if (is_over(f)) return;
-    const size_t at[2] = {x, y};
-    double low[2], high[2];
-    for (int k = 0; k < 2; k++) {
-        low[k] = f->low[k] + (double)at[k] * f->step[k];
-        high[k] = f->low[k] + (double)(at[k] + size) * f->step[k];
-    }
-    if (size == f->n) yk_pace_reach(f->tracer.pace, 0);
-    int count = yk_box_count(&f->tracer, low, high, NULL);
-    if (count >= 0) {
-        fill(f, x, y, size, count, YK_CELL_PROVED);
-        f->proved += size * size;
-    } else if (size == 1) {
-        sample(f, x, y);
-    } else {
-        size_t half = size / 2;
-        for (size_t k = 0; k < 4; k++) divide(f, x + k % 2 * half, y + k / 2 * half, half);
-    }
-}
-
-static void divide_all(YkField *f, size_t n)
+void yk_field_set(YkField *f, const double low[2], const double high[2], size_t n, bool has_curves)
 {
     f->n = n;
+    f->has_curves = has_curves;
     f->proved = f->lost = 0;
-    for (int k = 0; k < 2; k++) f->step[k] = (f->high[k] - f->low[k]) / (double)n;
-    divide(f, 0, 0, n);
+    for (int k = 0; k < 2; k++) {
+        f->low[k] = low[k];
+        f->high[k] = high[k];
+        f->step[k] = (high[k] - low[k]) / (double)n;
+    }
+}
+
+// Takes a tile from the source.
+static bool take_from_source(YkField *f, size_t tile)
+{
+    YkTilePlane plane = {{f->low[0], f->low[1]}, {f->high[0], f->high[1]}, f->n, f->has_curves};
+    const uint32_t *words = NULL;
+    size_t count = 0;
+    f->status = f->source->get(f->source->context, &plane, tile, f->tile_count, &words, &count);
+    if (f->status < 0) return false;
+    if (yk_tile_take(f, tile, words, count)) return true;
+    if (!f->tracer.out_of_memory) f->status = YK_BAD_ARGUMENT;
+    return false;
+}
+
+static bool divide_all(YkField *f, size_t n, bool has_curves)
+{
+    YkTileRoom room = {0};
+    yk_field_set(f, f->low, f->high, n, has_curves);
+    yk_pace_reach(f->tracer.pace, 0);
+    bool good = yk_tiles_plan(f);
+    for (size_t k = 0; k < f->tile_count && good; k++) {
+        good = f->source ? take_from_source(f, k)
+                         : yk_tile_compute(f, k, &room) && yk_tile_take(f, k, room.words, room.word_count);
+        if (has_curves) yk_pace_reach(f->tracer.pace, (double)(k + 1) / (double)f->tile_count);
+    }
+    yk_tile_room_end(&room);
+    return good;
+}
+
+// Lets what is counted after all tiles begin alike, whoever computed them.
+static bool settle(YkField *f)
+{
+    for (size_t k = 0; k < f->tracer.piece_count; k++) f->memory.expected[k] = f->most[k];
+    if (!yk_box_recall(&f->tracer, &f->memory, NULL)) f->tracer.out_of_memory = true;
+    return !yk_field_is_over(f);
 }
 
 // --- the domain
@@ -126,12 +131,9 @@ bool yk_field_fill(YkField *f, double tolerance)
         f->high[k] = f->is_angle[k] ? f->low[k] + period : (1 + 0.7 * aside[k]) * reach;
     }
     if (!make_room(f, n)) f->tracer.out_of_memory = true;
-    for (int k = 0; k < ZOOMS && !(f->is_angle[0] && f->is_angle[1]) && !is_over(f); k++) {
-        divide_all(f, COARSE);
-        if (is_over(f) || !shrink(f)) break;
-    }
-    if (!is_over(f)) divide_all(f, n);
-    return !is_over(f);
+    for (int k = 0; k < ZOOMS && !(f->is_angle[0] && f->is_angle[1]) && !yk_field_is_over(f); k++)
+        if (!divide_all(f, COARSE, false) || !shrink(f)) break;
+    return !yk_field_is_over(f) && divide_all(f, n, true) && settle(f);
 }
 
 // --- the curves
@@ -144,7 +146,7 @@ static int16_t first_difference(const YkField *f, const int *a, const int *b)
 }
 
 // Bisects the way from a cell's centre to its neighbour's.
-static YkCrossing find_crossing(YkField *f, size_t x, size_t y, int axis)
+YkCrossing yk_field_find_crossing(YkField *f, size_t x, size_t y, int axis)
 {
     double at[2] = {yk_field_center(f, 0, x), yk_field_center(f, 1, y)}, from = 0, to = 1;
     int own[2][YK_BOX_LEVELS] = {{0}}, middle[YK_BOX_LEVELS] = {0};
@@ -168,7 +170,7 @@ YkCrossing yk_field_crossing(YkField *f, size_t x, size_t y, int axis)
 {
     const YkCrossing *known = yk_crossings_find(&f->crossings, yk_crossing_key(y * f->n + x, axis));
     if (known) return *known;
-    YkCrossing found = find_crossing(f, x, y, axis);
+    YkCrossing found = yk_field_find_crossing(f, x, y, axis);
     if (!yk_crossings_add(&f->crossings, found)) f->tracer.out_of_memory = true;
     return found;
 }

@@ -151,7 +151,8 @@ static void tell(YkRegions *r)
     yk_text_free(&text);
 }
 
-static bool make(YkRegions *r, double tolerance, YkProblems *problems)
+// Reads what is followed. Returns false with a problem if the machine cannot be mapped.
+static bool read_pieces(YkRegions *r, YkProblems *problems)
 {
     YkTracer *t = &r->field.tracer;
     bool has_angle = r->field.is_angle[0] || r->field.is_angle[1];
@@ -159,7 +160,25 @@ static bool make(YkRegions *r, double tolerance, YkProblems *problems)
     if (t->repeats) return yk_map_refuse(problems, "some of its constraints repeat others", NULL);
     if (has_angle && yk_tracer_period(r->mech) == 0)
         return yk_map_refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
-    if (!yk_field_fill(&r->field, tolerance)) return false;
+    return true;
+}
+
+YkRegions *yk_regions_begin(const YkState *start, size_t first, size_t second, double tolerance, YkProblems *problems)
+{
+    const size_t coordinate[2] = {first, second};
+    if (!start || !is_mappable(start, coordinate, tolerance, problems)) return NULL;
+    YkRegions *r = calloc(1, sizeof *r);
+    bool has_room = r && begin(r, start, coordinate);
+    if (has_room && read_pieces(r, problems)) return r;
+    if (!has_room) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
+    yk_regions_free(r);
+    return NULL;
+}
+
+static bool make(YkRegions *r, double tolerance)
+{
+    YkTracer *t = &r->field.tracer;
+    if (!yk_field_begin(&r->field, r->start) || !yk_field_fill(&r->field, tolerance)) return false;
     if (!yk_regions_trace(r)) t->out_of_memory = true;
     if (t->out_of_memory || yk_pace_is_stopped(t->pace)) return false;
     find_start(r);
@@ -168,27 +187,33 @@ static bool make(YkRegions *r, double tolerance, YkProblems *problems)
     return !t->out_of_memory;
 }
 
+static void tell_source(YkStatus status, YkProblems *problems)
+{
+    yk_problem(problems, YK_CODE_NO_MAP, (YkPlace){0}, "the tiles of the map did not come: %s", yk_status_name(status));
+}
+
 YkRegions *yk_regions_new(YkState *start, size_t first, size_t second, const YkRegionsOptions *options,
                           YkProblems *problems)
 {
-    const size_t coordinate[2] = {first, second};
-    double tolerance = options ? options->tolerance : yk_default_regions_options().tolerance;
-    if (!start || !is_mappable(start, coordinate, tolerance, problems)) return NULL;
-    YkRegions *r = calloc(1, sizeof *r);
-    bool ok = r && begin(r, start, coordinate), ran_out = !ok;
-    if (ok) {
-        bool is_own = yk_state_begin(start);
-        r->field.tracer.pace = start->pace;
-        ok = make(r, tolerance, problems);
-        ran_out = r->field.tracer.out_of_memory;
-        r->field.tracer.pace = NULL;
-        if (yk_state_end(start, is_own, YK_OK) == YK_STOPPED) {
-            yk_pace_tell(problems);
-            ok = ran_out = false;
-        }
-    }
-    if (ran_out) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
-    if (ok) return r;
+    YkRegionsOptions own = options ? *options : yk_default_regions_options();
+    YkRegions *r = yk_regions_begin(start, first, second, own.tolerance, problems);
+    if (!r) return NULL;
+    YkField *f = &r->field;
+    bool is_own = yk_state_begin(start);
+    f->tracer.pace = start->pace;
+    f->source = own.tiles.get ? &own.tiles : NULL;
+    bool ok = make(r, own.tolerance);
+    f->tracer.pace = NULL;
+    f->source = NULL;
+    bool is_stopped = yk_state_end(start, is_own, f->status) == YK_STOPPED, ran_out = f->tracer.out_of_memory;
+    ran_out |= f->status == YK_NO_MEMORY;
+    if (is_stopped)
+        yk_pace_tell(problems);
+    else if (ran_out)
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
+    else if (f->status < 0)
+        tell_source(f->status, problems);
+    if (ok && !is_stopped && !ran_out) return r;
     yk_regions_free(r);
     return NULL;
 }

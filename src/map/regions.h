@@ -34,6 +34,8 @@ struct YkRegions {
     YkText picture;
 };
 
+// Begins a map: its field has no cells yet. Returns NULL with a problem.
+YkRegions *yk_regions_begin(const YkState *start, size_t first, size_t second, double tolerance, YkProblems *problems);
 // Finds the regions of cells with equal counts, and their outlines (outlines.c). Returns false when out of memory.
 bool yk_regions_trace(YkRegions *regions);
 

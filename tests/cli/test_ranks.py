@@ -1,4 +1,4 @@
-"""yoke study and yoke synthesize on several ranks of the real mpirun, oversubscribed. Run: YOKE=path/of/yoke python3 tests/cli/test_ranks.py
+"""yoke study, synthesize and map on several ranks of the real mpirun, oversubscribed. Run: YOKE=path/of/yoke python3 tests/cli/test_ranks.py
 With YOKE_FULL=1 ranks are killed a hundred times. Without Open MPI or the plugin: skipped, exit code 77."""
 import json
 import os
@@ -114,6 +114,64 @@ class Ranks(Case):
         done = self.mpirun(3, *words)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertEqual(json.loads(done.stdout)["status"], "time")
+
+    def test_a_map_is_the_same(self):
+        legs = self.write("legs.yaml", """
+bodies:
+  ground: {points: {A: [0, 0], B: [2, 0], C: [1, 1.7]}}
+  crank1: {points: {A: [0, 0], G: [0.3, 0]}}
+  crank2: {points: {B: [0, 0], H: [0.35, 0]}}
+  leg1: {points: {G: [0, 0], D: [0.8, 0]}}
+  leg2: {points: {H: [0, 0], E: [0.75, 0]}}
+  leg3: {points: {C: [0, 0], F: [0.9, 0]}}
+  plate: {points: {D: [0, 0], E: [0.6, 0], F: [0.35, 0.5]}}
+joints:
+  A: {pin: [ground, crank1], angle: u}
+  B: {pin: [ground, crank2], angle: v}
+  C: {pin: [ground, leg3]}
+  G: {pin: [crank1, leg1]}
+  H: {pin: [crank2, leg2]}
+  D: {pin: [leg1, plate]}
+  E: {pin: [leg2, plate]}
+  F: {pin: [leg3, plate]}
+drives: {u: 1, v: 2}
+""")
+        five = os.path.join(ROOT, "examples", "five-bar.yaml")
+        for words, ranks in (([five, "--format", "json"], (1, 2, 7)), ([five, "--over", "reachL.P.x,reachL.P.y"], (2,)),
+                             ([legs, "--tol", "0.1", "--format", "json", "--plot", self.path("map.svg")], (3,))):
+            whole = self.good("map", *words)
+            drawn = self.read(self.path("map.svg")) if "--plot" in words else None
+            for count in ranks:
+                done = self.mpirun(count, "map", *words)
+                self.assertEqual((done.returncode, done.stdout), (0, whole.out), done.stderr)
+            if drawn:
+                self.assertEqual(self.read(self.path("map.svg")), drawn)
+
+    def test_a_map_is_refused_once(self):
+        five = os.path.join(ROOT, "examples", "five-bar.yaml")
+        for words, code in (([self.path("no.yaml")], "E0130"), ([five, "--over", "theta1,no"], "E0"), ([five, "--tol", "2"], "E0806"),
+                            ([FOUR_BAR], "E0851"), ([five, "--at", "theta1=1"], "E0851")):
+            done = self.mpirun(3, "map", *words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertEqual(done.stderr.count("error: "), 1, done.stderr)
+            self.assertIn("[" + code, done.stderr)
+        changed = self.write("changed.yaml", self.read(five).decode() + "\n# another file\n")
+        done = self.apart([YOKE, "map", five], [YOKE, "map", changed])
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("has another model file or command line than rank 0 [E0853]", done.stderr)
+
+    def test_a_rank_that_dies_ends_a_map(self):
+        five, out = os.path.join(ROOT, "examples", "five-bar.yaml"), self.path("map.json")
+        child = subprocess.Popen(self.words(3, "map", five, "--tol", "1e-4", "--format", "json", "-o", out), env=ENVIRONMENT,
+                                 stderr=subprocess.PIPE, stdout=subprocess.DEVNULL)
+        deadline = time.monotonic() + 60
+        while len(self.ranks_of(child.pid)) < 3 and child.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.002)
+        if child.poll() is None:
+            os.kill(max(self.ranks_of(child.pid)), signal.SIGKILL)
+        said = child.communicate(timeout=120)[1].decode()
+        self.assertNotEqual(child.returncode, 0, said)
+        self.assertFalse(os.path.exists(out))
 
     def test_other_verbs_are_refused_once(self):
         done = self.mpirun(3, "solve", FOUR_BAR)

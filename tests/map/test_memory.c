@@ -58,7 +58,10 @@ static void test_each_failure_of_regions_is_told(void **unused)
     YkCompileOptions options = yk_default_compile_options();
     options.inputs = inputs;
     options.input_count = 2;
-    const YkRegionsOptions coarse = {0.05};
+    const YkRegionsOptions coarse = {.tolerance = 0.05};
+    const YkTilePlane plane = {{-0.5, -0.5}, {0.5, 0.5}, 64, true};
+    const uint32_t *words;
+    size_t word_count;
     const YkRegionsPicture picture = {{"x", NULL}, {"m", NULL}, {1, 1}};
     long failures = 0, blocks = live;
     for (long allowed = 0;; allowed += 1 + allowed / 40) {
@@ -72,10 +75,14 @@ static void test_each_failure_of_regions_is_told(void **unused)
             stands ? yk_regions_new(state, yk_input_coordinate(mech, 0), yk_input_coordinate(mech, 1), &coarse, NULL)
                    : NULL;
         const char *svg = regions ? yk_regions_picture(regions, &picture) : NULL;
+        YkTiles *tiles =
+            svg ? yk_tiles_new(state, yk_input_coordinate(mech, 0), yk_input_coordinate(mech, 1), NULL) : NULL;
+        const bool has_tile = tiles && yk_tiles_compute(tiles, &plane, 1, &words, &word_count) == YK_OK;
         countdown = -1;
         bool done = !has_failed;
-        assert_int_equal(done, svg != NULL);
+        assert_int_equal(done, has_tile);
         failures++;
+        yk_tiles_free(tiles);
         yk_regions_free(regions);
         yk_state_free(state);
         yk_mechanism_free(mech);

@@ -31,7 +31,7 @@ static bool stand(Machine *m)
 
 static YkRegions *regions_of(Machine *m, double tolerance)
 {
-    const YkRegionsOptions options = {tolerance};
+    const YkRegionsOptions options = {.tolerance = tolerance};
     YkRegions *r = yk_regions_new(m->state, yk_input_coordinate(m->mech, 0), yk_input_coordinate(m->mech, 1), &options,
                                   m->problems);
     if (!r) print_error("%s", yk_problems_text(m->problems, 0));
@@ -431,7 +431,7 @@ static void test_what_cannot_be_mapped_is_refused(void **unused)
     (void)unused;
     const FiveBar f = {0.06, {0.2, 0.2}, {0.26, 0.26}};
     Machine m = five_bar(&f, 2, 1);
-    const YkRegionsOptions narrow = {1e-6}, wide = {0.5}, none = {NAN};
+    const YkRegionsOptions narrow = {.tolerance = 1e-6}, wide = {.tolerance = 0.5}, none = {.tolerance = NAN};
     size_t u = yk_coordinate_find(m.mech, "u"), v = yk_coordinate_find(m.mech, "v");
     assert_null(yk_regions_new(m.state, u, v, NULL, m.problems)); // not assembled
     assert_true(stand(&m));

@@ -43,6 +43,12 @@ int yk_map_regions(YkSession *session, const char *first, const char *second);
 void yk_map_regions_text(const YkRegionsAnswer *answer);
 void yk_map_regions_json(const YkRegionsAnswer *answer);
 
+// spread.c: lets all ranks of mpirun compute tiles of the map. Returns NULL with problems added, or stopped.
+typedef struct YkMapSpread YkMapSpread;
+YkMapSpread *yk_map_spread(const YkRegionsAnswer *answer, YkRegionsOptions *options);
+void yk_map_gather(YkMapSpread *spread);          // ends it
+void yk_map_serve(const YkRegionsAnswer *answer); // what ranks other than 0 do, until rank 0 dismisses them
+
 // Answers --reach. Returns the exit code: 0 if there is a way, 1 if there is none.
 int yk_map_reach(YkMapAnswer *answer);
 

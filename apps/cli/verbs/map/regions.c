@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "picture/convert.h"
+#include "ranks.h"
 #include "reach.h"
 #include "session.h"
 #include "stop.h"
@@ -174,13 +175,27 @@ static bool is_asked_well(YkSession *session)
     return true;
 }
 
+// Makes the map, on all ranks where there are several. Returns false if these cannot work together.
+static bool find_regions(YkRegionsAnswer *answer, YkRegionsOptions *options)
+{
+    YkMapSpread *spread = yk_ranks() ? yk_map_spread(answer, options) : NULL;
+    if (yk_ranks() && !spread) return false;
+    answer->regions =
+        yk_regions_new(answer->state, answer->coordinate[0], answer->coordinate[1], options, answer->session->problems);
+    yk_map_gather(spread);
+    return true;
+}
+
 static int write_answer(YkRegionsAnswer *answer)
 {
     YkSession *session = answer->session;
     YkRegionsOptions options = yk_default_regions_options();
     if (!read_tolerance(session, &options.tolerance)) return YK_EXIT_WRONG;
-    answer->regions =
-        yk_regions_new(answer->state, answer->coordinate[0], answer->coordinate[1], &options, session->problems);
+    if (yk_ranks() && yk_ranks_rank() > 0) {
+        yk_map_serve(answer);
+        return YK_EXIT_DONE; // rank 0 gives the exit code of the run
+    }
+    if (!find_regions(answer, &options)) return YK_EXIT_WRONG;
     if (!answer->regions) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
     if (session->request->format == YK_FORMAT_JSON)
         yk_map_regions_json(answer);

@@ -2,6 +2,7 @@
 #include "verbs/map/map.h"
 #include <stdlib.h>
 #include <string.h>
+#include "hand_out.h"
 #include "reach.h"
 #include "session.h"
 
@@ -109,7 +110,15 @@ static int run_over_two(YkSession *session, const char *over)
     return exit_code;
 }
 
-int yk_run_map(YkSession *session)
+static int refuse_ranks(YkSession *session)
+{
+    yk_session_refuse(session, YK_CODE_RANKS_VERB,
+                      "mpirun started `yoke %s` over one freedom on several ranks, which it cannot use", "map");
+    yk_problem_hint(session->problems, "start it without mpirun: only a map over two freedoms is shared among ranks");
+    return YK_EXIT_WRONG;
+}
+
+static int answer(YkSession *session)
 {
     const YkRequest *request = session->request;
     const char *over = request->over ? request->over : request->reach.count > 0 ? request->reach.items[0].name : NULL;
@@ -134,6 +143,7 @@ int yk_run_map(YkSession *session)
         break;
     }
     if (!has_one_freedom(session, coordinate)) return YK_EXIT_NO_ANSWER;
+    if (yk_ranks()) return refuse_ranks(session);
     YkCoordinateInfo info = yk_coordinate_info(session->mech, coordinate);
     if (info.input < 0) {
         yk_session_refuse(session, YK_CODE_NOT_AN_INPUT, "no freedom is left to move %q", info.name);
@@ -149,4 +159,25 @@ int yk_run_map(YkSession *session)
     yk_map_free(answer.map);
     free(answer.points);
     return exit_code;
+}
+
+// Answers on all ranks: those other than 0 serve, as soon as they have read the machine.
+static int answer_on_ranks(YkSession *session)
+{
+    const YkHandOutOptions nothing = {.session = session};
+    if (!yk_ranks_begin(session)) {
+        if (yk_ranks_is_first_here()) yk_ranks_speak(); // what is missing on a computer is told once there
+        return YK_EXIT_WRONG;
+    }
+    int exit_code = answer(session);
+    if (yk_ranks_rank() == 0)
+        yk_spread_dismiss();
+    else if (yk_ranks()) // it did not get so far
+        yk_hand_out_serve(&nothing, false);
+    return yk_ranks_rank() == 0 ? exit_code : YK_EXIT_DONE;
+}
+
+int yk_run_map(YkSession *session)
+{
+    return yk_ranks_count() > 1 ? answer_on_ranks(session) : answer(session);
 }

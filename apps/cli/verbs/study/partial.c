@@ -1,59 +1,26 @@
 // Keeps what an interrupted study has done: OUTPUT.partial, a file of blocks (yoke/blocks.h). The same study continues
 // after the last whole block; from a damaged block on, it computes its designs again.
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 #include "session.h"
+#include "signature.h"
 #include "verbs/study/study.h"
-
-// --- identity of the study: FNV-1a over all that decides its rows
-
-static uint64_t add_bytes(uint64_t hash, const void *bytes, size_t length)
-{
-    const unsigned char *at = bytes;
-    for (size_t k = 0; k < length; k++) hash = (hash ^ at[k]) * 0x100000001b3u;
-    return (hash ^ 0xff) * 0x100000001b3u;
-}
-
-static uint64_t add_word(uint64_t hash, const char *word)
-{
-    return add_bytes(hash, word ? word : "\001", word ? strlen(word) : 1);
-}
-
-static uint64_t add_pairs(uint64_t hash, const YkAssignments *pairs)
-{
-    hash = add_bytes(hash, &pairs->count, sizeof pairs->count);
-    for (size_t k = 0; k < pairs->count; k++)
-        hash = add_word(add_word(hash, pairs->items[k].name), pairs->items[k].value);
-    return hash;
-}
-
-static uint64_t add_file(YkSession *session, uint64_t hash, const char *path)
-{
-    FILE *file = path ? fopen(path, "rb") : NULL;
-    if (path && !file && errno == ENOMEM) session->ran_out = true;
-    char block[8192];
-    size_t length;
-    while (file && (length = fread(block, 1, sizeof block, file)) > 0)
-        for (size_t k = 0; k < length; k++) hash = (hash ^ (unsigned char)block[k]) * 0x100000001b3u;
-    if (file) fclose(file);
-    return add_word(hash, "|");
-}
 
 uint64_t yk_study_signature(const YkStudyAnswer *answer)
 {
-    const YkRequest *r = answer->session->request;
-    uint64_t hash = add_word(add_word(0xcbf29ce484222325u, yk_version()), "blocks with checksums");
+    YkSession *session = answer->session;
+    const YkRequest *r = session->request;
+    uint64_t hash = yk_signature_word(yk_signature_begin(), "blocks with checksums");
     const char *const words[] = {r->over, r->steps, r->of, r->time, r->lock};
     const YkAssignments *const pairs[] = {&r->at, &r->rate, &r->accel, &r->param};
-    hash = add_file(answer->session, add_file(answer->session, hash, r->file), r->sample);
-    for (size_t k = 0; k < sizeof words / sizeof *words; k++) hash = add_word(hash, words[k]);
-    for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) hash = add_pairs(hash, pairs[k]);
-    for (size_t k = 0; k < r->vary.count; k++) hash = add_word(hash, r->vary.items[k]);
-    hash = add_bytes(hash, &answer->seed, sizeof answer->seed);
-    hash = add_bytes(hash, &answer->design_count, sizeof answer->design_count);
-    return add_bytes(hash, &answer->width, sizeof answer->width);
+    hash = yk_signature_file(session, yk_signature_file(session, hash, r->file), r->sample);
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) hash = yk_signature_word(hash, words[k]);
+    for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) hash = yk_signature_pairs(hash, pairs[k]);
+    for (size_t k = 0; k < r->vary.count; k++) hash = yk_signature_word(hash, r->vary.items[k]);
+    hash = yk_signature_bytes(hash, &answer->seed, sizeof answer->seed);
+    hash = yk_signature_bytes(hash, &answer->design_count, sizeof answer->design_count);
+    return yk_signature_bytes(hash, &answer->width, sizeof answer->width);
 }
 
 // --- the file

@@ -109,11 +109,11 @@ static YkSpreadWork next_work(Spread *s, int rank)
 {
     uint64_t left = s->a->design_count - s->next, count = FIRST_BLOCK, fair = left / (2 * (uint64_t)s->count) + 1;
     double target = block_seconds + seconds_per_rank * s->count, seconds = s->peers[rank].seconds;
-    if (left == 0 || s->out >= s->most_out) return (YkSpreadWork){0, 0};
+    if (left == 0 || s->out >= s->most_out) return (YkSpreadWork){.count = 0};
     if (seconds > 0) count = target / seconds < (double)s->most_rows ? (uint64_t)(target / seconds) + 1 : s->most_rows;
     if (count > fair) count = fair;
     if (count > s->most_rows) count = s->most_rows;
-    YkSpreadWork work = {s->next, count};
+    YkSpreadWork work = {.from = s->next, .count = count};
     s->next += count;
     s->out++;
     return work;
