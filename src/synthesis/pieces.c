@@ -11,19 +11,21 @@ struct YkPieces {
     YkPace pace;
     uint64_t seed;
     size_t width, count;
-    YkPathBatches *path[2]; // four-bars, slider-cranks
+    YkPathBatches *path[YK_DESIGN_KINDS]; // of the kinds that are sought, whose pieces take turns
+    size_t kinds;
     YkMachineFit fit;
     bool has_fit;
 };
 
 static bool prepare_paths(YkPieces *p)
 {
-    static const YkDesignKind kinds[] = {YK_DESIGN_FOUR_BAR, YK_DESIGN_SLIDER_CRANK};
+    YkDesignKind kind[YK_DESIGN_KINDS];
+    p->kinds = yk_path_kinds(p->task, kind);
     p->width = yk_path_width(p->task);
-    p->count = 2 * YK_PATH_BATCHES;
-    for (size_t k = 0; k < 2; k++) {
+    p->count = p->kinds * YK_PATH_BATCHES;
+    for (size_t k = 0; k < p->kinds; k++) {
         p->path[k] = YK_NEW(p->arena, YkPathBatches, 1);
-        if (!p->path[k] || !yk_path_batches_new(p->arena, p->task, kinds[k], p->seed, p->path[k])) return false;
+        if (!p->path[k] || !yk_path_batches_new(p->arena, p->task, kind[k], p->seed, p->path[k])) return false;
     }
     return true;
 }
@@ -99,7 +101,7 @@ uint64_t yk_pieces_signature(const YkPieces *p)
 static size_t work_of(const YkPieces *p, size_t piece)
 {
     if (p->task->kind == YK_TASK_MACHINE) return yk_machine_batch_work(p->task);
-    return yk_path_batch_work(p->path[piece / YK_PATH_BATCHES]);
+    return yk_path_batch_work(p->path[piece % p->kinds]);
 }
 
 static void compute(YkPieces *p, size_t piece, double *numbers)
@@ -110,8 +112,8 @@ static void compute(YkPieces *p, size_t piece, double *numbers)
         yk_machine_pack(p->task, &best, is_found, numbers);
         return;
     }
-    YkPathBatches *batches = p->path[piece / YK_PATH_BATCHES];
-    bool closes = yk_path_batch(batches, piece % YK_PATH_BATCHES);
+    YkPathBatches *batches = p->path[piece % p->kinds];
+    bool closes = yk_path_batch(batches, piece / p->kinds);
     yk_path_pack(batches, closes, numbers);
 }
 
