@@ -29,7 +29,7 @@ _yoke() {
         return
         ;;
     --what)
-        COMPREPLY=($(compgen -W "all loops jacobian velocity acceleration points free-bodies newton-euler energy lagrange gears cam" -- "$word"))
+        COMPREPLY=($(compgen -W "all loops jacobian velocity acceleration points free-bodies newton-euler energy lagrange gears cam centers polygons" -- "$word"))
         return
         ;;
     --method)

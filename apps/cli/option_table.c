@@ -94,7 +94,7 @@ const YkOption yk_options[] = {
      "the cam's speed, as in 600rpm (default: its drive's)"},
     {"what", 0, YK_OPTION_WORD, FIELD(what), "LIST", " derive ",
      "parts, separated by commas: loops, jacobian, velocity, acceleration, points, free-bodies, newton-euler, energy, "
-     "lagrange, gears, cam, or all (default)"},
+     "lagrange, gears, cam, or all of these (default); on request centers, polygons"},
     {"svg", 0, YK_OPTION_WORD, FIELD(svg), "DIR", " derive ",
      "also draw the free bodies, one SVG file for each, into this folder"},
     {"numbers", 0, YK_OPTION_SWITCH, FIELD(numbers), NULL, " derive ", "put the values of a pose beside the symbols"},

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 typedef struct YkBalancingOptions {
-    size_t steps;       // poses of a cycle, default 360
+    size_t steps;       // poses of a turn of the input, or of its way, default 360
     double fluctuation; // of the speed, (largest - least) / mean: for the flywheel; default 0.05
     // Of shaking force, shaking moment and input effort, each over its root mean square before: what a compromise keeps
     // small. All 0, the default: the force alone, in full where counterweights can.
@@ -22,6 +22,15 @@ YK_API YkBalancingOptions yk_default_balancing_options(void);
 typedef struct YkShakingPeaks {
     double force, moment, torque;
 } YkShakingPeaks;
+
+// A part of the shaking force: at `order` times the rate of the input one part turns with the input and another one against
+// it; together they draw an ellipse. A counterweight on the input's body changes the first order's part that turns with it,
+// and nothing else; the other parts need weights on wheels that turn as fast as they do (Lanchester's balancer).
+typedef struct YkShakingOrder {
+    double with, against; // N
+    double direction;     // of the ellipse's long axis, of length with + against, in the world, rad
+} YkShakingOrder;
+enum { YK_SHAKING_ORDERS = 6 };
 
 // A counterweight on a body: its mass times its distance from the body's pivot, and its direction in the body's axes.
 typedef struct YkCounterweight {
@@ -46,7 +55,14 @@ YK_API size_t yk_balancing_count(const YkBalancing *balancing);
 YK_API YkCounterweight yk_balancing_at(const YkBalancing *balancing, size_t index);
 YK_API YkShakingPeaks yk_balancing_before(const YkBalancing *balancing);
 YK_API YkShakingPeaks yk_balancing_after(const YkBalancing *balancing); // as the engine measures the model below
-// The moment of inertia of a flywheel on the input, kg m^2, before the counterweights; NaN if the input does not turn through.
+// The parts of the shaking force by order, 1 to YK_SHAKING_ORDERS, of the file or with the counterweights. NaN if the input does
+// not turn through, and of other orders.
+YK_API YkShakingOrder yk_balancing_order(const YkBalancing *balancing, size_t order, bool with_counterweights);
+// The number of turns of the input after which the machine and its efforts repeat: 2 of a four-stroke engine. 0 if
+// the input does not turn through, or if nothing repeats within 12 turns.
+YK_API size_t yk_balancing_turns(const YkBalancing *balancing);
+// The moment of inertia of a flywheel on the input, kg m^2, before the counterweights; NaN if
+// yk_balancing_turns is 0.
 YK_API double yk_balancing_flywheel(const YkBalancing *balancing);
 // The model with its counterweights, as bodies welded to theirs. Belongs to the balancing.
 YK_API const char *yk_balancing_model(const YkBalancing *balancing);

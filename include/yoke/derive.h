@@ -27,8 +27,8 @@ YK_API size_t yk_derivation_section_count(void);
 YK_API const char *yk_derivation_section_name(size_t section);
 YK_API const char *yk_derivation_section_title(size_t section);
 YK_API size_t yk_derivation_section_find(const char *name); // YK_NOT_FOUND if there is none
-// Returns whether the machine has what the section is about: a machine without gears has no section on gears. "all"
-// leaves such sections out.
+// Returns whether "all" has the section: a machine without gears has no section on gears, and polygons, which show what
+// other sections solve in the order in which it is drawn by hand, are written on request.
 YK_API bool yk_derivation_has_section(const YkDerivation *derivation, size_t section);
 
 typedef enum YkPageFormat {

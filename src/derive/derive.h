@@ -127,6 +127,7 @@ struct YkDerivation {
     struct YkDeriveTrain *train;            // gears, made at first use: derive/gears/gears.h
     int32_t *speeds;                        // per body: the symbol of its angular speed, omega1; made with the train
     struct YkDeriveOwn *own;                // symbols of the section of cams: derive/cams/cams.c
+    const void *centers;                    // symbols of instant centres, made by their section: derive/centers.c
     int32_t *influence; // per coordinate: the symbol of its influence coefficient; made by the section of velocities
     // For proofs, added by sections: elements that are 0 on the machine, linear in accelerations and in these symbols.
     const YkPoisson **relations;
@@ -246,8 +247,9 @@ typedef struct YkDeriveSectionEntry {
     const char *name;  // as --what takes it
     const char *title; // heading
     YkDeriveSection write;
-    bool (*is_of)(const YkModel *model); // whether the model has such a part; NULL: always. `all` omits others
-    bool has_masses;                     // masses and inertias occur in it
+    // Whether `all` has it: the model has such a part, and no other section has the same; NULL: always.
+    bool (*is_of)(const YkModel *model);
+    bool has_masses; // masses and inertias occur in it
 } YkDeriveSectionEntry;
 extern const YkDeriveSectionEntry yk_derive_sections[]; // in the order of `all`; ends at name NULL
 // Writes a section by its index, heading included.

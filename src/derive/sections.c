@@ -13,6 +13,13 @@ static bool has_laws(const YkModel *model)
     return model->law_count > 0;
 }
 
+// What `all` leaves out: other sections have the same equations, in the order in which they are solved.
+static bool is_on_request(const YkModel *model)
+{
+    (void)model;
+    return false;
+}
+
 const YkDeriveSectionEntry yk_derive_sections[] = {
     {"loops", "Loop equations", yk_derive_section_loops, NULL, false},
     {"jacobian", "Jacobian", yk_derive_section_jacobian, NULL, false},
@@ -25,6 +32,8 @@ const YkDeriveSectionEntry yk_derive_sections[] = {
     {"lagrange", "Lagrange's equations", yk_derive_section_lagrange, NULL, true},
     {"gears", "Gear trains", yk_derive_section_gears, has_train, false},
     {"cam", "Motion programs and cams", yk_derive_section_cam, has_laws, false},
+    {"centers", "Instant centres", yk_derive_section_centers, is_on_request, false},
+    {"polygons", "Polygons", yk_derive_section_polygons, is_on_request, true},
     {NULL, NULL, NULL, NULL, false},
 };
 

@@ -14,6 +14,9 @@ bool yk_derive_section_energy(YkDerivation *d, YkPage *page);
 bool yk_derive_section_lagrange(YkDerivation *d, YkPage *page);
 bool yk_derive_section_gears(YkDerivation *d, YkPage *page);
 bool yk_derive_section_cam(YkDerivation *d, YkPage *page);
+bool yk_derive_section_centers(YkDerivation *d, YkPage *page);
+bool yk_derive_section_polygons(YkDerivation *d, YkPage *page);
+bool yk_derive_put_force_polygons(YkDerivation *d, YkPage *page); // a part of it: forces/polygons.c
 
 // Shared by sections.
 // Writes p^{A/O1} + ... - p^{...}, sums first.

@@ -12,7 +12,7 @@ YkBalancingOptions yk_default_balancing_options(void)
 }
 
 // Measures the model with its counterweights, read again and assembled as the machine stands.
-static YkStatus measure_after(YkBalancing *balancing, const YkCycle *cycle, const YkState *state)
+static YkStatus measure_after(YkBalancing *balancing, const YkCycle *cycle, const YkState *state, YkVec *forces)
 {
     YkModel *model = yk_model_parse(yk_text_get(&balancing->model), balancing->model.length, "balanced", NULL, NULL);
     const char *input = yk_coordinate_info(state->mech, yk_input_coordinate(state->mech, 0)).name;
@@ -23,7 +23,8 @@ static YkStatus measure_after(YkBalancing *balancing, const YkCycle *cycle, cons
     YkState *own = mech ? yk_state_new(mech) : NULL;
     YkStatus status = own ? yk_state_set_time(own, 0, NULL) : YK_NO_MEMORY;
     if (status >= 0) status = yk_state_assemble(own);
-    if (status >= 0) status = yk_cycle_peaks(cycle, own, &balancing->after, NULL);
+    if (status >= 0) status = yk_cycle_peaks(cycle, own, &balancing->after, NULL, forces);
+    if (status >= 0) yk_cycle_orders(cycle, forces, balancing->order[1]);
     yk_state_free(own);
     yk_mechanism_free(mech);
     yk_model_free(model);
@@ -35,11 +36,15 @@ static YkStatus balance(YkBalancing *balancing, const YkState *state, const YkBa
     size_t steps = options->steps < 8 ? 8 : options->steps > STEPS_MAX ? STEPS_MAX : options->steps;
     YkCycle cycle;
     YkStatus status = yk_cycle_find(state, steps, &cycle);
+    if (status >= 0 && cycle.turns > 0) status = yk_cycle_repeat(state, &cycle);
     if (status < 0) return status;
     double *torques = calloc(cycle.count, sizeof *torques);
-    status = torques ? yk_cycle_peaks(&cycle, state, &balancing->before, torques) : YK_NO_MEMORY;
+    YkVec *forces = calloc(cycle.count, sizeof *forces);
+    status = torques && forces ? yk_cycle_peaks(&cycle, state, &balancing->before, torques, forces) : YK_NO_MEMORY;
     if (status >= 0) {
-        balancing->flywheel = cycle.turns && options->fluctuation > 0
+        balancing->turns = cycle.repeats ? cycle.turns : 0;
+        yk_cycle_orders(&cycle, forces, balancing->order[0]);
+        balancing->flywheel = cycle.repeats && options->fluctuation > 0
                                   ? yk_cycle_swing(&cycle, torques) / (options->fluctuation * cycle.rate * cycle.rate)
                                   : (double)NAN;
         const double *weight = options->weight;
@@ -48,8 +53,9 @@ static YkStatus balance(YkBalancing *balancing, const YkState *state, const YkBa
                                : yk_balancing_weigh(&cycle, state, balancing);
     }
     if (status >= 0 && !yk_balancing_write(state->mech->model, balancing)) status = YK_NO_MEMORY;
-    if (status >= 0) status = measure_after(balancing, &cycle, state);
+    if (status >= 0) status = measure_after(balancing, &cycle, state, forces);
     free(torques);
+    free(forces);
     return status;
 }
 
@@ -105,6 +111,18 @@ YkShakingPeaks yk_balancing_before(const YkBalancing *b)
 YkShakingPeaks yk_balancing_after(const YkBalancing *b)
 {
     return b ? b->after : (YkShakingPeaks){0};
+}
+
+YkShakingOrder yk_balancing_order(const YkBalancing *b, size_t order, bool with_counterweights)
+{
+    bool is_there = b && order >= 1 && order <= YK_SHAKING_ORDERS;
+    return is_there ? b->order[with_counterweights][order - 1]
+                    : (YkShakingOrder){(double)NAN, (double)NAN, (double)NAN};
+}
+
+size_t yk_balancing_turns(const YkBalancing *b)
+{
+    return b ? b->turns : 0;
 }
 
 double yk_balancing_flywheel(const YkBalancing *b)

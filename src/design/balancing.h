@@ -7,28 +7,37 @@
 
 enum { YK_WEIGHTS_MAX = 16 };
 
-// A cycle of the input, `count` poses: once round, or most of the way between its limits.
+// A cycle of the input, `count` poses: round until everything repeats, or most of the way between its limits.
 typedef struct YkCycle {
     double from, step, rate;
     size_t count;
-    bool turns;
+    size_t turns; // 0: not round
+    bool repeats; // after these turns; otherwise nothing does within YK_TURNS_MAX, and one turn is taken
 } YkCycle;
+enum { YK_TURNS_MAX = 12 };
 
 struct YkBalancing {
     YkCounterweight weight[YK_WEIGHTS_MAX];
     size_t count;
     bool is_full;
     YkShakingPeaks before, after;
+    YkShakingOrder order[2][YK_SHAKING_ORDERS]; // before and after
+    size_t turns;
     double flywheel;
     YkText model;
 };
 
-// Finds the cycle. Returns YK_BAD_ARGUMENT where there is none.
+// Finds the cycle: one turn, or the way between limits. Returns YK_BAD_ARGUMENT where there is none.
 YkStatus yk_cycle_find(const YkState *state, size_t steps, YkCycle *cycle);
+// Makes a turn as many turns as the machine and its efforts need to repeat: two for a four-stroke engine.
+YkStatus yk_cycle_repeat(const YkState *state, YkCycle *cycle);
 // Moves a state to pose k of the cycle, at its rate. Returns its status.
 YkStatus yk_cycle_pose(const YkCycle *cycle, YkState *state, size_t k);
-// Measures shaking over the cycle; torques[count] (or NULL) receives the input's effort.
-YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPeaks *peaks, double *torques);
+// Measures shaking over the cycle; torques[count] (or NULL) receives the input's effort, forces[count] (or NULL) the force.
+YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPeaks *peaks, double *torques,
+                        YkVec *forces);
+// Finds the parts of the force by order.
+void yk_cycle_orders(const YkCycle *cycle, const YkVec *forces, YkShakingOrder order[YK_SHAKING_ORDERS]);
 // Returns the energy that flows in and out of the machine about a steady torque, J.
 double yk_cycle_swing(const YkCycle *cycle, const double *torques);
 

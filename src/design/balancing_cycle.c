@@ -5,34 +5,6 @@
 #include <yoke/sweep.h>
 #include "design/balancing.h"
 
-YkStatus yk_cycle_find(const YkState *state, size_t steps, YkCycle *cycle)
-{
-    enum { RANGES = 32 };
-    static const double inset = 0.05; // at a limit of the input velocities grow without end
-    YkRange range[RANGES];
-    size_t coordinate = yk_input_coordinate(state->mech, 0);
-    YkMotion now = yk_state_input(state, 0);
-    YkState *probe = yk_state_new(state->mech);
-    if (!probe || yk_state_copy(probe, state) < 0) {
-        yk_state_free(probe);
-        return YK_NO_MEMORY;
-    }
-    size_t count = yk_closing_ranges(probe, coordinate, range, RANGES);
-    yk_state_free(probe);
-    if (count == YK_NOT_FOUND) return YK_NO_MEMORY;
-    for (size_t k = 0; k < count && k < RANGES; k++) {
-        if (now.position < range[k].from - 1e-9 || now.position > range[k].to + 1e-9) continue;
-        double span = range[k].to - range[k].from;
-        cycle->turns = !yk_coordinate_info(state->mech, coordinate).is_distance && span > 2 * YK_PI - 1e-9;
-        cycle->from = cycle->turns ? now.position : range[k].from + inset * span;
-        cycle->step = cycle->turns ? 2 * YK_PI / (double)steps : (1 - 2 * inset) * span / (double)steps;
-        cycle->count = cycle->turns ? steps : steps + 1;
-        cycle->rate = now.velocity != 0 ? now.velocity : 1;
-        return span > 0 ? YK_OK : YK_BAD_ARGUMENT;
-    }
-    return YK_BAD_ARGUMENT;
-}
-
 YkStatus yk_cycle_pose(const YkCycle *cycle, YkState *state, size_t k)
 {
     YkMotion goal = {cycle->from + cycle->step * (double)k, 0, 0};
@@ -67,15 +39,120 @@ YkVec yk_cycle_shaking(const YkState *state, double *moment)
     return force;
 }
 
-static void add_shaking(const YkState *state, YkShakingPeaks *peaks)
+// The range of the input in which the machine stands. Returns YK_BAD_ARGUMENT if there is none.
+static YkStatus find_range(const YkState *state, YkRange *found)
+{
+    enum { RANGES = 32 };
+    YkRange range[RANGES];
+    double now = yk_state_input(state, 0).position;
+    YkState *probe = yk_state_new(state->mech);
+    if (!probe || yk_state_copy(probe, state) < 0) {
+        yk_state_free(probe);
+        return YK_NO_MEMORY;
+    }
+    size_t count = yk_closing_ranges(probe, yk_input_coordinate(state->mech, 0), range, RANGES);
+    yk_state_free(probe);
+    if (count == YK_NOT_FOUND) return YK_NO_MEMORY;
+    for (size_t k = 0; k < count && k < RANGES; k++) {
+        if (now < range[k].from - 1e-9 || now > range[k].to + 1e-9) continue;
+        *found = range[k];
+        return range[k].to > range[k].from ? YK_OK : YK_BAD_ARGUMENT;
+    }
+    return YK_BAD_ARGUMENT;
+}
+
+// What must repeat: effort, shaking force and moment.
+enum { SAMPLES = 8, VALUES = 4 };
+typedef struct Repeating {
+    double value[YK_TURNS_MAX + 1][SAMPLES][VALUES], size[VALUES];
+} Repeating;
+
+// Gives what is nothing but rounding the size of what it is made of.
+static void mind_rounding(Repeating *r, double length)
+{
+    static const double rounding = 1e-4; // of a difference of 1e-11
+    double force = fmax(r->size[1], r->size[2]), moment = fmax(fmax(r->size[0], r->size[3]), force * length);
+    for (size_t i = 0; i < VALUES; i++)
+        r->size[i] = fmax(r->size[i], rounding * (i == 1 || i == 2 ? fmax(force, moment / length) : moment));
+}
+
+static void take_values(const YkState *state, YkDynamics *dynamics, double value[VALUES], double size[VALUES])
+{
+    YkVec force = yk_cycle_shaking(state, &value[3]);
+    value[0] = yk_dynamics_effort(dynamics, yk_input_coordinate(state->mech, 0));
+    value[1] = force.x;
+    value[2] = force.y;
+    for (size_t i = 0; i < VALUES; i++) size[i] = fmax(size[i], fabs(value[i]));
+}
+
+static bool repeats_after(const Repeating *r, size_t turns)
+{
+    static const double alike = 1e-7; // over the largest
+    for (size_t k = 0; k + turns <= YK_TURNS_MAX; k++)
+        for (size_t i = 0; i < SAMPLES * VALUES; i++) {
+            double off = r->value[k][i / VALUES][i % VALUES] - r->value[k + turns][i / VALUES][i % VALUES];
+            if (!(fabs(off) <= alike * r->size[i % VALUES])) return false;
+        }
+    return true;
+}
+
+YkStatus yk_cycle_repeat(const YkState *state, YkCycle *cycle)
+{
+    static const double golden = 0.6180339887498949; // samples that no order of a Fourier series meets alike
+    Repeating r = {0};
+    YkState *moving = yk_state_new(state->mech);
+    YkDynamics *dynamics = yk_dynamics_new(state->mech, NULL);
+    YkStatus status = moving && dynamics ? yk_state_copy(moving, state) : YK_NO_MEMORY;
+    if (dynamics) yk_dynamics_prescribe(dynamics, 0, true);
+    YkCycle even = *cycle;
+    even.step = 2 * YK_PI * golden / SAMPLES;
+    for (size_t k = 0; k < (YK_TURNS_MAX + 1) * SAMPLES && status >= 0; k++) {
+        even.from = cycle->from + 2 * YK_PI * (double)(k / SAMPLES);
+        status = yk_cycle_pose(&even, moving, k % SAMPLES);
+        if (status >= 0) status = yk_dynamics_solve(dynamics, moving, YK_METHOD_REDUCED);
+        if (status >= 0) take_values(moving, dynamics, r.value[k / SAMPLES][k % SAMPLES], r.size);
+    }
+    mind_rounding(&r, state->mech->size);
+    for (size_t turns = 1; turns <= YK_TURNS_MAX && status >= 0 && !cycle->repeats; turns++) {
+        cycle->repeats = repeats_after(&r, turns);
+        if (!cycle->repeats) continue;
+        cycle->turns = turns;
+        cycle->count *= turns;
+    }
+    yk_dynamics_free(dynamics);
+    yk_state_free(moving);
+    return status;
+}
+
+YkStatus yk_cycle_find(const YkState *state, size_t steps, YkCycle *cycle)
+{
+    static const double inset = 0.05; // at a limit of the input velocities grow without end
+    YkRange range;
+    YkMotion now = yk_state_input(state, 0);
+    YkStatus status = find_range(state, &range);
+    if (status < 0) return status;
+    double span = range.to - range.from;
+    bool is_distance = yk_coordinate_info(state->mech, yk_input_coordinate(state->mech, 0)).is_distance;
+    bool turns = !is_distance && span > 2 * YK_PI - 1e-9;
+    *cycle = (YkCycle){.from = turns ? now.position : range.from + inset * span};
+    cycle->step = turns ? 2 * YK_PI / (double)steps : (1 - 2 * inset) * span / (double)steps;
+    cycle->rate = now.velocity != 0 ? now.velocity : 1;
+    cycle->turns = turns;
+    cycle->count = turns ? steps : steps + 1;
+    return YK_OK;
+}
+
+static YkVec add_shaking(const YkState *state, YkShakingPeaks *peaks)
 {
     double moment;
     YkVec force = yk_cycle_shaking(state, &moment);
     peaks->force = fmax(peaks->force, yk_norm(force));
     peaks->moment = fmax(peaks->moment, fabs(moment));
+    return force;
 }
 
-YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPeaks *peaks, double *torques)
+YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPeaks *peaks, double *torques,
+                        YkVec *forces)
 {
     YkState *moving = yk_state_new(state->mech);
     YkDynamics *dynamics = yk_dynamics_new(state->mech, NULL);
@@ -85,7 +162,8 @@ YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPea
     for (size_t k = 0; k < cycle->count && status >= 0; k++) {
         status = yk_cycle_pose(cycle, moving, k);
         if (status < 0) break;
-        add_shaking(moving, peaks);
+        YkVec force = add_shaking(moving, peaks);
+        if (forces) forces[k] = force;
         status = yk_dynamics_solve(dynamics, moving, YK_METHOD_REDUCED);
         double torque = yk_dynamics_effort(dynamics, yk_input_coordinate(state->mech, 0));
         peaks->torque = fmax(peaks->torque, fabs(torque));
@@ -101,11 +179,30 @@ double yk_cycle_swing(const YkCycle *cycle, const double *torques)
 {
     double mean = 0, energy = 0, low = 0, high = 0;
     for (size_t k = 0; k < cycle->count; k++) mean += torques[k] / (double)cycle->count;
-    for (size_t k = 0; k < cycle->count; k++) { // trapezoids, once round
-        double here = torques[k], next = torques[(k + 1) % cycle->count];
-        energy += ((here + next) / 2 - mean) * cycle->step;
-        low = fmin(low, energy);
-        high = fmax(high, energy);
+    for (size_t k = 0; k < cycle->count; k++) { // trapezoids, round; extremes lie where the torque passes its mean
+        double here = torques[k] - mean, next = torques[(k + 1) % cycle->count] - mean;
+        double extreme = here * next < 0 ? energy + here * here / (here - next) / 2 * cycle->step : energy;
+        energy += (here + next) / 2 * cycle->step;
+        low = fmin(low, fmin(energy, extreme));
+        high = fmax(high, fmax(energy, extreme));
     }
     return high - low;
+}
+
+// The mean of F e^(-i n theta) is the part that turns with the input at n times its rate; that of F e^(i n theta) turns against
+// it.
+void yk_cycle_orders(const YkCycle *cycle, const YkVec *forces, YkShakingOrder order[YK_SHAKING_ORDERS])
+{
+    double part = 1 / (double)cycle->count;
+    for (size_t n = 1; n <= YK_SHAKING_ORDERS; n++) {
+        YkVec with = yk_vec(0, 0), against = with;
+        for (size_t k = 0; k < cycle->count && cycle->turns > 0; k++) {
+            YkVec turn = yk_unit((double)n * (cycle->from + cycle->step * (double)k));
+            with = yk_add(with, yk_scale(part, yk_mul(yk_conj(turn), forces[k])));
+            against = yk_add(against, yk_scale(part, yk_mul(turn, forces[k])));
+        }
+        double long_axis = yk_atan2(with.y, with.x) + yk_atan2(against.y, against.x);
+        order[n - 1] = (YkShakingOrder){yk_norm(with), yk_norm(against), yk_remainder(long_axis / 2, YK_PI)};
+        if (cycle->turns == 0) order[n - 1] = (YkShakingOrder){(double)NAN, (double)NAN, (double)NAN};
+    }
 }

@@ -4,6 +4,7 @@
 #include <yoke/polygon.h>
 #include "base/memory.h"
 #include "base/text.h"
+#include "design/polygon_plan.h"
 #include "model/model.h"
 
 struct YkPolygon {
@@ -19,14 +20,8 @@ struct YkPolygon {
     bool failed; // out of memory
 };
 
-// What a step begins with: bodies that follow known ones, or a block that is solved.
-typedef struct YkPolygonStep {
-    const size_t *body;  // [count]
-    size_t count, first; // the first of its vectors
-    int block;           // or -1
-} YkPolygonStep;
-
-// polygon_text.c: adds the words of a step whose vectors are complete. rate[body]: rad/s or rad/s^2.
-void yk_polygon_tell(YkPolygon *polygon, const YkPolygonStep *step, const char *block, const double *rate);
+// polygon_text.c: adds the words of a step whose vectors begin at `first` and are complete. rate[body]: rad/s or rad/s^2.
+void yk_polygon_tell(YkPolygon *polygon, const YkPolygonPlan *plan, const YkPolygonStep *step, size_t first,
+                     const double *rate);
 
 #endif

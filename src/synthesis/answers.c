@@ -1,6 +1,7 @@
 // What a synthesis answers to its caller.
 #include <math.h>
 #include <string.h>
+#include "synthesis/path_bar.h"
 #include "synthesis/synthesis.h"
 
 bool yk_synthesis_was_stopped(const YkSynthesis *s)
@@ -35,7 +36,6 @@ YkCandidate yk_found_candidate(const YkFound *found)
 {
     const YkDesign *design = &found->design;
     YkCandidate c = {.file = found->file, .model = found->model, .defect = found->defect};
-    bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
     if (found->value) {
         c.mechanism = c.type = "machine";
         c.error = found->error;
@@ -43,7 +43,7 @@ YkCandidate yk_found_candidate(const YkFound *found)
         c.dyads[0] = c.dyads[1] = -1;
         return c;
     }
-    c.mechanism = is_four_bar ? "four-bar" : "slider-crank";
+    c.mechanism = yk_design_kind_name(design->kind);
     c.type = yk_design_type(design);
     c.error = found->error;
     c.worst = found->worst;
@@ -58,6 +58,7 @@ YkCandidate yk_found_candidate(const YkFound *found)
         c.lengths[i] = design->length[i];
         c.size = fmax(c.size, design->length[i]);
     }
+    for (size_t i = 0; i < 2; i++) c.size = fmax(c.size, design->dyad_length[i]);
     c.point[0] = design->point.x;
     c.point[1] = design->point.y;
     return c;
@@ -100,6 +101,7 @@ const char *yk_synthesis_parameter(const YkSynthesis *s, size_t candidate, size_
         return machine->name[index];
     }
     const YkDesign *d = &s->candidates.items[candidate].design;
+    bool has_dyad = yk_bar_size(d->kind) > YK_BAR_PLAIN, has_places = has_dyad && d->kind != YK_DESIGN_GEARED;
     const struct {
         const char *name;
         double value;
@@ -109,10 +111,17 @@ const char *yk_synthesis_parameter(const YkSynthesis *s, size_t candidate, size_
                                 {"x2", d->pivot[1].x, true},
                                 {"y2", d->pivot[1].y, true},
                                 {"a", d->length[1], true},
-                                {"b", d->length[2], true},
-                                {"c", d->length[3], d->kind == YK_DESIGN_FOUR_BAR},
+                                {"b", d->length[2], yk_bar_is_length(d->kind, YK_BAR_COUPLER)},
+                                {"c", d->length[3], yk_bar_is_length(d->kind, YK_BAR_OUTPUT)},
+                                {"e", d->length[3], d->kind == YK_DESIGN_INVERTED},
                                 {"px", d->point.x, d->has_point},
-                                {"py", d->point.y, d->has_point}};
+                                {"py", d->point.y, d->has_point},
+                                {"cx", d->end[0].x, has_places},
+                                {"cy", d->end[0].y, has_places},
+                                {"dx", d->end[1].x, has_places},
+                                {"dy", d->end[1].y, has_places},
+                                {"l", d->dyad_length[0], has_dyad},
+                                {"m", d->dyad_length[1], has_dyad}};
     for (size_t k = 0; k < YK_PARAMETERS_MAX; k++) {
         if (!all[k].is_there || index-- > 0) continue;
         if (value) *value = all[k].value;

@@ -1,5 +1,5 @@
 // Dimensions, type and defects of a four-bar from two dyads.
-#include "synthesis/design.h"
+#include "synthesis/path_bar.h"
 #include <math.h>
 
 static YkVec vector(const double v[2])
@@ -62,8 +62,23 @@ YkFourBarClass yk_design_class(const YkDesign *design)
     return excess > 0 ? YK_FOUR_BAR_TRIPLE_ROCKER : inversions[shortest];
 }
 
+const char *yk_design_kind_name(YkDesignKind kind)
+{
+    static const char *const names[YK_DESIGN_KINDS] = {"four-bar",        "slider-crank", "inverted-slider-crank",
+                                                       "geared-five-bar", "watt",         "stephenson"};
+    return (size_t)kind < YK_DESIGN_KINDS ? names[kind] : NULL;
+}
+
 const char *yk_design_type(const YkDesign *design)
 {
+    static const char *const built[YK_DESIGN_KINDS][6] = {
+        [YK_DESIGN_GEARED] = {"geared -1", "geared +2", "geared -2", "geared +2, other side", "geared -2, other side",
+                              "geared +1"},
+        [YK_DESIGN_WATT] = {"watt, coupler and output", "watt, output and coupler", "watt, coupler and input",
+                            "watt, input and coupler"},
+        [YK_DESIGN_STEPHENSON] = {"stephenson III", "stephenson I", "stephenson I, other side"}};
+    if (design->kind == YK_DESIGN_INVERTED) return "inverted slider-crank";
+    if (design->kind >= YK_DESIGN_GEARED) return built[design->kind][design->variant];
     static const char *const names[] = {"crank-rocker",  "rocker-crank", "drag-link",
                                         "double-rocker", "change-point", "triple-rocker"};
     return design->kind == YK_DESIGN_FOUR_BAR ? names[yk_design_class(design)] : "slider-crank";
@@ -77,14 +92,23 @@ static double offset_of(const YkDesign *design)
 
 bool yk_design_has_circuits(const YkDesign *design)
 {
+    if (design->kind == YK_DESIGN_INVERTED || design->kind == YK_DESIGN_GEARED) return true;
     if (design->kind == YK_DESIGN_SLIDER_CRANK) // crank or coupler turns through
         return fabs(offset_of(design)) < fabs(design->length[1] - design->length[2]);
     YkFourBarClass kind = yk_design_class(design);
     return kind != YK_FOUR_BAR_TRIPLE_ROCKER && kind != YK_FOUR_BAR_CHANGE_POINT;
 }
 
+// Where the distance of the output pivot from the crank's joint is less than that from the coupler's line, an inverted slider-crank
+// stops; a geared five-bar is judged by the engine.
+static bool turns_otherwise(const YkDesign *design)
+{
+    return design->kind == YK_DESIGN_GEARED || fabs(design->length[0] - design->length[1]) > fabs(design->length[3]);
+}
+
 bool yk_design_turns(const YkDesign *design)
 {
+    if (design->kind == YK_DESIGN_INVERTED || design->kind == YK_DESIGN_GEARED) return turns_otherwise(design);
     if (design->kind == YK_DESIGN_SLIDER_CRANK) return design->length[1] + fabs(offset_of(design)) < design->length[2];
     YkFourBarClass kind = yk_design_class(design);
     return kind == YK_FOUR_BAR_CRANK_ROCKER || kind == YK_FOUR_BAR_DRAG_LINK;
@@ -149,14 +173,17 @@ static bool is_within(const YkBound *bound, double value)
 YkDefect yk_design_bounds(const YkDesign *design, const YkTask *task)
 {
     double least = INFINITY, most = 0;
-    size_t links = design->kind == YK_DESIGN_FOUR_BAR ? 4 : 3;
     bool good = true;
-    for (size_t k = design->kind == YK_DESIGN_FOUR_BAR ? 0 : 1; k < links; k++) {
-        good = good && is_within(&task->lengths, design->length[k]);
-        least = fmin(least, design->length[k]);
-        most = fmax(most, design->length[k]);
+    for (size_t k = 0; k < 6; k++) {
+        static const int dimensions[] = {YK_BAR_GROUND, YK_BAR_INPUT, YK_BAR_COUPLER,
+                                         YK_BAR_OUTPUT, YK_BAR_LINK,  YK_BAR_ARM};
+        double length = k < 4 ? design->length[k] : design->dyad_length[k - 4];
+        if (!yk_bar_is_length(design->kind, dimensions[k])) continue;
+        good = good && is_within(&task->lengths, length);
+        least = fmin(least, length);
+        most = fmax(most, length);
     }
-    for (size_t i = 0; i < links / 2; i++)
+    for (size_t i = 0; i < (design->kind == YK_DESIGN_SLIDER_CRANK ? 1u : 2u); i++)
         good =
             good && is_within(&task->pivots[0], design->pivot[i].x) && is_within(&task->pivots[1], design->pivot[i].y);
     if (design->has_point)

@@ -3,7 +3,16 @@
 #define SYNTHESIS_DESIGN_H
 #include "synthesis/task.h"
 
-typedef enum YkDesignKind { YK_DESIGN_FOUR_BAR, YK_DESIGN_SLIDER_CRANK } YkDesignKind;
+typedef enum YkDesignKind {
+    YK_DESIGN_FOUR_BAR,
+    YK_DESIGN_SLIDER_CRANK,
+    YK_DESIGN_INVERTED, // slider-crank whose coupler slides through a block that turns about the output pivot
+    YK_DESIGN_GEARED,   // five-bar whose cranks are geared to each other
+    YK_DESIGN_WATT,
+    YK_DESIGN_STEPHENSON,
+    YK_DESIGN_KINDS
+} YkDesignKind;
+const char *yk_design_kind_name(YkDesignKind kind); // "four-bar", ...
 
 typedef struct YkDesign {
     YkDesignKind kind;
@@ -16,6 +25,12 @@ typedef struct YkDesign {
     double
         angle[3]; // input, coupler, output at the first position, to the ground, rad; slider-crank: [2] is a distance
     int dyad[YK_SIDES];
+    // Of a machine with a dyad (path_chain.h): how it is built, where link and arm begin in the axes of their carriers (geared
+    // five-bar: nothing), their lengths, and their absolute angles at the first position, rad. Inverted slider-crank: length[3] is
+    // the distance of the output pivot from the coupler's line, to its left, and angle[2] how far along it this is, m.
+    int variant;
+    YkVec end[2];
+    double dyad_length[2], dyad_angle[2];
 } YkDesign;
 
 // What a design has to do, in terms of its input.

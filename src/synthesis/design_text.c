@@ -1,33 +1,30 @@
 // Writes the model file of a design.
 #include <math.h>
 #include "base/number.h"
-#include "synthesis/design.h"
+#include "synthesis/design_text.h"
+#include "synthesis/path_chain.h"
 
 enum { DIGITS = 12, PATH_DIGITS = 15, ALL_DIGITS = 17 }; // of lengths and angles: of a search, of a path; of a formula
 
-typedef struct Writer {
-    YkText *text;
-    double unit; // of length, m
-    int digits;
-} Writer;
+typedef YkDesignWriter Writer;
 
-static void add_number(const Writer *w, double value)
+void yk_write_number(const Writer *w, double value)
 {
     char digits[YK_NUMBER_SIZE];
     size_t length = yk_number_write_digits(value == 0 ? 0 : value, w->digits, digits);
     yk_text_add(w->text, digits, length);
 }
 
-static void add_length(const Writer *w, const char *before, double value)
+void yk_write_length(const Writer *w, const char *before, double value)
 {
     yk_text_puts(w->text, before);
-    add_number(w, value / w->unit);
+    yk_write_number(w, value / w->unit);
 }
 
-static void add_angle(const Writer *w, const char *before, double value, const char *after)
+void yk_write_angle(const Writer *w, const char *before, double value, const char *after)
 {
     yk_text_puts(w->text, before);
-    add_number(w, value * 180 / YK_PI);
+    yk_write_number(w, value * 180 / YK_PI);
     yk_text_puts(w->text, after);
 }
 
@@ -41,7 +38,6 @@ static void add_name(const Writer *w, const YkText *name)
 
 static void add_head(const Writer *w, const YkDesign *design, const YkJourney *journey)
 {
-    bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
     const YkTask *task = journey->task;
     YkText name = {0};
     if (!task) {
@@ -51,7 +47,7 @@ static void add_head(const Writer *w, const YkDesign *design, const YkJourney *j
         yk_text_free(&name);
         return;
     }
-    yk_text_format(&name, "%s, %s", yk_task_name(task), is_four_bar ? "four-bar" : "slider-crank");
+    yk_text_format(&name, "%s, %s", yk_task_name(task), yk_design_kind_name(design->kind));
     if (design->dyad[0] >= 0) yk_text_format(&name, " of dyads %d and %d", design->dyad[0] + 1, design->dyad[1] + 1);
     yk_text_format(w->text, "# Found by `yoke synthesize` for a task of the kind %s. Lengths are parameters.\n",
                    yk_task_kind(task));
@@ -61,55 +57,95 @@ static void add_head(const Writer *w, const YkDesign *design, const YkJourney *j
 
 static void add_parameters(const Writer *w, const YkDesign *design)
 {
-    bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
-    add_length(w, "\nparameters:\n  {x1: ", design->pivot[0].x);
-    add_length(w, ", y1: ", design->pivot[0].y);
-    add_length(w, ", x2: ", design->pivot[1].x);
-    add_length(w, ", y2: ", design->pivot[1].y);
-    add_length(w, ", a: ", design->length[1]);
-    add_length(w, ", b: ", design->length[2]);
-    if (is_four_bar) add_length(w, ", c: ", design->length[3]);
+    yk_write_length(w, "\nparameters:\n  {x1: ", design->pivot[0].x);
+    yk_write_length(w, ", y1: ", design->pivot[0].y);
+    yk_write_length(w, ", x2: ", design->pivot[1].x);
+    yk_write_length(w, ", y2: ", design->pivot[1].y);
+    yk_write_length(w, ", a: ", design->length[1]);
+    if (yk_bar_is_length(design->kind, YK_BAR_COUPLER)) yk_write_length(w, ", b: ", design->length[2]);
+    if (yk_bar_is_length(design->kind, YK_BAR_OUTPUT)) yk_write_length(w, ", c: ", design->length[3]);
+    if (design->kind == YK_DESIGN_INVERTED) yk_write_length(w, ", e: ", design->length[3]);
     if (design->has_point) {
-        add_length(w, ", px: ", design->point.x);
-        add_length(w, ", py: ", design->point.y);
+        yk_write_length(w, ", px: ", design->point.x);
+        yk_write_length(w, ", py: ", design->point.y);
     }
+    yk_write_dyad_parameters(w, design);
     yk_text_puts(w->text, "}\n");
+}
+
+static void add_ground(const Writer *w, const YkDesign *design, const YkJourney *journey)
+{
+    yk_text_puts(w->text, design->kind != YK_DESIGN_SLIDER_CRANK
+                              ? "bodies:\n  ground: {points: {A0: [x1, y1], B0: [x2, y2]"
+                              : "bodies:\n  ground: {points: {A0: [x1, y1], R: [x2, y2]");
+    yk_write_dyad_points(w, design, YK_CHAIN_GROUND);
+    for (size_t k = 0; k < journey->count && (journey->pose || journey->point); k++) {
+        YkVec at = journey->pose ? journey->pose[k].at : journey->point[k];
+        yk_text_format(w->text, ", T%z: [", k + 1);
+        yk_write_length(w, "", at.x);
+        yk_write_length(w, ", ", at.y);
+        yk_text_puts(w->text, "]");
+    }
+    yk_text_puts(w->text, "}}\n");
+}
+
+static void add_coupler(const Writer *w, const YkDesign *design)
+{
+    if (design->kind == YK_DESIGN_GEARED) return;
+    yk_text_puts(w->text, design->kind == YK_DESIGN_INVERTED ? "  coupler: {points: {A: [0, 0], K: [0, e]"
+                                                             : "  coupler: {points: {A: [0, 0], B: [b, 0]");
+    yk_write_dyad_points(w, design, YK_CHAIN_COUPLER);
+    if (design->has_point &&
+        yk_bar_size(design->kind) == YK_BAR_PLAIN) { // P and Q lie on the x axis of the task's body
+        double apart = design->kind == YK_DESIGN_INVERTED ? design->length[1] : design->length[2] / 4;
+        YkVec mark = yk_add(design->point, yk_scale(apart, yk_unit(design->turn)));
+        yk_text_puts(w->text, ", P: [px, py]");
+        yk_write_length(w, ", Q: [", mark.x);
+        yk_write_length(w, ", ", mark.y);
+        yk_text_puts(w->text, "]");
+    }
+    yk_text_puts(w->text, "}}\n");
+}
+
+static void add_output(const Writer *w, const YkDesign *design)
+{
+    if (design->kind == YK_DESIGN_SLIDER_CRANK) {
+        yk_text_puts(w->text, "  slider: {points: {B: [0, 0]}}\n");
+        return;
+    }
+    yk_text_puts(w->text, design->kind == YK_DESIGN_INVERTED ? "  output: {points: {B0: [0, 0]"
+                                                             : "  output: {points: {B0: [0, 0], B: [c, 0]");
+    yk_write_dyad_points(w, design, YK_CHAIN_OUTPUT);
+    yk_text_puts(w->text, "}}\n");
 }
 
 static void add_bodies(const Writer *w, const YkDesign *design, const YkJourney *journey)
 {
-    bool is_four_bar = design->kind == YK_DESIGN_FOUR_BAR;
-    yk_text_puts(w->text, is_four_bar ? "bodies:\n  ground: {points: {A0: [x1, y1], B0: [x2, y2]"
-                                      : "bodies:\n  ground: {points: {A0: [x1, y1], R: [x2, y2]");
-    for (size_t k = 0; k < journey->count && (journey->pose || journey->point); k++) {
-        YkVec at = journey->pose ? journey->pose[k].at : journey->point[k];
-        yk_text_format(w->text, ", T%z: [", k + 1);
-        add_length(w, "", at.x);
-        add_length(w, ", ", at.y);
-        yk_text_puts(w->text, "]");
-    }
-    yk_text_puts(w->text, "}}\n  input: {points: {A0: [0, 0], A: [a, 0]}}\n  coupler: {points: {A: [0, 0], B: [b, 0]");
-    if (design->has_point) { // P and Q lie on the x axis of the task's body
-        YkVec mark = yk_add(design->point, yk_scale(design->length[2] / 4, yk_unit(design->turn)));
-        yk_text_puts(w->text, ", P: [px, py]");
-        add_length(w, ", Q: [", mark.x);
-        add_length(w, ", ", mark.y);
-        yk_text_puts(w->text, "]");
-    }
-    yk_text_puts(w->text, is_four_bar ? "}}\n  output: {points: {B0: [0, 0], B: [c, 0]}}\n"
-                                      : "}}\n  slider: {points: {B: [0, 0]}}\n");
+    add_ground(w, design, journey);
+    yk_text_puts(w->text, "  input: {points: {A0: [0, 0], A: [a, 0]");
+    yk_write_dyad_points(w, design, YK_CHAIN_INPUT);
+    yk_text_puts(w->text, "}}\n");
+    add_coupler(w, design);
+    add_output(w, design);
+    yk_write_dyad_bodies(w, design);
 }
 
 static void add_joints(const Writer *w, const YkDesign *design)
 {
-    yk_text_puts(w->text, "joints:\n  A0: {pin: [ground, input], angle: theta}\n"
-                          "  A: {pin: [input, coupler], angle: phi}\n");
-    if (design->kind == YK_DESIGN_FOUR_BAR) {
-        yk_text_puts(w->text, "  B0: {pin: [ground, output], angle: psi}\n  B: {pin: [coupler, output]}\n");
-        return;
+    yk_text_puts(w->text, "joints:\n  A0: {pin: [ground, input], angle: theta}\n");
+    if (design->kind != YK_DESIGN_GEARED) yk_text_puts(w->text, "  A: {pin: [input, coupler], angle: phi}\n");
+    if (design->kind == YK_DESIGN_SLIDER_CRANK) {
+        yk_write_angle(w, "  S: {slide: [ground, slider], along: ", design->along,
+                       " deg, from: R, to: B, distance: s}\n");
+        yk_text_puts(w->text, "  B: {pin: [coupler, slider]}\n");
+    } else if (design->kind == YK_DESIGN_INVERTED) {
+        yk_text_puts(w->text, "  S: {slide: [coupler, output], along: x, from: K, to: B0, distance: s}\n"
+                              "  B0: {pin: [ground, output]}\n");
+    } else {
+        yk_text_puts(w->text, "  B0: {pin: [ground, output], angle: psi}\n");
+        if (design->kind != YK_DESIGN_GEARED) yk_text_puts(w->text, "  B: {pin: [coupler, output]}\n");
     }
-    add_angle(w, "  S: {slide: [ground, slider], along: ", design->along, " deg, from: R, to: B, distance: s}\n");
-    yk_text_puts(w->text, "  B: {pin: [coupler, slider]}\n");
+    yk_write_dyad_joints(w, design);
 }
 
 // A crank turns steadily; any other input swings between the ends of its way, in a second each.
@@ -118,7 +154,7 @@ static void add_drive(const Writer *w, const YkDesign *design, const YkJourney *
     if (journey->count == 0) return;
     double first = journey->input[0], low = first, high = first, last = journey->input[journey->count - 1];
     if (journey->turns || yk_design_turns(design)) {
-        add_angle(w, "drives: {theta: ", first, last < first ? " deg - 60 rpm * t}\n" : " deg + 60 rpm * t}\n");
+        yk_write_angle(w, "drives: {theta: ", first, last < first ? " deg - 60 rpm * t}\n" : " deg + 60 rpm * t}\n");
         return;
     }
     for (size_t k = 0; k < journey->count; k++) {
@@ -127,9 +163,23 @@ static void add_drive(const Writer *w, const YkDesign *design, const YkJourney *
     }
     double middle = (low + high) / 2, half = (high - low) / 2, part = fmin(fmax((first - middle) / half, -1), 1);
     double phase = first == high ? 0 : first == low ? YK_PI : yk_acos(part);
-    add_angle(w, "drives: {theta: ", middle, " deg + ");
-    add_angle(w, "", half, " deg * cos(180 deg/s * t + ");
-    add_angle(w, "", phase, " deg)}\n");
+    yk_write_angle(w, "drives: {theta: ", middle, " deg + ");
+    yk_write_angle(w, "", half, " deg * cos(180 deg/s * t + ");
+    yk_write_angle(w, "", phase, " deg)}\n");
+}
+
+static void add_start(const Writer *w, const YkDesign *design, const YkJourney *journey)
+{
+    yk_text_puts(w->text, "start: {");
+    if (journey->count == 0) yk_write_angle(w, "theta: ", design->angle[0], ", ");
+    if (design->kind != YK_DESIGN_GEARED)
+        yk_write_angle(w, "phi: ", yk_remainder(design->angle[1] - design->angle[0], 2 * YK_PI), ", ");
+    if (design->kind == YK_DESIGN_SLIDER_CRANK || design->kind == YK_DESIGN_INVERTED)
+        yk_write_length(w, "s: ", design->angle[2]);
+    else
+        yk_write_angle(w, "psi: ", design->angle[2], "");
+    yk_write_dyad_start(w, design);
+    yk_text_puts(w->text, "}\n");
 }
 
 void yk_design_write(const YkDesign *design, const YkJourney *journey, YkText *text)
@@ -143,15 +193,6 @@ void yk_design_write(const YkDesign *design, const YkJourney *journey, YkText *t
     add_bodies(w, design, journey);
     add_joints(w, design);
     add_drive(w, design, journey);
-    if (journey->count == 0) add_angle(w, "start: {theta: ", design->angle[0], ", phi: ");
-    add_angle(w,
-              journey->count == 0 ? "" : "start: {phi: ", yk_remainder(design->angle[1] - design->angle[0], 2 * YK_PI),
-              "");
-    if (design->kind == YK_DESIGN_FOUR_BAR)
-        add_angle(w, ", psi: ", design->angle[2], "}\n");
-    else {
-        add_length(w, ", s: ", design->angle[2]);
-        yk_text_puts(text, "}\n");
-    }
+    add_start(w, design, journey);
     yk_text_format(text, "units: {length: %s, angle: deg}\n", unit);
 }

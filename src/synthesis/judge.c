@@ -1,6 +1,6 @@
 // Judges a design by its model file: the ordinary loader reads it, the ordinary engine assembles and drives it.
 #include <math.h>
-#include "synthesis/design.h"
+#include "synthesis/path_bar.h"
 #include <yoke/move.h>
 
 typedef struct Trial {
@@ -18,6 +18,11 @@ typedef struct Trial {
 static const double turn_and_more = 2 + 1.0 / 90;
 static const double met = 1e-6; // what a file of 12 digits may be off, near dead points, over the scale
 
+static bool has_distance(const YkDesign *design)
+{
+    return design->kind == YK_DESIGN_SLIDER_CRANK || design->kind == YK_DESIGN_INVERTED;
+}
+
 static YkStatus stand(Trial *t, const char *text)
 {
     t->model = yk_model_parse(text, strlen(text), "candidate", NULL, NULL);
@@ -25,9 +30,10 @@ static YkStatus stand(Trial *t, const char *text)
     t->state = t->mech ? yk_state_new(t->mech) : NULL;
     t->first = t->mech ? yk_state_new(t->mech) : NULL;
     if (!t->state || !t->first || yk_input_count(t->mech) != 1) return YK_NO_MEMORY;
-    t->point = t->design->has_point ? yk_model_find_point(t->model, "coupler.P") : 0;
-    t->coupler = yk_model_find_body(t->model, "coupler");
-    t->output = yk_coordinate_find(t->mech, t->design->kind == YK_DESIGN_FOUR_BAR ? "psi" : "s");
+    bool has_dyad = yk_bar_size(t->design->kind) > YK_BAR_PLAIN;
+    t->point = t->design->has_point ? yk_model_find_point(t->model, has_dyad ? "link.P" : "coupler.P") : 0;
+    t->coupler = yk_model_find_body(t->model, has_dyad ? "link" : "coupler");
+    t->output = yk_coordinate_find(t->mech, has_distance(t->design) ? "s" : "psi");
     t->input_coordinate = yk_input_coordinate(t->mech, 0);
     t->scale = yk_mechanism_size(t->mech);
     yk_state_set_time(t->state, 0, NULL);
@@ -93,28 +99,47 @@ static void take_extreme(YkVerdict *verdict, const YkEvent *event)
     }
 }
 
-// The transmission angle, from that of coupler and output or slider.
-static double transmission_of(const YkDesign *design, double angle)
+// The transmission angle of a joint, from the angle of its two links, or of coupler and slider. Inverted slider-crank: that of the
+// coupler's line and the line to the output pivot, from the distance along the coupler.
+static double transmission_of(const YkDesign *design, double value)
 {
-    double shift = design->kind == YK_DESIGN_FOUR_BAR ? 0 : design->along + YK_PI / 2;
-    return yk_asin(fmin(fabs(yk_sin(angle + shift)), 1));
+    if (design->kind == YK_DESIGN_INVERTED) return fabs(yk_atan2(fabs(value), fabs(design->length[3])));
+    double shift = design->kind == YK_DESIGN_SLIDER_CRANK ? design->along + YK_PI / 2 : 0;
+    return yk_asin(fmin(fabs(yk_sin(value + shift)), 1));
 }
 
-static void take_transmission(const Trial *t, double angle)
+static void take_transmission(const Trial *t, double value)
 {
-    double *range = t->verdict->transmission, folded = transmission_of(t->design, angle);
+    double *range = t->verdict->transmission, folded = transmission_of(t->design, value);
     range[0] = fmin(range[0], folded);
     range[1] = fmax(range[1], folded);
 }
 
 // Returns which quarter turns lie between: where it changes, the transmission angle passes 0 or a right angle.
-static double side_of(const Trial *t, double angle)
+static double side_of(const Trial *t, double value)
 {
-    double shift = t->design->kind == YK_DESIGN_FOUR_BAR ? 0 : t->design->along + YK_PI / 2;
-    return floor((angle + shift) / YK_PI - 0.5);
+    double shift = t->design->kind == YK_DESIGN_SLIDER_CRANK ? t->design->along + YK_PI / 2 : 0;
+    return t->design->kind == YK_DESIGN_INVERTED ? 0 : floor((value + shift) / YK_PI - 0.5);
 }
 
-static void take_rows(Trial *t, const YkSweep *sweep)
+// Channels: a joint's angle, the point (or input and output), and of machines of two loops the angle of the second one's joint.
+enum { JOINT, FIRST, SECOND, OTHER, CHANNELS };
+
+static void take_joint(Trial *t, const YkSweep *sweep, size_t channel)
+{
+    for (size_t r = 0; r < yk_sweep_row_count(sweep); r++) {
+        double value = yk_sweep_value(sweep, r, channel);
+        take_transmission(t, value);
+        if (r > 0 && side_of(t, value) != side_of(t, yk_sweep_value(sweep, r - 1, channel)))
+            t->verdict->transmission[1] = YK_PI / 2;
+    }
+    for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
+        YkEvent event = yk_sweep_event(sweep, k);
+        if (event.kind == YK_EVENT_EXTREME && event.channel == channel) take_transmission(t, event.value);
+    }
+}
+
+static void take_rows(Trial *t, const YkSweep *sweep, size_t channels)
 {
     YkVerdict *verdict = t->verdict;
     size_t rows = yk_sweep_row_count(sweep);
@@ -122,12 +147,9 @@ static void take_rows(Trial *t, const YkSweep *sweep)
     verdict->transmission[1] = 0;
     verdict->low = INFINITY;
     verdict->high = -INFINITY;
-    for (size_t r = 0; r < rows; r++) {
-        double angle = yk_sweep_value(sweep, r, 0);
-        take_transmission(t, angle);
-        if (r > 0 && side_of(t, angle) != side_of(t, yk_sweep_value(sweep, r - 1, 0)))
-            verdict->transmission[1] = YK_PI / 2;
-        if (r >= YK_CURVE_ROWS) continue;
+    take_joint(t, sweep, JOINT);
+    if (channels > OTHER) take_joint(t, sweep, OTHER);
+    for (size_t r = 0; r < rows && r < YK_CURVE_ROWS; r++) {
         verdict->curve[2 * r] = yk_sweep_value(sweep, r, 1);
         verdict->curve[2 * r + 1] = yk_sweep_value(sweep, r, 2);
         verdict->rows = r + 1;
@@ -135,7 +157,6 @@ static void take_rows(Trial *t, const YkSweep *sweep)
     for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
         YkEvent event = yk_sweep_event(sweep, k);
         if (event.kind == YK_EVENT_EXTREME && event.channel == 2) take_extreme(verdict, &event);
-        if (event.kind == YK_EVENT_EXTREME && event.channel == 0) take_transmission(t, event.value);
     }
 }
 
@@ -143,14 +164,19 @@ static void take_rows(Trial *t, const YkSweep *sweep)
 static YkStatus follow(Trial *t)
 {
     const YkJourney *journey = t->journey;
-    YkChannel channels[3];
+    YkChannel channels[CHANNELS];
+    YkDesignKind kind = t->design->kind;
+    bool has_dyad = yk_bar_size(kind) > YK_BAR_PLAIN;
+    size_t count = has_dyad && kind != YK_DESIGN_GEARED ? CHANNELS : OTHER;
     YkSweepOptions options = yk_default_sweep_options();
-    const char *names[] = {"B.angle", t->design->has_point ? "coupler.P.x" : "theta",
-                           t->design->has_point                        ? "coupler.P.y"
-                           : t->design->kind == YK_DESIGN_SLIDER_CRANK ? "s"
-                                                                       : "psi"};
+    const char *joint = kind == YK_DESIGN_GEARED ? "E.angle" : kind == YK_DESIGN_INVERTED ? "s" : "B.angle";
+    const char *names[] = {joint, "theta", has_distance(t->design) ? "s" : "psi", "E.angle"};
+    if (t->design->has_point) {
+        names[FIRST] = has_dyad ? "link.P.x" : "coupler.P.x";
+        names[SECOND] = has_dyad ? "link.P.y" : "coupler.P.y";
+    }
     double low = journey->input[0], high = low;
-    for (size_t k = 0; k < 3; k++)
+    for (size_t k = 0; k < count; k++)
         if (yk_channel_parse(t->mech, names[k], &channels[k], NULL) != YK_OK) return YK_NO_MEMORY;
     for (size_t k = 0; k < journey->count; k++) {
         low = fmin(low, journey->input[k]);
@@ -165,10 +191,10 @@ static YkStatus follow(Trial *t)
     options.steps = YK_CURVE_ROWS - 1;
     YkMotion start = {.position = options.from};
     YkStatus status = yk_state_move_to(t->first, &start, NULL, NULL);
-    YkSweep *sweep = status >= 0 ? yk_sweep_run(t->first, &options, channels, 3, NULL) : NULL;
+    YkSweep *sweep = status >= 0 ? yk_sweep_run(t->first, &options, channels, count, NULL) : NULL;
     if (!sweep) return status < 0 && status != YK_NO_MEMORY ? YK_OK : YK_NO_MEMORY;
     if (yk_sweep_status(sweep) < 0) t->verdict->defect = journey->turns ? YK_DEFECT_INPUT : YK_DEFECT_BRANCH;
-    take_rows(t, sweep);
+    take_rows(t, sweep, count);
     yk_sweep_free(sweep);
     return YK_OK;
 }

@@ -83,9 +83,11 @@ static bool is_known(const YkPathSearch *search, const YkPathTry *try)
     for (size_t k = 0; k < search->pooled; k++) {
         const YkPathTry *other = &search->pool[k];
         double apart = 0, size = search->batches.problem.size;
-        for (size_t j = 0; j < YK_BAR_SIZE; j++)
+        for (size_t j = 0; j < search->batches.problem.dimensions; j++)
             apart = fmax(apart, j == YK_BAR_TURN ? 0 : fabs(other->bar.v[j] - try->bar.v[j]));
-        if (other->bar.branch == try->bar.branch && apart < 1e-4 * (size + try->bar.v[YK_BAR_COUPLER])) return true;
+        if (other->bar.branch == try->bar.branch && other->bar.bend == try->bar.bend &&
+            other->bar.variant == try->bar.variant && apart < 1e-4 * (size + try->bar.v[YK_BAR_COUPLER]))
+            return true;
     }
     return false;
 }
@@ -134,7 +136,7 @@ static bool has_enough(const YkPathSearch *search, size_t batches, size_t *first
 {
     const YkPathProblem *p = &search->batches.problem;
     size_t conditions = p->is_timed ? 2 * p->count : p->count;
-    if (conditions <= YK_PATH_UNKNOWNS) return search->exact >= EXACT || search->exact >= search->most;
+    if (conditions <= p->dimensions + 1) return search->exact >= EXACT || search->exact >= search->most;
     if (search->exact == 0) *first = batches;
     return search->exact > 0 &&
            (search->exact >= EXACT_OF_MANY || 4 * search->exact >= search->most || batches > 2 * *first + MORE_BATCHES);
@@ -144,37 +146,55 @@ static bool has_enough(const YkPathSearch *search, size_t batches, size_t *first
 static bool find_batch(YkPathSearch *search, size_t batch)
 {
     if (!search->s->options.pieces.get) return yk_path_batch(&search->batches, batch);
-    return yk_synthesis_fetch(search->s, search->first_piece + batch, search->numbers) &&
+    return yk_synthesis_fetch(search->s, search->first_piece + batch * search->kinds, search->numbers) &&
            yk_path_unpack(&search->batches, search->numbers);
 }
 
-static void search_kind(YkSynthesis *s, YkDesignKind kind, double from, double to)
+static YkPathSearch *begin(YkSynthesis *s, YkDesignKind kind, size_t place, size_t kinds)
 {
     YkPathSearch *search = YK_NEW(s->arena, YkPathSearch, 1);
-    if (!search) return;
+    if (!search) return NULL;
     search->s = s;
+    search->first_piece = yk_path_exact_pieces(s->task) + place;
+    search->kinds = kinds;
     size_t best = s->options.best > 0 ? s->options.best : s->task->best;
     search->most = best < YK_PATH_POOL / 4 ? 4 * best : YK_PATH_POOL;
-    search->first_piece = yk_path_exact_pieces(s->task) + (kind == YK_DESIGN_FOUR_BAR ? 0 : YK_PATH_BATCHES);
-    if (!yk_path_batches_new(s->arena, s->task, kind, s->options.seed, &search->batches) || !make_room(search)) return;
-    yk_pace_stage(&s->pace, from, to);
-    for (size_t k = 0, first = 0; k < YK_PATH_BATCHES && !has_enough(search, k, &first); k++) {
-        yk_pace_reach(&s->pace, (double)k / YK_PATH_BATCHES);
-        if (!yk_synthesis_goes_on(s, yk_path_batch_work(&search->batches))) break;
-        if (find_batch(search, k)) finish(search, &search->batches.whole);
-    }
+    bool good = yk_path_batches_new(s->arena, s->task, kind, s->options.seed, &search->batches) && make_room(search);
+    return good ? search : NULL;
 }
 
+// Runs one batch of a kind. Returns false when the search is stopped.
+static bool go_on(YkPathSearch *search, size_t batch)
+{
+    if (search->is_done || batch >= yk_path_batch_count(search->batches.problem.kind)) return true;
+    search->is_done = has_enough(search, batch, &search->first);
+    if (search->is_done) return true;
+    if (!yk_synthesis_goes_on(search->s, yk_path_batch_work(&search->batches))) return false;
+    if (find_batch(search, batch)) finish(search, &search->batches.whole);
+    return true;
+}
+
+// The kinds take turns, so that a search that is cut by time has looked at all of them.
 bool yk_synthesise_path(YkSynthesis *s, YkProblems *problems)
 {
-    const YkTask *task = s->task;
-    bool is_exact = yk_path_is_exact(task), is_whole = is_exact && yk_synthesise_exact_path(s, 0.5);
-    bool has_some = s->candidates.count > 0, searches = task->has_four_bar && !has_some;
-    double from = is_exact ? 0.5 : 0, middle = task->has_slider ? (1 + from) / 2 : 1;
+    YkPathSearch *search[YK_DESIGN_KINDS];
+    YkDesignKind kind[YK_DESIGN_KINDS];
+    size_t kinds = yk_path_kinds(s->task, kind), sought = 0;
+    bool is_exact = yk_path_is_exact(s->task), is_whole = is_exact && yk_synthesise_exact_path(s, 0.5);
+    bool has_some = s->candidates.count > 0;
     (void)problems;
-    // Where no four-bar passes nine points without a defect, one that comes near them is better than none.
-    if (searches) search_kind(s, YK_DESIGN_FOUR_BAR, from, middle);
-    if (task->has_slider) search_kind(s, YK_DESIGN_SLIDER_CRANK, searches ? middle : from, 1);
-    s->is_complete = is_whole && !searches && !task->has_slider;
+    for (size_t i = 0; i < kinds; i++) {
+        // Where no four-bar passes nine points without a defect, one that comes near them is better than none.
+        if (has_some && kind[i] == YK_DESIGN_FOUR_BAR) continue;
+        search[sought] = begin(s, kind[i], i, kinds);
+        if (!search[sought++]) return true; // out of memory, which the arena remembers
+    }
+    if (is_exact) yk_pace_stage(&s->pace, 0.5, 1);
+    for (size_t k = 0; k < YK_PATH_BATCHES && sought > 0; k++) {
+        yk_pace_reach(&s->pace, (double)k / YK_PATH_BATCHES);
+        for (size_t i = 0; i < sought; i++)
+            if (!go_on(search[i], k)) return true;
+    }
+    s->is_complete = is_whole && sought == 0;
     return true;
 }

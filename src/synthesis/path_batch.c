@@ -2,9 +2,17 @@
 // then the best of these to the end, with all points.
 #include <math.h>
 #include <string.h>
+#include "base/mix.h"
 #include "synthesis/path_search.h"
 
-enum { STARTS = 60, FIRST_STEPS = 12, TIED_STEPS = 120, LAST_STEPS = 1500, HARD_WEIGHT = 100000 };
+enum {
+    STARTS = 60,
+    STARTS_OF_CHAINS = 400,
+    FIRST_STEPS = 12,
+    TIED_STEPS = 120,
+    LAST_STEPS = 1500,
+    HARD_WEIGHT = 100000
+};
 
 static void copy_try(const YkPathProblem *p, YkPathTry *to, const YkPathTry *from)
 {
@@ -49,8 +57,8 @@ static YkPathProblem tie_angles(YkPathProblem p, double step)
 {
     p.is_timed = p.shifts = true;
     p.step = step;
-    p.low[YK_BAR_SIZE] = -INFINITY;
-    p.high[YK_BAR_SIZE] = INFINITY;
+    p.low[p.dimensions] = -INFINITY;
+    p.high[p.dimensions] = INFINITY;
     return p;
 }
 
@@ -101,6 +109,10 @@ static void improve_tied(YkPathBatches *batches, const YkPathProblem *p, Tie tie
 // Brings the random numbers to where a batch begins.
 static void go_to(YkPathBatches *batches, size_t batch)
 {
+    if (batches->problem.kind >= YK_DESIGN_INVERTED) { // a seed of its own
+        batches->seed = yk_mix(batches->first_seed ^ yk_mix(batch + 1000 * (uint64_t)batches->problem.kind));
+        return;
+    }
     if (batch < batches->next) {
         batches->next = 0;
         batches->seed = batches->first_seed;
@@ -136,12 +148,13 @@ bool yk_path_batch(YkPathBatches *batches, size_t batch)
     const YkPathProblem *c = &batches->coarse;
     YkPathTry *fresh = &batches->try[YK_PATH_HOPEFUL];
     size_t count = 0, best = 0;
-    bool may_tie = !c->is_timed && c->task->path.is_closed && c->count > YK_PATH_UNKNOWNS;
+    bool may_tie = !c->is_timed && c->task->path.is_closed && c->count > YK_BAR_PLAIN + 1;
     Tie tie = may_tie ? ties[batch % 4] : TIE_NONE;
     double step = batch % 4 == 0 ? 2 * YK_PI : -2 * YK_PI;
     YkPathProblem tied = tie_angles(*c, step / (double)c->count);
     go_to(batches, batch);
-    for (size_t k = 0; k < STARTS; k++)
+    size_t starts = c->dimensions > YK_BAR_PLAIN ? STARTS_OF_CHAINS : STARTS;
+    for (size_t k = 0; k < starts; k++)
         if (yk_path_draw(tie == TIE_STEPS ? &tied : c, &batches->work, &batches->seed, fresh))
             yk_path_insert(c, batches->try, &count, YK_PATH_HOPEFUL, fresh);
     for (size_t k = 0; k < count; k++) {
@@ -158,7 +171,7 @@ bool yk_path_batch(YkPathBatches *batches, size_t batch)
 
 size_t yk_path_width(const YkTask *task)
 {
-    return YK_BAR_SIZE + 4 + task->path.count;
+    return YK_BAR_SIZE + 6 + task->path.count;
 }
 
 void yk_path_pack(const YkPathBatches *batches, bool closes, double *numbers)
@@ -169,6 +182,8 @@ void yk_path_pack(const YkPathBatches *batches, bool closes, double *numbers)
     if (!closes) return;
     *at++ = 1;
     *at++ = try->bar.branch;
+    *at++ = try->bar.bend;
+    *at++ = try->bar.variant;
     *at++ = try->error;
     *at++ = try->cost;
     memcpy(at, try->bar.v, sizeof try->bar.v);
@@ -183,6 +198,8 @@ bool yk_path_unpack(YkPathBatches *batches, const double *numbers)
     if (*at++ != 1) return false;
     try->bar = (YkBar){.kind = p->kind, .hangs_at_end = p->hangs_at_end};
     try->bar.branch = *at++ < 0 ? -1 : 1;
+    try->bar.bend = *at++ < 0 ? -1 : 1;
+    try->bar.variant = (int)*at++;
     try->error = *at++;
     try->cost = *at++;
     memcpy(try->bar.v, at, sizeof try->bar.v);

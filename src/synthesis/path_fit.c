@@ -4,7 +4,7 @@
 #include <string.h>
 #include "synthesis/least_squares.h"
 
-enum { N = YK_PATH_UNKNOWNS, SHIFT = YK_BAR_SIZE };
+enum { N = YK_PATH_UNKNOWNS }; // at most
 
 static const double weight_at_first = 100;
 static const double margin = 1e-6;  // by which limits are kept, over the size of the points
@@ -67,10 +67,10 @@ bool yk_path_measure(const YkPathProblem *problem, YkPathWork *work, YkPathTry *
 static void add_row(const YkPathProblem *problem, YkPathWork *work, size_t *rows, const YkBarPoint *p, YkVec along,
                     YkVec miss)
 {
-    double *row = &work->row[*rows * N];
-    for (size_t j = 0; j < YK_BAR_SIZE; j++) row[j] = yk_dot(along, p->by[j]);
+    double *row = &work->row[*rows * (problem->dimensions + 1)];
+    for (size_t j = 0; j < problem->dimensions; j++) row[j] = yk_dot(along, p->by[j]);
     if (problem->follows) row[YK_BAR_TURN] += yk_dot(along, p->by_input);
-    row[SHIFT] = problem->shifts ? yk_dot(along, p->by_input) : 0;
+    row[problem->dimensions] = problem->shifts ? yk_dot(along, p->by_input) : 0;
     work->miss[(*rows)++] = yk_dot(along, miss);
 }
 
@@ -91,10 +91,10 @@ static size_t linearise(const YkPathProblem *problem, YkPathWork *work, const Yk
     double excess[YK_PATH_LIMITS], by[YK_PATH_LIMITS][YK_BAR_SIZE];
     size_t limits = yk_path_limits(problem, &try->bar, excess, by);
     for (size_t k = 0; k < limits; k++) {
-        double over = excess[k] + margin * problem->size, *row = &work->row[rows * N];
+        double over = excess[k] + margin * problem->size, *row = &work->row[rows * (problem->dimensions + 1)];
         if (over <= 0) continue;
-        for (size_t j = 0; j < YK_BAR_SIZE; j++) row[j] = work->weight * by[k][j];
-        row[SHIFT] = 0;
+        for (size_t j = 0; j < problem->dimensions; j++) row[j] = work->weight * by[k][j];
+        row[problem->dimensions] = 0;
         work->miss[rows++] = work->weight * over;
     }
     return rows;
@@ -121,14 +121,14 @@ static void move(const YkPathProblem *problem, const YkPathWork *work, const YkP
                  YkPathTry *to)
 {
     to->bar = from->bar;
-    for (size_t j = 0; j < YK_BAR_SIZE; j++)
+    for (size_t j = 0; j < problem->dimensions; j++)
         to->bar.v[j] = fmin(fmax(from->bar.v[j] + step[j], problem->low[j]), problem->high[j]);
     for (size_t k = 0; k < problem->count; k++) {
         const YkBarPoint *p = &work->now[k];
-        double turn = step[SHIFT];
+        double turn = step[problem->dimensions];
         if (!problem->is_timed) {
             YkVec miss = yk_sub(p->at, problem->point[k]);
-            for (size_t j = 0; j < YK_BAR_SIZE; j++) miss = yk_add(miss, yk_scale(step[j], p->by[j]));
+            for (size_t j = 0; j < problem->dimensions; j++) miss = yk_add(miss, yk_scale(step[j], p->by[j]));
             double speed = yk_dot(p->by_input, p->by_input);
             turn = speed > 0 ? -yk_dot(miss, p->by_input) / speed : 0;
             turn = limited(problem, from->angle, k, turn);
@@ -148,8 +148,9 @@ bool yk_path_improve(const YkPathProblem *problem, YkPathWork *work, YkPathTry *
         YkPathTry next = {.angle = work->angle};
         double at[N] = {0}, step[N];
         if (is_new) rows = linearise(problem, work, try);
-        memcpy(at, try->bar.v, sizeof try->bar.v);
-        YkLinear linear = {N, rows, work->row, work->miss, at, problem->low, problem->high, work->A, work->b};
+        memcpy(at, try->bar.v, problem->dimensions * sizeof *at);
+        YkLinear linear = {problem->dimensions + 1, rows,    work->row, work->miss, at, problem->low,
+                           problem->high,           work->A, work->b};
         yk_linear_step(&linear, damping, step);
         move(problem, work, try, step, &next);
         is_new = measure(problem, work->weight, work->next, &next) && next.cost < try->cost;

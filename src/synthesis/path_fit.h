@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "synthesis/path_bar.h"
 
-enum { YK_PATH_UNKNOWNS = YK_BAR_SIZE + 1, YK_PATH_LIMITS = 12 }; // the last unknown shifts angles with a given step
+enum { YK_PATH_UNKNOWNS = YK_BAR_SIZE + 1, YK_PATH_LIMITS = 12 }; // one more shifts angles with a given step
 
 // What is sought: points, bounds of the dimensions, and how the angles follow.
 typedef struct YkPathProblem {
@@ -14,6 +14,7 @@ typedef struct YkPathProblem {
     double step;         // between points where it is given, rad
     size_t count;
     YkDesignKind kind;
+    size_t dimensions;                                   // their number; the unknown after them shifts the angles
     bool hangs_at_end, has_box, is_timed, shifts, turns; // box: for the pivot that is not a dimension
     bool follows;                                        // the angles are counted from the ground, and turn with it
     double low[YK_PATH_UNKNOWNS], high[YK_PATH_UNKNOWNS];

@@ -37,6 +37,7 @@ static void add_turning(Limits *l, const YkBar *bar)
         row[YK_BAR_COUPLER] = -1;
         return;
     }
+    if (!yk_bar_has_loop(bar->kind)) return;
     int least = v[YK_BAR_INPUT] <= v[YK_BAR_GROUND] ? YK_BAR_INPUT : YK_BAR_GROUND;
     add_grashof(l, v, least, least == YK_BAR_INPUT ? YK_BAR_GROUND : YK_BAR_INPUT);
     add_grashof(l, v, least, YK_BAR_COUPLER);
@@ -63,8 +64,8 @@ static void add_box(Limits *l, const YkPathProblem *problem, const YkBar *bar)
 static void add_size(Limits *l, const YkBar *bar, double ratio)
 {
     int least = YK_BAR_INPUT, most = YK_BAR_INPUT;
-    for (int k = bar->kind == YK_DESIGN_FOUR_BAR ? YK_BAR_GROUND : YK_BAR_INPUT; k <= YK_BAR_OUTPUT; k++) {
-        if (k == YK_BAR_TURN || (k == YK_BAR_OUTPUT && bar->kind != YK_DESIGN_FOUR_BAR)) continue;
+    for (int k = YK_BAR_GROUND; k <= YK_BAR_ARM; k++) {
+        if (!yk_bar_is_length(bar->kind, k)) continue;
         if (bar->v[k] < bar->v[least]) least = k;
         if (bar->v[k] > bar->v[most]) most = k;
     }
@@ -97,7 +98,7 @@ size_t yk_path_limits(const YkPathProblem *problem, const YkBar *bar, double exc
     const YkTask *task = problem->task;
     bool is_four_bar = bar->kind == YK_DESIGN_FOUR_BAR;
     if (problem->turns) add_turning(&limits, bar);
-    if (problem->has_box && is_four_bar) add_box(&limits, problem, bar);
+    if (problem->has_box && bar->kind != YK_DESIGN_SLIDER_CRANK) add_box(&limits, problem, bar);
     if (task->size_ratio.is_given) add_size(&limits, bar, task->size_ratio.value);
     if (task->transmission.is_given && problem->turns && is_four_bar)
         add_transmission(&limits, bar, task->transmission.value);

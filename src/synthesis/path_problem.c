@@ -29,6 +29,17 @@ static void fix_given(YkPathProblem *p, const YkPathTask *path)
     fix_value(p, YK_BAR_TURN, yk_atan2(ground.y, ground.x));
 }
 
+// The dimensions of a dyad, and where it begins.
+static void pose_dyad(YkPathProblem *p, const YkBound *lengths, double near, double far, double wide)
+{
+    double least = lengths->is_given ? fmax(lengths->low, 1e-9 * p->size) : near;
+    for (int j = YK_BAR_CU; j <= YK_BAR_DV; j++) set_range(p, j, NULL, -far, far);
+    for (int j = YK_BAR_LINK; j <= YK_BAR_ARM; j++) set_range(p, j, lengths, least, lengths->is_given ? wide : far);
+    if (p->kind != YK_DESIGN_GEARED) return;
+    set_range(p, YK_BAR_CU, NULL, -1e3, 1e3); // a phase
+    for (int j = YK_BAR_CV; j <= YK_BAR_DV; j++) fix_value(p, j, 0);
+}
+
 static void pose(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
 {
     static const double least = 1e-3, most = 1e3; // over the size of the points
@@ -39,6 +50,7 @@ static void pose(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
         high = yk_vec(fmax(high.x, path->point[k].x), fmax(high.y, path->point[k].y));
     }
     *p = (YkPathProblem){.task = task, .point = path->point, .count = path->count, .kind = kind};
+    p->dimensions = yk_bar_size(kind);
     p->angle = path->angle;
     p->step = path->step;
     p->size = yk_norm(yk_sub(high, low));
@@ -57,11 +69,14 @@ static void pose(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
                   is_bounded ? wide : far);
     if (kind == YK_DESIGN_SLIDER_CRANK) set_range(p, YK_BAR_GROUND, NULL, -far, far);
     if (kind == YK_DESIGN_SLIDER_CRANK) fix_value(p, YK_BAR_OUTPUT, 1);
+    if (kind == YK_DESIGN_INVERTED) set_range(p, YK_BAR_OUTPUT, NULL, -far, far);
+    if (kind == YK_DESIGN_INVERTED || kind == YK_DESIGN_GEARED) fix_value(p, YK_BAR_COUPLER, 1);
+    if (p->dimensions > YK_BAR_PLAIN) pose_dyad(p, &task->lengths, near, far, wide);
     set_range(p, YK_BAR_TURN, NULL, -1e3, 1e3);
     set_range(p, YK_BAR_PX, &task->coupler_point, -far, far);
     set_range(p, YK_BAR_PY, &task->coupler_point, -far, far);
-    p->low[YK_BAR_SIZE] = p->shifts ? -INFINITY : 0;
-    p->high[YK_BAR_SIZE] = p->shifts ? INFINITY : 0;
+    p->low[p->dimensions] = p->shifts ? -INFINITY : 0;
+    p->high[p->dimensions] = p->shifts ? INFINITY : 0;
     fix_given(p, path);
 }
 
@@ -83,6 +98,19 @@ static bool thin(YkArena *arena, YkPathBatches *batches)
     batches->coarse.count = count;
     batches->coarse.step = p->step * (double)stride;
     return true;
+}
+
+size_t yk_path_batch_count(YkDesignKind kind)
+{
+    return yk_bar_size(kind) > YK_BAR_PLAIN ? YK_CHAIN_BATCHES : YK_PATH_BATCHES;
+}
+
+size_t yk_path_kinds(const YkTask *task, YkDesignKind kind[YK_DESIGN_KINDS])
+{
+    size_t count = 0;
+    for (int k = 0; k < YK_DESIGN_KINDS; k++)
+        if (task->kinds >> k & 1) kind[count++] = (YkDesignKind)k;
+    return count;
 }
 
 bool yk_path_batches_new(YkArena *arena, const YkTask *task, YkDesignKind kind, uint64_t seed, YkPathBatches *batches)

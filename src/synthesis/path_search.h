@@ -4,8 +4,11 @@
 #include "synthesis/path_start.h"
 #include "synthesis/synthesis.h"
 
-// The most batches that the search runs for one kind of bar.
-enum { YK_PATH_HOPEFUL = 6, YK_PATH_POOL = 400, YK_PATH_BATCHES = 600 };
+// The most batches that the search runs for one kind of bar, or of machine with a dyad, whose batches are larger.
+enum { YK_PATH_HOPEFUL = 6, YK_PATH_POOL = 400, YK_PATH_BATCHES = 600, YK_CHAIN_BATCHES = 150 };
+size_t yk_path_batch_count(YkDesignKind kind);
+// Lists the kinds that a task asks for. Returns their number.
+size_t yk_path_kinds(const YkTask *task, YkDesignKind kind[YK_DESIGN_KINDS]);
 
 // What computes batches of starts, each of them by its number alone.
 typedef struct YkPathBatches {
@@ -20,7 +23,9 @@ typedef struct YkPathBatches {
 typedef struct YkPathSearch {
     YkSynthesis *s;
     YkPathBatches batches;
-    size_t first_piece;
+    size_t first_piece, kinds; // pieces: those of all kinds that are sought take turns
+    size_t first;              // the last batch without a bar that passes all points to rounding
+    bool is_done;
     double *numbers;              // of a piece
     YkPathTry pool[YK_PATH_POOL]; // that passed, best first
     size_t pooled, most, exact;   // `most`: as many are kept

@@ -1,6 +1,7 @@
 // Bars to begin with. The ratios of a bar's lengths and the input's angles from the ground are drawn; what remains - the
 // pivot, size and direction of the bar, and the coupler point - enters the path linearly, as complex numbers:
 // P = A0 + S e^(i theta) + Q e^(i phi). Where dimensions have bounds, every other bar is drawn within them.
+#include "synthesis/path_chain.h"
 #include "synthesis/path_start.h"
 #include <math.h>
 #include <string.h>
@@ -51,13 +52,83 @@ static void draw_shape(const YkPathProblem *problem, uint64_t *seed, YkBar *bar)
     v[YK_BAR_OUTPUT] = ratio(seed);
     v[YK_BAR_GROUND] = ratio(seed);
     if (problem->kind == YK_DESIGN_SLIDER_CRANK) v[YK_BAR_GROUND] = between(seed, -2, 2);
+    if (problem->kind == YK_DESIGN_INVERTED) v[YK_BAR_OUTPUT] = between(seed, -1, 1) * fabs(v[YK_BAR_GROUND] - 1);
+    if (problem->kind == YK_DESIGN_INVERTED) v[YK_BAR_COUPLER] = 1;
     bar->branch = yk_mix_next(seed) & 1 ? 1 : -1;
+}
+
+// Draws a place near a link of some length.
+static void draw_place(uint64_t *seed, double length, double *u, double *v)
+{
+    YkVec at = yk_scale(length * yk_exp(between(seed, -1.2, 0.8)), yk_unit(between(seed, -YK_PI, YK_PI)));
+    *u = at.x;
+    *v = at.y;
+}
+
+// Draws a first loop whose input turns through where the task asks for that.
+static bool draw_first_loop(const YkPathProblem *problem, uint64_t *seed, YkBar *bar)
+{
+    enum { TRIES = 40 };
+    double excess[YK_PATH_LIMITS], by[YK_PATH_LIMITS][YK_BAR_SIZE];
+    for (size_t k = 0; k < TRIES; k++) {
+        bar->v[YK_BAR_COUPLER] = ratio(seed);
+        bar->v[YK_BAR_OUTPUT] = ratio(seed);
+        bar->v[YK_BAR_GROUND] = ratio(seed);
+        if (!problem->turns || !yk_bar_has_loop(bar->kind)) return true;
+        size_t count = yk_path_limits(problem, bar, excess, by);
+        bool is_inside = true;
+        for (size_t i = 0; i < count && i < 3; i++)
+            is_inside = is_inside && excess[i] < 0; // those of turning come first
+        if (is_inside) return true;
+    }
+    return false;
+}
+
+// Draws lengths of link and arm with which the dyad closes all round, from the least and the largest distance between its ends.
+static void draw_dyad(uint64_t *seed, double least, double most, YkBar *bar)
+{
+    double sum = most * (1 + yk_exp(between(seed, -3.5, 0.7))), difference = 0.95 * least * between(seed, -1, 1);
+    bar->v[YK_BAR_LINK] = (sum + difference) / 2;
+    bar->v[YK_BAR_ARM] = (sum - difference) / 2;
+    bar->bend = yk_mix_next(seed) & 1 ? 1 : -1;
+}
+
+// Draws the shape of a machine with a dyad: an input of length 1, and places in terms of it. The direction of its ground and all
+// angles are those of the try.
+static bool draw_chain(const YkPathProblem *problem, uint64_t *seed, YkPathTry *try)
+{
+    double *v = try->bar.v, least = INFINITY, most = 0;
+    YkBar *bar = &try->bar;
+    v[YK_BAR_INPUT] = 1;
+    bar->branch = yk_mix_next(seed) & 1 ? 1 : -1;
+    bar->variant = (int)(yk_mix_next(seed) % yk_chain_variants(bar->kind));
+    YkChainVariant variant = yk_chain_variant(bar->kind, bar->variant);
+    const YkChainBody ends[] = {variant.link, variant.arm};
+    if (!draw_first_loop(problem, seed, bar)) return false;
+    const double lengths[] = {v[YK_BAR_GROUND], 1, v[YK_BAR_COUPLER], v[YK_BAR_OUTPUT]};
+    if (bar->kind == YK_DESIGN_GEARED) {
+        v[YK_BAR_CU] = between(seed, -YK_PI, YK_PI);
+        v[YK_BAR_COUPLER] = 1;
+    } else {
+        draw_place(seed, lengths[ends[0]], &v[YK_BAR_CU], &v[YK_BAR_CV]);
+        draw_place(seed, lengths[ends[1]], &v[YK_BAR_DU], &v[YK_BAR_DV]);
+    }
+    for (size_t k = 0; k < problem->count; k++) {
+        YkVec end[2];
+        if (!yk_chain_ends(bar, try->angle[k], end)) return false;
+        double apart = yk_norm(yk_sub(end[1], end[0]));
+        least = fmin(least, apart);
+        most = fmax(most, apart);
+    }
+    draw_dyad(seed, least, most, bar);
+    return true;
 }
 
 // Keeps the dimensions within their bounds.
 static void clip(const YkPathProblem *problem, YkBar *bar)
 {
-    for (size_t j = 0; j < YK_BAR_SIZE; j++) bar->v[j] = fmin(fmax(bar->v[j], problem->low[j]), problem->high[j]);
+    for (size_t j = 0; j < problem->dimensions; j++)
+        bar->v[j] = fmin(fmax(bar->v[j], problem->low[j]), problem->high[j]);
 }
 
 // Columns of the linear problem: which of A0, S, Q they are.
@@ -88,11 +159,11 @@ static bool place(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try
     size_t order[6], n = problem->count;
     bool has_pivot = !(problem->task->path.pivot[0].is_given && !problem->hangs_at_end);
     Columns c = {work->A, work->b, (size_t)(3 + 2 * has_pivot + is_turned), has_pivot, is_turned};
-    YkVec pivot = has_pivot ? yk_vec(0, 0) : problem->task->path.pivot[0].at, u;
+    YkVec pivot = has_pivot ? yk_vec(0, 0) : problem->task->path.pivot[0].at, u, origin;
     if (2 * n < c.count) return false;
     for (size_t k = 0; k < n; k++) {
-        if (!yk_bar_coupler(&try->bar, try->angle[k], &u)) return false;
-        add_rows(&c, k, yk_sub(problem->point[k], pivot), yk_unit(try->angle[k]), u);
+        if (!yk_bar_frame(&try->bar, try->angle[k], &origin, &u)) return false;
+        add_rows(&c, k, yk_sub(problem->point[k], pivot), origin, u);
     }
     size_t rank = yk_qr_factor(2 * n, c.count, c.A, order, tau, 1e-12);
     yk_qr_solve(2 * n, c.count, c.A, order, tau, rank, c.b, x);
@@ -111,6 +182,8 @@ static bool place(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try
     v[YK_BAR_INPUT] = size;
     v[YK_BAR_COUPLER] *= size;
     v[YK_BAR_OUTPUT] *= size;
+    for (int j = YK_BAR_CU; j < YK_BAR_SIZE; j++)
+        if (j != YK_BAR_CU || problem->kind != YK_DESIGN_GEARED) v[j] *= size; // there it is a phase
     v[YK_BAR_PX] = p.x;
     v[YK_BAR_PY] = p.y;
     if (problem->hangs_at_end) pivot = yk_add(pivot, yk_scale(v[YK_BAR_GROUND], yk_unit(v[YK_BAR_TURN])));
@@ -148,32 +221,39 @@ static bool has_turn(const YkPathProblem *problem)
 }
 
 // Draws all numbers of a bar. Returns whether it is drawn within its bounds; otherwise these are ratios.
-static bool draw_numbers(const YkPathProblem *problem, uint64_t *seed, YkPathTry *try)
+// is_drawn: false if a machine with a dyad does not close.
+static bool draw_numbers(const YkPathProblem *problem, uint64_t *seed, YkPathTry *try, bool *is_drawn)
 {
+    *is_drawn = true;
     const YkPathTask *path = &problem->task->path;
     try->bar = (YkBar){.kind = problem->kind, .hangs_at_end = problem->hangs_at_end};
     draw_angles(problem, seed, try->angle);
-    bool is_in_box = problem->task->lengths.is_given && yk_mix_next(seed) & 1;
+    bool is_chain = problem->dimensions > YK_BAR_PLAIN;
+    bool is_in_box = !is_chain && problem->task->lengths.is_given && yk_mix_next(seed) & 1;
     if (is_in_box) {
         draw_in_box(problem, seed, &try->bar);
         return true;
     }
-    draw_shape(problem, seed, &try->bar);
+    if (!is_chain) draw_shape(problem, seed, &try->bar);
     try->bar.v[YK_BAR_TURN] = path->ground_angle.is_given ? path->ground_angle.value
                               : has_turn(problem)         ? 0
                                                           : between(seed, -YK_PI, YK_PI);
     yk_path_turn_angles(problem, try);
+    *is_drawn = !is_chain || draw_chain(problem, seed, try);
     return false;
 }
 
 void yk_path_skip(const YkPathProblem *problem, uint64_t *seed, YkPathTry *scratch)
 {
-    draw_numbers(problem, seed, scratch);
+    bool is_drawn;
+    draw_numbers(problem, seed, scratch, &is_drawn);
 }
 
 bool yk_path_draw(const YkPathProblem *problem, YkPathWork *work, uint64_t *seed, YkPathTry *try)
 {
-    if (!draw_numbers(problem, seed, try)) {
+    bool is_drawn, is_in_box = draw_numbers(problem, seed, try, &is_drawn);
+    if (!is_drawn) return false;
+    if (!is_in_box) {
         if (!is_near_limits(problem, &try->bar) || !place(problem, work, try, has_turn(problem))) return false;
         clip(problem, &try->bar);
     }

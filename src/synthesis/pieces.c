@@ -10,21 +10,23 @@ struct YkPieces {
     YkArena *arena;
     YkPace pace;
     uint64_t seed;
-    size_t width, count, exact; // exact: pieces of the exact search, which come first
-    YkPathBatches *path[2];     // four-bars, slider-cranks
+    size_t width, count, exact;           // exact: pieces of the exact search, which come first
+    YkPathBatches *path[YK_DESIGN_KINDS]; // of the kinds that are sought, whose pieces take turns
+    size_t kinds;
     YkMachineFit fit;
     bool has_fit;
 };
 
 static bool prepare_paths(YkPieces *p)
 {
-    static const YkDesignKind kinds[] = {YK_DESIGN_FOUR_BAR, YK_DESIGN_SLIDER_CRANK};
+    YkDesignKind kind[YK_DESIGN_KINDS];
+    p->kinds = yk_path_kinds(p->task, kind);
     p->width = yk_path_width(p->task);
     p->exact = yk_path_exact_pieces(p->task);
-    p->count = p->exact + 2 * YK_PATH_BATCHES;
-    for (size_t k = 0; k < 2; k++) {
+    p->count = p->exact + p->kinds * YK_PATH_BATCHES;
+    for (size_t k = 0; k < p->kinds; k++) {
         p->path[k] = YK_NEW(p->arena, YkPathBatches, 1);
-        if (!p->path[k] || !yk_path_batches_new(p->arena, p->task, kinds[k], p->seed, p->path[k])) return false;
+        if (!p->path[k] || !yk_path_batches_new(p->arena, p->task, kind[k], p->seed, p->path[k])) return false;
     }
     return true;
 }
@@ -101,7 +103,7 @@ static size_t work_of(const YkPieces *p, size_t piece)
 {
     if (p->task->kind == YK_TASK_MACHINE) return yk_machine_batch_work(p->task);
     if (piece < p->exact) return 1; // a path counts its own steps
-    return yk_path_batch_work(p->path[(piece - p->exact) / YK_PATH_BATCHES]);
+    return yk_path_batch_work(p->path[(piece - p->exact) % p->kinds]);
 }
 
 static void compute(YkPieces *p, size_t piece, double *numbers)
@@ -116,8 +118,8 @@ static void compute(YkPieces *p, size_t piece, double *numbers)
         yk_path_exact_piece(p->task, p->seed, piece, &p->pace, numbers);
         return;
     }
-    YkPathBatches *batches = p->path[(piece - p->exact) / YK_PATH_BATCHES];
-    bool closes = yk_path_batch(batches, (piece - p->exact) % YK_PATH_BATCHES);
+    YkPathBatches *batches = p->path[(piece - p->exact) % p->kinds];
+    bool closes = yk_path_batch(batches, (piece - p->exact) / p->kinds);
     yk_path_pack(batches, closes, numbers);
 }
 

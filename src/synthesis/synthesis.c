@@ -76,9 +76,13 @@ static bool is_alike(const YkDesign *a, const YkDesign *b)
         size = fmax(size, b->length[k]);
         if (fabs(a->length[k] - b->length[k]) > near_to * b->length[k]) return false;
     }
+    for (size_t k = 0; k < 2; k++) {
+        size = fmax(size, b->dyad_length[k]);
+        if (fabs(a->dyad_length[k] - b->dyad_length[k]) > near_to * b->dyad_length[k]) return false;
+    }
     for (size_t i = 0; i < YK_SIDES; i++)
         if (yk_norm(yk_sub(a->pivot[i], b->pivot[i])) > near_to * size) return false;
-    return a->kind == b->kind;
+    return a->kind == b->kind && a->variant == b->variant;
 }
 
 static size_t best_of(const YkSynthesis *s)
@@ -159,9 +163,7 @@ static void rank(YkSynthesis *s)
     for (size_t k = 0; k < list->count; k++) {
         yk_text_clear(&name);
         yk_text_format(&name, "%s%z-%s.yaml", k < 9 ? "0" : "", k + 1,
-                       s->task->kind == YK_TASK_MACHINE                   ? "machine"
-                       : list->items[k].design.kind == YK_DESIGN_FOUR_BAR ? "four-bar"
-                                                                          : "slider-crank");
+                       s->task->kind == YK_TASK_MACHINE ? "machine" : yk_design_kind_name(list->items[k].design.kind));
         list->items[k].file = yk_arena_copy(s->arena, yk_text_get(&name), name.length);
     }
     yk_text_free(&name);

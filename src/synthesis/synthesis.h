@@ -4,7 +4,7 @@
 #include "base/pace.h"
 #include "synthesis/design.h"
 
-enum { YK_DEFECTS_KEPT = 10000, YK_PARAMETERS_MAX = 9 };
+enum { YK_DEFECTS_KEPT = 10000, YK_PARAMETERS_MAX = 16 };
 
 // A machine that passed, or was left out.
 typedef struct YkFound {

@@ -1,5 +1,5 @@
 // Task files: which kind, the keys that all kinds share, and the way from text to a YkTask.
-#include "synthesis/task.h"
+#include "synthesis/design.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -122,34 +122,55 @@ static void read_require(YkTaskReader *reader)
     yk_task_value(reader, map, "size_ratio", YK_DIM_NUMBER, &task->size_ratio);
 }
 
-// `mechanisms:` may only name what the kind gives: four-bars, for paths and motions slider-cranks as well.
+// Returns the kinds that a word of `mechanisms:` asks for, as bits: none if the task does not give them.
+static unsigned kinds_of(const YkTask *task, const char *word)
+{
+    size_t count = task->kind == YK_TASK_PATH ? YK_DESIGN_KINDS : task->kind == YK_TASK_MOTION ? 2 : 1;
+    if (task->kind == YK_TASK_PATH && strcmp(word, "all") == 0) return (1u << YK_DESIGN_KINDS) - 1;
+    for (size_t k = 0; k < count; k++)
+        if (strcmp(word, yk_design_kind_name((YkDesignKind)k)) == 0) return 1u << k;
+    return 0;
+}
+
+static void refuse_mechanism(const YkTaskReader *reader, const YkNode *item)
+{
+    static const char *const found[YK_TASK_KINDS] = {
+        [YK_TASK_MOTION] = "four-bars and slider-cranks",
+        [YK_TASK_PATH] = "four-bars, slider-cranks, inverted slider-cranks, geared five-bars and six-bars"};
+    static const char *const hint[YK_TASK_KINDS] = {[YK_TASK_MOTION] = "write [four-bar, slider-crank], or one of them",
+                                                    [YK_TASK_PATH] =
+                                                        "write some of [four-bar, slider-crank, inverted-slider-crank, "
+                                                        "geared-five-bar, watt, stephenson], or [all]"};
+    YkTaskKind kind = reader->task->kind;
+    yk_problem(reader->loader->problems, YK_CODE_WRONG_WORD, item->place, "this version finds %s for a %s, no %q",
+               found[kind] ? found[kind] : "four-bars", kinds[kind].name, item->text);
+    yk_problem_hint(reader->loader->problems, "%s",
+                    hint[kind] ? hint[kind] : "write [four-bar], or leave `mechanisms` out");
+}
+
+// `mechanisms:` may only name what the kind gives: four-bars, for motions slider-cranks as well, for paths more.
 static void read_mechanisms(YkTaskReader *reader)
 {
     YkLoader *loader = reader->loader;
     YkTask *task = reader->task;
-    bool may_slide = task->kind == YK_TASK_PATH || task->kind == YK_TASK_MOTION;
-    task->has_four_bar = !yk_node_get(loader->root, "mechanisms");
     const YkNode *list = yk_node_get(loader->root, "mechanisms");
-    if (!list || !yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "value", .part = "mechanisms"}))
-        return;
-    for (size_t k = 0; k < list->count; k++) {
-        const YkNode *item = list->items[k];
-        if (!yk_load_expect(loader, item, YK_NODE_SCALAR, &(YkSubject){.noun = "entry", .owner = "mechanisms"}))
-            continue;
-        bool is_four_bar = strcmp(item->text, "four-bar") == 0;
-        bool is_slider = may_slide && strcmp(item->text, "slider-crank") == 0;
-        task->has_four_bar |= is_four_bar;
-        task->has_slider |= is_slider;
-        if (is_four_bar || is_slider) continue;
-        yk_problem(loader->problems, YK_CODE_WRONG_WORD, item->place, "this version finds four-bars%s for a %s, no %q",
-                   may_slide ? " and slider-cranks" : "", kinds[task->kind].name, item->text);
-        yk_problem_hint(loader->problems, may_slide ? "write [four-bar, slider-crank], or one of them"
-                                                    : "write [four-bar], or leave `mechanisms` out");
+    if (!list) task->kinds = 1u << YK_DESIGN_FOUR_BAR;
+    if (list && yk_load_expect(loader, list, YK_NODE_LIST, &(YkSubject){.noun = "value", .part = "mechanisms"})) {
+        for (size_t k = 0; k < list->count; k++) {
+            const YkNode *item = list->items[k];
+            if (!yk_load_expect(loader, item, YK_NODE_SCALAR, &(YkSubject){.noun = "entry", .owner = "mechanisms"}))
+                continue;
+            unsigned asked = kinds_of(task, item->text);
+            task->kinds |= asked;
+            if (!asked) refuse_mechanism(reader, item);
+        }
+        if (list->count == 0) {
+            yk_problem(loader->problems, YK_CODE_WRONG_WORD, list->place, "`mechanisms` names no machine");
+            yk_problem_hint(loader->problems, "leave it out to have four-bars");
+        }
     }
-    if (list->count == 0) {
-        yk_problem(loader->problems, YK_CODE_WRONG_WORD, list->place, "`mechanisms` names no machine");
-        yk_problem_hint(loader->problems, "leave it out to have four-bars");
-    }
+    task->has_four_bar = task->kinds >> YK_DESIGN_FOUR_BAR & 1;
+    task->has_slider = task->kinds >> YK_DESIGN_SLIDER_CRANK & 1;
 }
 
 // Reports keys about dimensions that synthesis chooses: those of a machine that is there are its parameters.

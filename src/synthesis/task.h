@@ -125,6 +125,7 @@ struct YkTask {
     YkGiven transmission, size_ratio;
     bool turns, moves, any_order;
     bool has_four_bar, has_slider; // the mechanisms that are sought
+    unsigned kinds;                // of a path: bit k is set if machines of the YkDesignKind k are sought
     size_t best;
     YkMotionTask motion;
     YkFunctionTask function;

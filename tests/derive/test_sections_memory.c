@@ -1,4 +1,4 @@
-// Gears and cams in symbols survive the failure of any one allocation: false comes back, nothing leaks, nothing
+// Gears, cams, polygons and centres in symbols survive the failure of any one allocation: false comes back, nothing leaks, nothing
 // crashes.
 #include "interposed.h"
 #include "derive_check.h"
@@ -42,6 +42,8 @@ static void any_one_failure_is_survived(void **state)
     check_example("epicyclic", "gears");
     check_example("simple-planetary", "gears");
     check_example("cep-cam", "cam");
+    check_example("quick-return", "polygons");
+    check_example("quick-return", "centers");
     check_example("swing-cam", "cam");
 }
 

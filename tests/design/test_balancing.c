@@ -2,6 +2,7 @@
 #include "check.h"
 #include <stdlib.h>
 #include <yoke/yoke.h>
+#include "base/text.h"
 #include "loads/loads.h"
 
 typedef struct Machine {
@@ -82,7 +83,7 @@ static void a_four_bar_gets_the_counterweights_of_berkof_and_lowen(void **state)
         CHECK_NEAR(w.mass * w.radius, w.product, 1e-16);
     }
     assert_true(wandering(berkof, 2 * YK_PI) > 1);
-    CHECK_NEAR(wandering(yk_balancing_model(b), 2 * YK_PI), 0, 1e-13);
+    CHECK_NEAR(wandering(yk_balancing_model(b), 2 * YK_PI), 0, 1e-14);
     assert_true(yk_balancing_before(b).force > .1);
     CHECK_NEAR(yk_balancing_after(b).force, 0, 1e-12);
     yk_balancing_free(b);
@@ -267,6 +268,178 @@ static void a_flywheel_takes_up_the_torques_energy(void **state)
     close_machine(&m);
 }
 
+// In line, all mass in the piston: m r w^2 (cos a + A2 cos 2a - ...) with A2 = L + L^3/4 + 15 L^5/128 + 35 L^7/512 + ... of the
+// ratio L = r/l; each order turns half with the crank, half against it. A counterweight on the crank takes away the first half.
+static void a_slider_cranks_orders_are_told_apart(void **state)
+{
+    (void)state;
+    Machine m = open_text("bodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A: [.1, 0]}}\n"
+                          "  rod: {points: {A: [0, 0], B: [.5, 0]}}\n  piston: {points: {B: [0, 0]}, mass: 3}\n"
+                          "joints:\n  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+                          "  S: {slide: [ground, piston], along: 30 deg, distance: s}\n  B: {pin: [rod, piston]}\n"
+                          "drives: {theta: 0.4 + 10 rad/s * t}\nstart: {phi: 0, s: .6}\n");
+    YkBalancingOptions options = yk_default_balancing_options();
+    options.weight[0] = 1;
+    YkBalancing *b = yk_balancing_new(m.state, &options, NULL);
+    assert_int_equal(yk_balancing_turns(b), 1);
+    double L = .2, L3 = L * L * L, L5 = L3 * L * L, L7 = L5 * L * L, first = 3 * .1 * 100;
+    double second = first * (L + L3 / 4 + 15 * L5 / 128 + 35 * L7 / 512 + 315 * L7 * L * L / 8192);
+    double fourth = first * (L3 / 4 + 3 * L5 / 16 + 35 * L7 / 256); // of the next powers, 1e-7 of it
+    const double amplitude[] = {first, second, 0, fourth, 0};
+    for (size_t n = 1; n <= 5; n++) {
+        YkShakingOrder before = yk_balancing_order(b, n, false), after = yk_balancing_order(b, n, true);
+        double near = n == 4 ? 1e-4 * fourth : 1e-6;
+        CHECK_NEAR(before.with, amplitude[n - 1] / 2, near);
+        CHECK_NEAR(before.against, amplitude[n - 1] / 2, near);
+        CHECK_NEAR(after.with, n == 1 ? 0 : before.with, 1e-9);
+        CHECK_NEAR(after.against, before.against, 1e-9);
+        if (amplitude[n - 1] > 0) CHECK_NEAR(yk_sin(before.direction - YK_PI / 6), 0, 1e-9); // along the line
+    }
+    assert_true(isnan(yk_balancing_order(b, 0, false).with) && isnan(yk_balancing_order(b, 7, false).with));
+    yk_balancing_free(b);
+    close_machine(&m);
+}
+
+// The energy that swings about the mean of a torque given at equal steps of a cycle, J.
+static double swing_of(const double *torque, size_t count, double step)
+{
+    double mean = 0, energy = 0, low = 0, high = 0;
+    for (size_t k = 0; k < count; k++) mean += torque[k] / (double)count;
+    for (size_t k = 0; k < count; k++) {
+        energy += step * ((torque[k] + torque[(k + 1) % count]) / 2 - mean);
+        low = fmin(low, energy);
+        high = fmax(high, energy);
+    }
+    return high - low;
+}
+
+// A punch that resists with 3 kN m for a sixth of a turn, as the examples of textbooks have it: a constant motor gives its mean
+// all the time, so that the wheel gives back 5/6 of the work, which its own edges round off.
+static void a_punch_presss_flywheel_gives_back_five_sixths_of_the_work(void **state)
+{
+    (void)state;
+    Machine m = open_text(
+        "laws: {punch: {period: 360 deg, between: linear, table: [[0 deg, 0], [59 deg, 0], [61 deg, -3000 N*m], "
+        "[119 deg, -3000 N*m], [121 deg, 0], [359 deg, 0]]}}\n"
+        "bodies: {ground: {points: {O: [0, 0]}}, shaft: {points: {O: [0, 0]}, mass: 1, inertia: 1}}\n"
+        "joints: {O: {pin: [ground, shaft], angle: theta}}\n"
+        "efforts: {theta: {law: punch, of: theta}}\ndrives: {theta: 20 rad/s * t}\n");
+    YkBalancingOptions options = yk_default_balancing_options();
+    options.fluctuation = 0.1;
+    YkBalancing *b = yk_balancing_new(m.state, &options, NULL);
+    double work = 3000 * YK_PI / 3, mean = work / (2 * YK_PI);
+    // Where the torque lies above its mean: the edges are 2 deg wide, and the mean is a sixth of the top.
+    double edge = mean / 3000 * 2 * YK_PI / 180, above = YK_PI / 3 + 2 * YK_PI / 180 - 2 * edge;
+    double given = (3000 - mean) * (above + 58 * YK_PI / 180) / 2; // a trapezium
+    CHECK_NEAR(yk_balancing_flywheel(b), given / (0.1 * 400), 1e-9);
+    CHECK_NEAR(given, work * 5 / 6, 0.02 * work);
+    yk_balancing_free(b);
+    close_machine(&m);
+}
+
+static const double gas[][2] = {{0, -9000},   {15, -16000}, {30, -12000}, {60, -5200},  {90, -2800},
+                                {130, -1500}, {180, -300},  {200, -60},   {360, -40},   {380, 60},
+                                {540, 50},    {600, -250},  {650, -900},  {690, -3200}, {720, -9000}};
+
+static double gas_force(double degrees)
+{
+    size_t k = 1;
+    degrees -= 720 * floor(degrees / 720);
+    while (gas[k][0] < degrees) k++;
+    double part = (degrees - gas[k - 1][0]) / (gas[k][0] - gas[k - 1][0]);
+    return gas[k - 1][1] + part * (gas[k][1] - gas[k - 1][1]);
+}
+
+// Of one cylinder with crank r and rod l: the gas force times dx/dtheta, at the crank's angle from dead centre.
+static double gas_torque(double degrees)
+{
+    const double r = 0.04, l = 0.14, a = degrees * YK_PI / 180, s = r * yk_sin(a), c = r * yk_cos(a);
+    return gas_force(degrees) * (-s - s * c / sqrt(l * l - s * s));
+}
+
+// Four strokes take two turns. Three cylinders that fire every 240 deg swing much less energy than one.
+static void an_engines_flywheel_follows_from_its_table(void **state)
+{
+    (void)state;
+    enum { FINE = 7200 };
+    double *torque = calloc(FINE, sizeof *torque), inertia[2];
+    for (size_t cylinders = 1; cylinders <= 3; cylinders += 2) {
+        YkText text = {0};
+        yk_text_puts(&text, "laws:\n  gas: {period: 720 deg, between: linear, table: [");
+        for (size_t k = 0; k + 1 < sizeof gas / sizeof *gas; k++)
+            yk_text_format(&text, "%s[%e deg, %e N]", k ? ", " : "", gas[k][0], gas[k][1]);
+        yk_text_puts(&text, "]}\nbodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A1: [.04, 0], "
+                            "A2: [.04*cos(240 deg), .04*sin(240 deg)], A3: [.04*cos(120 deg), .04*sin(120 deg)]}, "
+                            "mass: 3, inertia: .1}\n");
+        for (size_t k = 1; k <= cylinders; k++)
+            yk_text_format(&text,
+                           "  rod%z: {points: {A%z: [0, 0], B%z: [.14, 0]}}\n  piston%z: {points: {B%z: [0, 0]}}\n", k,
+                           k, k, k, k);
+        yk_text_puts(&text, "joints:\n  O: {pin: [ground, crank], angle: theta}\n");
+        for (size_t k = 1; k <= cylinders; k++)
+            yk_text_format(&text,
+                           "  A%z: {pin: [crank, rod%z], angle: p%z}\n  B%z: {pin: [rod%z, piston%z]}\n"
+                           "  R%z: {slide: [ground, piston%z], along: x, distance: x%z}\n",
+                           k, k, k, k, k, k, k, k, k);
+        yk_text_puts(&text, "efforts:\n");
+        for (size_t k = 1; k <= cylinders; k++)
+            yk_text_format(&text, "  x%z: {law: gas, of: theta + %d deg}\n", k, 240 * (int)(k - 1));
+        yk_text_puts(&text, "drives: {theta: 300 rad/s * t}\nstart: {");
+        for (size_t k = 1; k <= cylinders; k++)
+            yk_text_format(&text, "%sp%z: %e deg, x%z: 0.13", k > 1 ? ", " : "", k,
+                           k == 1   ? 0.0
+                           : k == 2 ? 135.0
+                                    : -135.0,
+                           k);
+        yk_text_puts(&text, "}\n");
+        Machine m = open_text(yk_text_get(&text));
+        YkBalancingOptions options = yk_default_balancing_options();
+        options.steps = 720;
+        YkBalancing *b = yk_balancing_new(m.state, &options, NULL);
+        assert_int_equal(yk_balancing_turns(b), 2);
+        for (size_t k = 0; k < FINE; k++) {
+            torque[k] = 0;
+            for (size_t i = 0; i < cylinders; i++) torque[k] += gas_torque((double)k / 10 + 240 * (double)i);
+        }
+        double swing = swing_of(torque, FINE, YK_PI / 1800);
+        inertia[cylinders / 2] = yk_balancing_flywheel(b);
+        CHECK_NEAR(yk_balancing_flywheel(b) * 0.05 * 9e4, swing, 1e-3 * swing);
+        yk_balancing_free(b);
+        close_machine(&m);
+        yk_text_free(&text);
+    }
+    assert_true(inertia[1] < 0.75 * inertia[0]);
+    free(torque);
+}
+
+// The coupler point of a crank-rocker drives a second dyad: all bodies are pinned to the ground through pins.
+static void a_stephenson_six_bar_that_turns_through_is_balanced(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "bodies:\n  ground: {points: {O2: [0, 0], O4: [4, 0], O6: [6, 2.5]}}\n"
+        "  crank: {points: {O2: [0, 0], A: [1, 0]}, mass: 2, center: [.4, .1], inertia: .2}\n"
+        "  coupler: {points: {A: [0, 0], B: [3.5, 0], C: [2, 1.5]}, mass: 5, center: [1.8, .6], inertia: 4}\n"
+        "  rocker: {points: {O4: [0, 0], B: [3, 0]}, mass: 3, center: [1.4, -.2], inertia: 2}\n"
+        "  link: {points: {C: [0, 0], D: [4.5, 0]}, mass: 4, center: [2.1, .3], inertia: 5}\n"
+        "  output: {points: {O6: [0, 0], D: [2.5, 0]}, mass: 2.5, center: [1.1, 0], inertia: 1}\n"
+        "joints:\n  O2: {pin: [ground, crank], angle: theta2}\n  A: {pin: [crank, coupler], angle: theta3}\n"
+        "  O4: {pin: [ground, rocker], angle: theta4}\n  B: {pin: [coupler, rocker]}\n"
+        "  C: {pin: [coupler, link], angle: theta5}\n  O6: {pin: [ground, output], angle: theta6}\n"
+        "  D: {pin: [link, output]}\ndrives: {theta2: 60 deg + 60 rpm * t}\n"
+        "start: {theta3: -25 deg, theta4: 100 deg, theta5: -15 deg, theta6: 105 deg}\n";
+    Machine m = open_text(text);
+    YkBalancing *b = yk_balancing_new(m.state, NULL, NULL);
+    assert_non_null(b);
+    assert_true(yk_balancing_is_full(b));
+    assert_true(yk_balancing_count(b) >= 3);
+    assert_true(wandering(text, 2 * YK_PI) > .1);
+    CHECK_NEAR(wandering(yk_balancing_model(b), 2 * YK_PI), 0, 1e-12);
+    CHECK_NEAR(yk_balancing_after(b).force, 0, 1e-9 * yk_balancing_before(b).force);
+    yk_balancing_free(b);
+    close_machine(&m);
+}
+
 static void machines_without_masses_are_refused(void **state)
 {
     (void)state;
@@ -291,6 +464,10 @@ int main(void)
         cmocka_unit_test(a_six_bar_is_balanced_with_counterweights_on_three_bodies_or_more),
         cmocka_unit_test(a_slider_crank_is_balanced_by_its_rod_and_its_crank),
         cmocka_unit_test(a_flywheel_takes_up_the_torques_energy),
+        cmocka_unit_test(a_slider_cranks_orders_are_told_apart),
+        cmocka_unit_test(a_punch_presss_flywheel_gives_back_five_sixths_of_the_work),
+        cmocka_unit_test(an_engines_flywheel_follows_from_its_table),
+        cmocka_unit_test(a_stephenson_six_bar_that_turns_through_is_balanced),
         cmocka_unit_test(machines_without_masses_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

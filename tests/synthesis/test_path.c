@@ -2,6 +2,7 @@
 #include "synthesis/answer.h"
 #include "base/codes.h"
 #include "base/mix.h"
+#include "synthesis/path_chain.h"
 #include "synthesis/path_fit.h"
 #include "synthesis/synthesis.h"
 
@@ -370,34 +371,36 @@ static void derivatives_agree_with_differences(void **state)
     static const double offset[] = {-2, -1, 1, 2};
     const double h = 1e-3;
     uint64_t seed = 7;
-    size_t tried = 0;
-    for (size_t k = 0; k < 400; k++) {
-        YkBar bar = {.kind = k & 1 ? YK_DESIGN_SLIDER_CRANK : YK_DESIGN_FOUR_BAR, .branch = k & 2 ? 1 : -1};
-        bar.hangs_at_end = !(k & 1) && (k & 4);
+    size_t tried[YK_DESIGN_KINDS] = {0};
+    for (size_t k = 0; k < 400 * YK_DESIGN_KINDS; k++) {
+        YkBar bar = {.kind = (YkDesignKind)(k % YK_DESIGN_KINDS), .branch = k & 8 ? 1 : -1, .bend = k & 16 ? 1 : -1};
+        size_t variants = yk_chain_variants(bar.kind), size = yk_bar_size(bar.kind);
+        bar.hangs_at_end = bar.kind != YK_DESIGN_SLIDER_CRANK && k & 32;
+        bar.variant = variants ? (int)(yk_mix_next(&seed) % variants) : 0;
         for (size_t j = 0; j < YK_BAR_SIZE; j++) bar.v[j] = 1 + 2 * yk_mix_unit(&seed);
         double input = 6 * yk_mix_unit(&seed);
         YkBarPoint p, near;
         if (!yk_bar_point(&bar, input, &p) || yk_norm(p.by_input) > 5) continue; // not beside a dead point
         bool good = true;
-        for (size_t j = 0; j <= YK_BAR_SIZE && good; j++) {
+        for (size_t j = 0; j <= size && good; j++) {
             double x[4], y[4];
             for (size_t i = 0; i < 4 && good; i++) {
                 YkBar moved = bar;
-                double turned = input + (j == YK_BAR_SIZE ? offset[i] * h : 0);
-                if (j < YK_BAR_SIZE) moved.v[j] += offset[i] * h;
+                double turned = input + (j == size ? offset[i] * h : 0);
+                if (j < size) moved.v[j] += offset[i] * h;
                 good = yk_bar_point(&moved, turned, &near);
                 x[i] = near.at.x;
                 y[i] = near.at.y;
             }
             if (!good) break;
-            YkVec by = j == YK_BAR_SIZE ? p.by_input : p.by[j];
-            double size = yk_norm(p.by_input) + 1;
-            CHECK_NEAR(derivative(x, h), by.x, 1e-6 * size * size * size);
-            CHECK_NEAR(derivative(y, h), by.y, 1e-6 * size * size * size);
-            tried++;
+            YkVec by = j == size ? p.by_input : p.by[j];
+            double scale = yk_norm(p.by_input) + yk_norm(by) + 1;
+            CHECK_NEAR(derivative(x, h), by.x, 1e-6 * scale * scale * scale);
+            CHECK_NEAR(derivative(y, h), by.y, 1e-6 * scale * scale * scale);
+            tried[bar.kind]++;
         }
     }
-    assert_true(tried > 1000);
+    for (size_t kind = 0; kind < YK_DESIGN_KINDS; kind++) assert_true(tried[kind] > 500);
 }
 
 static void limits_agree_with_differences(void **state)

@@ -39,7 +39,7 @@ static void every_mistake_has_its_code_and_place(void **state)
     refuse("synthesis: path\n" PATH "angles: {from: 3, step: 1}\n", YK_CODE_WRONG_WORD, 3);
     refuse("synthesis: path\n" PATH "angles: {from: free, step: 0}\n", YK_CODE_TASK_FUNCTION, 3);
     refuse("synthesis: path\n" PATH "closed: perhaps\n", YK_CODE_WRONG_WORD, 3);
-    refuse("synthesis: path\n" PATH "mechanisms: [watt]\n", YK_CODE_WRONG_WORD, 3);
+    refuse("synthesis: path\n" PATH "mechanisms: [klann]\n", YK_CODE_WRONG_WORD, 3);
     refuse("synthesis: path\n" PATH "mechanisms: []\n", YK_CODE_WRONG_WORD, 3);
     refuse("synthesis: path\n" PATH "mechanisms: [slider-crank]\nfix: {output_pivot: [1, 1]}\n", YK_CODE_TASK_BOUNDS,
            4);
@@ -76,7 +76,7 @@ static void every_mistake_has_its_code_and_place(void **state)
     refuse("synthesis: motion\npositions:\n- {at: [0, 0], angle: q}\n- {at: [1, 0], angle: 1}\n", YK_CODE_UNKNOWN_NAME,
            3);
     refuse("synthesis: motion\n" TWO "require: {input: spins}\n", YK_CODE_WRONG_WORD, 3);
-    refuse("synthesis: motion\n" TWO "mechanisms: [watt]\n", YK_CODE_WRONG_WORD, 3);
+    refuse("synthesis: motion\n" TWO "mechanisms: [klann]\n", YK_CODE_WRONG_WORD, 3);
     refuse("synthesis: motion\n" TWO "best: 0\n", YK_CODE_TASK_BOUNDS, 3);
     refuse("synthesis: motion\n" TWO "bounds: {lengths: [3, 2]}\n", YK_CODE_TASK_BOUNDS, 3);
     refuse("synthesis: motion\n" TWO "bounds: {lengths: [3]}\n", YK_CODE_COMPONENTS, 3);

@@ -136,6 +136,16 @@ static void put_inertia(const YkDeriveForces *f, YkPage *page, int32_t body)
     put_couple(d, page, line, yk_ring_negate(d->ring, couple));
 }
 
+void yk_derive_put_acting(const YkDeriveForces *f, YkPage *page, int32_t body)
+{
+    size_t count;
+    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) put_contact_lines(f, page, &f->contacts[contacts[k]]);
+    const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) put_load_lines(f, page, &f->loads[pushes[k] / 2], (size_t)pushes[k] % 2);
+    put_inertia(f, page, body);
+}
+
 static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
 {
     YkText title = {0};
@@ -143,12 +153,7 @@ static void put_body(const YkDeriveForces *f, YkPage *page, int32_t body)
     yk_page_heading(page, 2, yk_text_get(&title));
     page->failed |= title.failed;
     yk_text_free(&title);
-    size_t count;
-    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
-    for (size_t k = 0; k < count; k++) put_contact_lines(f, page, &f->contacts[contacts[k]]);
-    const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
-    for (size_t k = 0; k < count; k++) put_load_lines(f, page, &f->loads[pushes[k] / 2], (size_t)pushes[k] % 2);
-    put_inertia(f, page, body);
+    yk_derive_put_acting(f, page, body);
 }
 
 static void put_junction(const YkDeriveForces *f, YkPage *page, int32_t junction)

@@ -241,6 +241,8 @@ const int32_t *yk_derive_pushes_on(const YkDeriveForces *f, int32_t body, size_t
 // Q.
 void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
 void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first);
+// All forces and couples on a body, a line each with its value: contacts, loads, inertia.
+void yk_derive_put_acting(const YkDeriveForces *f, YkPage *page, int32_t body);
 const char *yk_derive_load_letter(YkDeriveLoadKind kind);
 const char *yk_derive_load_word(YkDeriveLoadKind kind);                               // "weight", "spring", ...
 const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact); // the other body, or "the pin A"

@@ -38,6 +38,43 @@ static void write_shaking(YkSession *session, const YkBalancing *b)
                  "under everything\nin the file: weight, loads and friction as well.\n");
 }
 
+static void add_order(const YkSession *session, YkTable *table, const YkBalancing *b, size_t order)
+{
+    YkShakingOrder before = yk_balancing_order(b, order, false), after = yk_balancing_order(b, order, true);
+    const double values[] = {before.with, before.against, after.with, after.against};
+    yk_table_number(table, (double)order, YK_DIGITS);
+    for (size_t k = 0; k < 4; k++) yk_table_number(table, yk_shown(session, values[k], YK_QUANTITY_FORCE), YK_DIGITS);
+}
+
+// The parts of the shaking force that are there, up to the last order of some size.
+static void write_orders(YkSession *session, const YkBalancing *b)
+{
+    static const double small = 1e-4; // over the largest force
+    size_t last = 0;
+    for (size_t n = 1; n <= YK_SHAKING_ORDERS; n++) {
+        YkShakingOrder o = yk_balancing_order(b, n, false), after = yk_balancing_order(b, n, true);
+        double most = fmax(o.with + o.against, after.with + after.against);
+        if (most > small * yk_balancing_before(b).force) last = n;
+    }
+    if (last == 0) return;
+    YkTable *table = yk_table_new(5);
+    const char *unit = yk_unit_of(session, YK_QUANTITY_FORCE);
+    yk_table_head(table, "order", NULL);
+    yk_table_head(table, "with the input", unit);
+    yk_table_head(table, "against it", unit);
+    yk_table_head(table, "then with", unit);
+    yk_table_head(table, "against", unit);
+    for (size_t n = 1; n <= last; n++) add_order(session, table, b, n);
+    yk_text_puts(&session->out, "\n");
+    yk_table_write(table, 2, &session->out);
+    yk_table_free(table);
+    yk_text_puts(
+        &session->out,
+        "\nThe shaking force turns with the input and against it, at its rate and multiples of it. A "
+        "counterweight on the input\nchanges the part that turns with it at its own rate. Others need weights on "
+        "wheels that turn as fast as they do.\n");
+}
+
 static void write_weights(YkSession *session, const YkBalancing *b)
 {
     YkTable *table = yk_table_new(6);
@@ -71,9 +108,12 @@ static void write_text(YkSession *session, const YkBalancing *b, double fluctuat
                                              : "no counterweights keep the centre of mass still; these move it least");
     if (yk_balancing_count(b) > 0) write_weights(session, b);
     write_shaking(session, b);
+    write_orders(session, b);
     if (isfinite(flywheel))
         yk_text_format(out, "\nA flywheel of %e kg m^2 on the input keeps its speed within %e of the mean.\n", flywheel,
                        fluctuation);
+    if (yk_balancing_turns(b) > 1)
+        yk_text_format(out, "The machine and its efforts repeat after %z turns of the input.\n", yk_balancing_turns(b));
 }
 
 // --- JSON
@@ -87,6 +127,25 @@ static void add_peaks_json(YkJson *json, const char *key, YkShakingPeaks peaks)
     yk_json_end(json);
 }
 
+static void add_orders_json(YkJson *json, const YkBalancing *b)
+{
+    yk_json_list(json, "orders", YK_JSON_LINES);
+    for (size_t n = 1; n <= YK_SHAKING_ORDERS && isfinite(yk_balancing_order(b, n, false).with); n++) {
+        yk_json_object(json, NULL, YK_JSON_INLINE);
+        yk_json_number(json, "order", (double)n);
+        for (int after = 0; after < 2; after++) {
+            YkShakingOrder o = yk_balancing_order(b, n, after);
+            yk_json_object(json, after ? "after" : "before", YK_JSON_INLINE);
+            yk_json_number(json, "with", o.with);
+            yk_json_number(json, "against", o.against);
+            yk_json_number(json, "direction", o.direction);
+            yk_json_end(json);
+        }
+        yk_json_end(json);
+    }
+    yk_json_end(json);
+}
+
 static void write_json(const YkSession *session, const YkBalancing *b, double fluctuation, YkText *text)
 {
     YkJson json = {.text = text};
@@ -96,6 +155,11 @@ static void write_json(const YkSession *session, const YkBalancing *b, double fl
     yk_json_bool(&json, "full", yk_balancing_is_full(b));
     add_peaks_json(&json, "before", yk_balancing_before(b));
     add_peaks_json(&json, "after", yk_balancing_after(b));
+    add_orders_json(&json, b);
+    if (yk_balancing_turns(b) > 0)
+        yk_json_number(&json, "turns", (double)yk_balancing_turns(b));
+    else
+        yk_json_number(&json, "turns", (double)NAN); // null
     yk_json_list(&json, "counterweights", YK_JSON_LINES);
     for (size_t k = 0; k < yk_balancing_count(b); k++) {
         YkCounterweight w = yk_balancing_at(b, k);
