@@ -5,7 +5,7 @@
 
 // Dimensions: a fixed pivot (of the input, or of the output if the bar hangs there), ground length and direction, input,
 // coupler, output, coupler point in the coupler's axes. Slider-crank: the ground length is the distance of the slider's
-// line from the input pivot, to the left of its direction; there is no output.
+// line from the input pivot, to the left of its direction; it has no output.
 enum {
     YK_BAR_X,
     YK_BAR_Y,
