@@ -44,7 +44,7 @@ YK_API YkRegionsOptions yk_default_regions_options(void);
 // assembled. An angle is mapped over the whole turns after which everything repeats, a distance over all values for
 // which the machine can close, as long as its loops limit them. Progress of the state watches it. options may be NULL.
 // Returns NULL with a problem if the machine has a part that cannot be mapped (the message names it), for two equal
-// coordinates or one that is no input, or when out of memory or stopped.
+// coordinates or one that is not an input, or when out of memory or stopped.
 // Cost: some 20 squares for each tolerance's length of the curves, each a proof for every configuration; 3 bytes for each
 // square of the tolerance, so 0.8 GB at 1e-4, and what the curves take.
 YK_API YkRegions *yk_regions_new(YkState *start, size_t first, size_t second, const YkRegionsOptions *options,

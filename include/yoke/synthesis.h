@@ -52,7 +52,7 @@ typedef struct YkSynthesisOptions {
     size_t best;   // how many candidates are kept; 0: as the task says, or 10
     // Watches the search; {NULL}: not watched. Where it ends the search, the candidates found so far are the answer.
     YkProgress progress;
-    YkFindings findings;  // {NULL}: nobody hears of machines before the end
+    YkFindings findings;  // {NULL}: machines are told at the end only
     YkPieceSource pieces; // {NULL}: the search computes them itself
 } YkSynthesisOptions;
 YK_API YkSynthesisOptions yk_default_synthesis_options(void);

@@ -26,7 +26,7 @@ class Machine(Identity):
     """A planar machine: loaded by `yoke.load`, or made by calls.
 
     Values are numbers in SI and radians, texts with a unit as "60 mm", or pairs as (30, "deg"). Coordinates are
-    keyword arguments, or in `at` where their names are no identifiers. All answers are in SI and radians.
+    keyword arguments, or in `at` where their names are not identifiers. All answers are in SI and radians.
 
     >>> m = Machine("pendulum").gravity(0, -9.81).body("ground", {"O": (0, 0)})
     >>> m = m.body("rod", {"O": (0, 0), "P": (0, -0.5)}, mass=2, rod=("O", "P"))
@@ -280,7 +280,7 @@ def load(path: PathLike, parameters: Values = None, *, lock: Optional[str] = Non
     """Loads a machine from its file, with other values of its parameters: load("crank.yaml", r="60 mm").
 
     Raises ModelError with every problem of the file, each with line, column and hint. `lock` engages an entry of
-    `locks:`; `parameters` takes names that are no identifiers.
+    `locks:`; `parameters` takes names that are not identifiers.
     """
     with open(path, encoding="utf-8", errors="surrogateescape", newline="") as file:
         text = file.read()

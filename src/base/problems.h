@@ -7,7 +7,7 @@
 #include "base/codes.h"
 #include "base/text.h"
 
-enum { YK_PROBLEMS_MAX = 200 }; // after so many, one last problem says that there are more
+enum { YK_PROBLEMS_MAX = 200 }; // after these, one last problem says that more were found
 // Names the source and keeps a copy of its text for quoting lines (text may be NULL).
 void yk_problems_set_source(YkProblems *problems, const char *name, const char *text, size_t length);
 // Names who tells the problems that have no place, instead of the source (a program; NULL: the source again).

@@ -3,7 +3,8 @@
 
 size_t yk_utf8_decode(const char *text, size_t length, uint32_t *code)
 {
-    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000}; // the least code point of a sequence of so many bytes
+    static const uint32_t least[] = {0, 0, 0x80, 0x800,
+                                     0x10000}; // the least code point, by the number of bytes in the sequence
     unsigned char lead = (unsigned char)text[0];
     if (lead < 0x80) {
         *code = lead;

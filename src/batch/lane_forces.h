@@ -8,7 +8,7 @@ typedef enum YkLeafKind {
     YK_LEAF_OF_TURN,       // c, s, w, a of an orientation
     YK_LEAF_OF_SLIDE,      // d, v, a of a distance
     YK_LEAF_OF_NODE,       // x, y, vx, vy, ax, ay
-    YK_LEAF_OF_COORDINATE, // position of an angle that is no input
+    YK_LEAF_OF_COORDINATE, // position of an angle that is not an input
     YK_LEAF_OF_INPUT,      // position, velocity
     YK_LEAF_OF_GAIN,       // of a relation with a law
     YK_LEAF_OF_TIME,

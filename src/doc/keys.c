@@ -3,7 +3,7 @@
 #include "base/names.h"
 #include "doc/reader.h"
 
-enum { FEW = 8 }; // up to so many keys are compared directly, without a table or an allocation
+enum { FEW = 8 }; // fewer keys than this are compared directly, without a table or an allocation
 
 static bool same(const YkNode *a, const YkNode *b)
 {

@@ -16,7 +16,7 @@ enum {
 };
 // A kink is located to this part of the segment.
 #define NARROW 4e-13
-// Values that differ so much between neighbours are no function to follow.
+// Neighbouring values that differ by more than this do not belong to a function that can be followed.
 #define ROUGH 1e-6
 
 // How closely the pieces follow each derivative, as parts of its largest value in the segment.

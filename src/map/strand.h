@@ -120,7 +120,7 @@ static inline double yk_strand_to(const YkStrand *s)
 }
 // Adds a cell, with copies of x and rate. Returns false when out of memory.
 bool yk_strand_add(YkTracer *tracer, YkStrand *strand, YkCell cell, const YkVec *x, const YkVec *rate);
-void yk_strand_shorten(YkStrand *strand, size_t count); // forgets all cells after so many
+void yk_strand_shorten(YkStrand *strand, size_t count); // forgets all cells after the first `count`
 // Returns the cell that contains [from, to], or NULL if none does.
 const YkCell *yk_strand_cell(YkStrand *strand, double from, double to);
 // Returns where the cell of the strand that contains `at` ends, in a direction (+1, -1).

@@ -37,7 +37,7 @@ static void report(YkLoader *loader, const Groups *groups, int32_t group)
                "%s %s not connected to the ground by joints", yk_text_get(text), total == 1 ? "is" : "are");
 }
 
-// A name for what holds a body that is no joint's yet.
+// Returns a name, not yet a joint's, for the weld that holds a body.
 static const char *free_name(YkLoader *loader, const char *body)
 {
     YkText *text = &loader->text;

@@ -190,8 +190,8 @@ typedef struct YkGear {
     double planets;         // number of identical, equally spaced planets here; 0: not given
     double center_distance; // between the two centres on the carrier, m
     YkVec center[2];        // the two centres, in the carrier's axes, m
-    int32_t copies;         // so many equal planets share the load of this pair (transmissions/planets.c); 0: one
-    int32_t planet;         // which of the two wheels is the planet; 2: both
+    int32_t copies; // number of equal planets that share the load of this pair (transmissions/planets.c); 0: one
+    int32_t planet; // which of the two wheels is the planet; 2: both
     YkExpr *teeth_expr[2], *module_expr, *pressure_angle_expr, *planets_expr;
 } YkGear;
 
@@ -262,7 +262,7 @@ typedef struct YkCam {
     YkExpr *base_expr, *roller_expr, *offset_expr, *arm_expr, *centers_expr; // NULL if not given
     YkExpr *other_roller_expr, *other_span_expr, *other_arm_expr, *other_angle_expr;
     struct YkCamArcs
-        *arcs; // transmissions/cam_arcs.h: the surface, of which the law is made; NULL if the file gives a law
+        *arcs; // transmissions/cam_arcs.h: the surface from which the law is made; NULL if the file gives a law
     // Results of the joints' places, in the carrier's axes:
     double turn;  // +1: the cam turns counterclockwise as its coordinate grows; -1: clockwise
     double swing; // the same for an oscillating follower
@@ -284,9 +284,10 @@ struct YkModel {
     const char *source_name; // as given to the loader, for messages
     const char *source;      // the file's text, with the values that overrides replaced (builder.h: yk_model_text)
     size_t source_length;
-    size_t carriage_count; // so many bodies, and joints, at the end are parts of free joints
+    size_t carriage_count; // number of bodies, and of joints, at the end that are parts of free joints
     size_t shown_joints;   // joints before them
-    size_t held_joints;    // of a sketch: so many joints at the end hold what nothing connects to the ground (sketch.h)
+    size_t
+        held_joints; // of a sketch: number of joints at the end that hold what nothing connects to the ground (sketch.h)
     YkUnits units;
     const char *unit_names[YK_QUANTITY_COUNT]; // the file's unit of each quantity: "mm/s"
     YkParameter *parameters;
@@ -349,7 +350,7 @@ YkDimension yk_quantity_dimension(YkQuantity quantity);
 typedef struct YkReading {
     const YkLoadOptions *options; // NULL: defaults
     YkNamePlace name_place;       // what problems are about, in place of lines of a file; NULL: lines
-    const struct YkSheet *sheet;  // the document is no machine, but this (model/load.h); NULL: a machine
+    const struct YkSheet *sheet;  // the document where it is not a machine (model/load.h); NULL: a machine
     bool is_sketch;               // parts may be missing: groups of bodies that float are welded to the ground
 } YkReading;
 YkModel *yk_model_read(const char *text, size_t length, const char *name, const YkReading *how, YkProblems *problems);

@@ -20,7 +20,7 @@ typedef struct YkMatching {
     uint32_t stamp;
 } YkMatching;
 
-// Makes room for so many columns, rows and entries (arena memory). Returns false when out of memory.
+// Makes room for this number of columns, rows and entries (arena memory). Returns false when out of memory.
 bool yk_matching_start(YkMatching *matching, YkArena *arena, size_t columns, size_t rows, size_t entries);
 // Adds a row and matches it if an augmenting path exists. Returns whether it was matched; an unmatched row is kept if
 // `keep`, otherwise dropped. One search costs O(rows + entries), typically O(1).

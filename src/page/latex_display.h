@@ -10,7 +10,7 @@
 void yk_latex_display(YkText *text, const char *formula);
 
 // --- latex_width.c: widths in letters, approximate
-enum { YK_LATEX_LINE = 118 }; // a line holds about so many
+enum { YK_LATEX_LINE = 118 }; // characters that fit in a line, roughly
 bool yk_latex_is_letter(char c);
 double yk_latex_width(const char *formula, size_t length);
 double yk_latex_width_of_array(const char *from, const char *end); // from behind its head

@@ -44,7 +44,8 @@ bool yk_drawing_place(const YkDrawing *drawing, const YkState *state, YkFrame *f
     const YkModel *model = drawing->model;
     yk_state_bodies(state, drawing->motions);
     for (size_t b = yk_model_body_count(model); b < model->body_count; b++)
-        drawing->motions[b] = yk_state_body(state, b); // carriages of free joints: not drawn, but others hang on them
+        drawing->motions[b] =
+            yk_state_body(state, b); // carriages of free joints are not drawn, but joints connect other bodies to them
     for (size_t b = 0; b < model->body_count; b++) {
         frames[b].axis = yk_unit(drawing->motions[b].position);
         frames[b].origin = b == 0 ? yk_vec(0, 0) : yk_vec(NAN, NAN);

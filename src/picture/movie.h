@@ -10,7 +10,7 @@ YkMovieKind yk_movie_kind(const char *path); // by its ending
 // Returns the number of poses per second of a movie of this kind.
 double yk_movie_rate(YkMovieKind kind);
 
-// Adds the movie of a drawing's poses (options.moving), which take so many seconds, in a loop; to_and_fro: it goes
+// Adds the movie of a drawing's poses (options.moving), which take `seconds`, in a loop; to_and_fro: it goes
 // back as well. Returns false with a problem added: E0710 if a program is missing, E0711 if it fails.
 // Cost: a run of rsvg-convert per pose.
 bool yk_movie_write(YkDrawing *drawing, YkMovieKind kind, double seconds, bool to_and_fro, YkText *output,

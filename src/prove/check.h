@@ -30,7 +30,7 @@ typedef struct YkEquationTerm { // a summand of a side: its sign and its place
 enum { YK_EQUATION_TERMS_MAX = 64 };
 typedef struct YkEquation {
     const YkForm *left, *right;
-    YkEquationTerm terms[YK_EQUATION_TERMS_MAX]; // the first so many
+    YkEquationTerm terms[YK_EQUATION_TERMS_MAX]; // the first ones, up to a limit
     size_t term_count;
 } YkEquation;
 bool yk_equation_read(YkDerivation *d, const char *text, size_t length, YkPlace place, YkProblems *problems,

@@ -115,7 +115,7 @@ void yk_check_free_points(YkCheckPoints *points);
 void yk_check_bind(YkCheck *check, const YkLoopBonds *bonds);
 
 // --- check_poses.c: with the file's numbers
-// Returns the pose with that index, of at most `most`; NULL if there are no more. Its values are those of all
+// Returns the pose with that index, of at most `most`; NULL after the last one. Its values are those of all
 // present symbols.
 const YkCheckPose *yk_check_pose(YkCheck *check, YkCheckPoses *poses, size_t index, size_t most);
 void yk_check_free_poses(YkCheckPoses *poses);

@@ -82,7 +82,7 @@ static void begin_again(YkCheckPoints *points)
     points->is_exhausted = false;
 }
 
-// Returns the next point of the machine's motion; NULL if there are no more. New symbols make the old points useless.
+// Returns the next point of the machine's motion; NULL after the last one. New symbols make the old points useless.
 static YkFieldPoint *next_point(YkCheck *check, size_t index)
 {
     YkCheckPoints *points = check->points;

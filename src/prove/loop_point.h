@@ -50,7 +50,7 @@ typedef struct YkLoopPlan {
     size_t relations, unknowns;
 } YkLoopPlan;
 const YkLoopPlan *yk_loop_plan(YkDerivation *d);
-// Returns whether there are so many unknowns that points would take more than a second.
+// Returns whether points would take more than a second, because of the number of unknowns.
 bool yk_loop_is_large(const YkDerivation *d);
 
 typedef struct YkLoopMaking {

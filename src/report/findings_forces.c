@@ -5,7 +5,7 @@
 
 static const double noise = 1e-6; // of a sum over rows: laws of cams are not smooth enough for less
 
-// Forces are unbounded near a dead point or change point, so there is no largest one to report.
+// Forces are unbounded near a dead point or change point, so no largest one can be reported.
 static bool passes_singular(const YkReportPage *report)
 {
     for (size_t i = 0; report->sweep && i < yk_sweep_event_count(report->sweep); i++) {

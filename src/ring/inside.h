@@ -95,7 +95,7 @@ struct YkRing {
     YkArena *sheet; // memory for one printing
     YkRingSymbol *symbols;
     size_t symbol_count, symbol_capacity;
-    size_t typeset_count; // the first so many symbols have names in all formats
+    size_t typeset_count; // number of symbols, from the first, that have names in all formats
     YkNames names;        // the names of symbols in text, aliases included
     YkNames latex_names, c_names;
     YkPowers monomials, phases;
@@ -175,7 +175,7 @@ bool yk_gather_add(YkRing *ring, uint64_t key, int64_t number);
 bool yk_gather_add_product(YkRing *ring, const YkRingTerm *a, const YkRingTerm *b, int64_t factor); // factor * a * b
 const YkPoisson *yk_gather_end(YkRing *ring);
 void yk_gather_free(YkGather *gather);
-bool yk_gather_room(YkRing *ring, size_t count); // makes room for so many in gather.terms
+bool yk_gather_room(YkRing *ring, size_t count); // makes room for this number in gather.terms
 // Makes the element of sorted terms, zeros among them allowed, over a denominator.
 const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator);
 const YkPoisson *yk_poisson_term(YkRing *ring, uint64_t key, int64_t number, int64_t denominator);

@@ -43,7 +43,7 @@ static void add_expr(Print *p, const YkExpr *e)
     add_expr(p, e->b);
 }
 
-// Adds whole numbers, of which indices may be YK_NONE.
+// Adds whole numbers; indices among them may be YK_NONE.
 static void add_indices(Print *p, const int32_t *indices, size_t count)
 {
     for (size_t k = 0; k < count; k++) add_whole(p, (uint64_t)indices[k]);

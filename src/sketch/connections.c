@@ -3,7 +3,7 @@
 #include <string.h>
 #include "sketch/sketch.h"
 
-enum { LOOKS = 64 }; // at most so many points of one name are looked at for each
+enum { LOOKS = 64 }; // at most this number of points of one name is looked at for each
 
 static int32_t leader(int32_t *group, int32_t body)
 {

@@ -131,7 +131,7 @@ static bool make_room(YkPathSearch *search)
     return good;
 }
 
-// Returns whether so many bars pass the points to rounding that no other can be better.
+// Returns whether enough bars pass the points to rounding, so that no other can be better.
 static bool has_enough(const YkPathSearch *search, size_t batches, size_t *first)
 {
     const YkPathProblem *p = &search->batches.problem;

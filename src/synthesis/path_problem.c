@@ -80,7 +80,7 @@ static void pose(const YkTask *task, YkDesignKind kind, YkPathProblem *p)
     fix_given(p, path);
 }
 
-// Takes every so many points, so that some 16 remain. An open path keeps its last point only if it is one of them.
+// Thins the points out evenly, so that some 16 remain. An open path keeps its last point only if it is one of them.
 static bool thin(YkArena *arena, YkPathBatches *batches)
 {
     enum { COARSE = 16 };

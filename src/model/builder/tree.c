@@ -4,7 +4,7 @@
 #include "base/number.h"
 #include "model/builder/builder.h"
 
-enum { FEW = 16 }; // up to so many keys are looked through without a table
+enum { FEW = 16 }; // fewer keys than this are searched without a table
 
 YkBranch *yk_branch_new(YkBuilder *builder, YkNodeKind kind)
 {

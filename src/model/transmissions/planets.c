@@ -47,7 +47,7 @@ static bool is_on_axis(const YkModel *model, int32_t joint, int32_t carrier)
     return false;
 }
 
-// Returns the pin by which alone a wheel is held, beside the axis of its moving carrier; YK_NONE if it is no planet.
+// Returns the pin by which alone a wheel is held, beside the axis of its moving carrier; YK_NONE if it is not a planet.
 static int32_t pin_of(const YkModel *model, int32_t body, int32_t carrier)
 {
     int32_t found = YK_NONE;

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "ring/print/shown.h"
 
-enum { FEW = 6 }; // up to so many terms are sorted by insertion
+enum { FEW = 6 }; // fewer terms than this are sorted by insertion
 
 YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial)
 {

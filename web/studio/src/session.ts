@@ -154,7 +154,7 @@ export class Session {
     this.emit("said", pose.message);
   }
 
-  // Has the scene drawn for a view of so many pixels to the metre.
+  // Has the scene drawn for a view with this number of pixels to the metre.
   async look(scale: number): Promise<void> {
     const edition = this.edition, looked = await this.ask(() => this.core.look(scale));
     if (!looked || edition !== this.edition || !this.isCurrent) return;

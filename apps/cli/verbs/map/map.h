@@ -19,7 +19,7 @@ bool yk_map_plot(const YkMapAnswer *answer, const char *path);
 // Returns the joint that labels the block of an event, or the coordinate that stands at a dead point; NULL if none.
 const char *yk_map_event_of(const YkMapAnswer *answer, YkMapEvent event);
 
-// Returns whether the machine has so many freedoms that --at does not hold; refuses it otherwise.
+// Returns whether --at leaves the machine the freedoms that are mapped; refuses it otherwise.
 bool yk_map_has_freedoms(YkSession *session, size_t wanted);
 
 #define YK_MAP_CARRIAGE "map_carriage_" // begins the names of what carries a point

@@ -36,7 +36,7 @@ export class Finds {
     for (const { key } of this.now.splice(0)) this.earlier.add(key);
   }
 
-  // Puts a linkage into its place among those of this search, of which so many are kept.
+  // Puts a linkage into its place among those of this search, whose number is limited.
   put(one: Candidate, at: number, most: number): void {
     const key = keyOf(one), isKnown = this.earlier.has(key) || this.now.some((other) => other.key === key), card = isKnown ? null : this.make(one);
     const behind = this.now.slice(at).find((other) => other.card)?.card ?? null;
