@@ -29,22 +29,21 @@ static void find_moving(YkBeside *b)
     b->is_back = false;
 }
 
-// Solves the pose that many steps from the change point, on the side of the signs if positive.
+// Solves the pose that many steps from the change point, on the side of the signs if positive. Angles are counted from the change
+// point: a first, coarse step may turn a link too far for the next pose to tell how often it has turned.
 static bool stand_beside(const YkBeside *b, double steps)
 {
     YkPath *path = &b->walk->path;
     YkState *s = path->state;
     if (b->moving == YK_NONE) {
         double off = b->side * steps * b->step * yk_path_scale(path);
-        return yk_path_probe(path, b->at + off, false) >= 0;
+        return yk_path_try(path, b->at + off, false) >= 0;
     }
     double off = b->way * steps * b->step * yk_input_unit(s->mech, (size_t)b->moving);
     if (yk_path_set(path, b->at, false) < 0) return false;
     s->input[3 * b->moving] += off;
     yk_path_place_signs(path, b->at);
-    if (yk_state_solve(s) < 0) return false;
-    yk_path_refer(path);
-    return true;
+    return yk_state_solve(s) >= 0;
 }
 
 static void exchange_signs(const YkBeside *b)
