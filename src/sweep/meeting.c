@@ -240,7 +240,7 @@ static void keep(YkWalk *w, size_t block, YkMeeting m, int side)
     w->path.meetings[block] = m;
 }
 
-bool yk_walk_meets(YkWalk *w, size_t block, double at, double known)
+bool yk_walk_meets(YkWalk *w, size_t block, double at, double known, double way)
 {
     YkMeeting m, old = block < w->path.meeting_count ? w->path.meetings[block] : (YkMeeting){0};
     if (!find(w, block, at, &m)) return false;
@@ -249,7 +249,7 @@ bool yk_walk_meets(YkWalk *w, size_t block, double at, double known)
         return true;
     }
     int side = side_of(&m, off_at(&w->path, &m, known));
-    if (side == 0) side = side_beside(&w->path, &m, at, -w->path.way);
+    if (side == 0) side = side_beside(&w->path, &m, known, -way);
     keep(w, block, m, side);
     return side != 0;
 }
