@@ -201,6 +201,19 @@ void yk_block_measure(YkBlock *block, double size)
         block->arms.circle = yk_arm_circle(block->arm[0].constant, per_enough2);
 }
 
+double yk_distance_unit(const YkMechanism *mech)
+{
+    const double WIDE = 100;
+    double least = mech->size, none = YK_CLOSURE_ROUNDING * mech->size;
+    for (size_t b = 0; b < mech->block_count; b++)
+        for (size_t k = 0; k < 2 && mech->blocks[b].kind <= YK_BLOCK_RPR; k++) {
+            double arm = mech->blocks[b].arm_is_constant[k] ? yk_norm(mech->blocks[b].arm[k].constant) : 0;
+            if (arm > none) least = fmin(least, arm);
+        }
+    for (size_t k = 0; k < mech->model->rack_count; k++) least = fmin(least, fabs(mech->model->racks[k].radius));
+    return least > 0 ? fmin(mech->size, WIDE * least) : mech->size;
+}
+
 static size_t columns_of(const Parts *p, YkColumn columns[4])
 {
     size_t count = 0;

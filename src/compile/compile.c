@@ -68,10 +68,11 @@ YkMechanism *yk_compile_with(const YkModel *model, const YkCompileOptions *optio
     yk_pace_begin(&pace, options ? options->progress : defaults.progress);
     if (mech) {
         mech->model = model;
-        mech->size = model->size;
+        mech->size = mech->distance_unit = model->size;
         mech->recipe = recipe;
         bool is_built = build(mech, options ? options : &defaults, &pace, problems);
         if (mech->arena) mech->arena->pace = NULL;
+        if (is_built) mech->distance_unit = yk_distance_unit(mech);
         if (is_built && !pace.is_stopped) return mech;
     }
     if (pace.is_stopped)

@@ -178,7 +178,8 @@ static inline size_t yk_block_rows(const YkBlock *block)
 struct YkMechanism {
     YkArena *arena;
     const YkModel *model;
-    double size;
+    double size;          // of the model
+    double distance_unit; // what a distance's way is measured by where it compares with turns; see yk_distance_unit
     // Topology:
     YkPlacing *bodies;
     size_t orientation_count, distance_count;
@@ -239,10 +240,13 @@ size_t yk_contact_count(const YkMechanism *mech);
 const char *yk_contact_name(const YkMechanism *mech, size_t contact);
 int32_t yk_contact_relation(const YkMechanism *mech, size_t contact); // YK_NONE: an open cam
 size_t yk_contact_of_cam(const YkMechanism *mech, size_t cam);
-// Returns the unit in which an input's way compares with turns: 1 rad, or the machine's size.
+// Returns the machine's size, unless its links are much smaller than that: a linkage of centimetres turns far while a rack in a
+// model of hundreds of metres moves by a small part of its size. Then a hundred times the shortest arm of a dyad or pinion.
+double yk_distance_unit(const YkMechanism *mech);
+// Returns the unit in which an input's way compares with turns: 1 rad, or that length.
 static inline double yk_input_unit(const YkMechanism *mech, size_t input)
 {
-    return mech->coordinates[mech->inputs[input]].is_distance ? mech->size : 1;
+    return mech->coordinates[mech->inputs[input]].is_distance ? mech->distance_unit : 1;
 }
 // Returns the tree's coordinate of a joint, or YK_NONE. O(log coordinates).
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);

@@ -277,5 +277,6 @@ YkStatus yk_variant_set(YkVariant *v, const double *values)
     }
     for (size_t k = 0; k < v->patch_count; k++) *v->patches[k].at = v->recipe.nodes[v->patches[k].node].value;
     for (size_t k = 0; k < v->mech->block_count; k++) yk_block_measure(&v->mech->blocks[k], v->mech->size);
+    v->mech->distance_unit = yk_distance_unit(v->mech);
     return status;
 }

@@ -42,6 +42,8 @@ static void take_side_held(const YkWalk *w)
         if (side == 0) continue;
         if (input != YK_NONE)
             s->heading[input] = -side;
+        else if (yk_path_is_time(&w->path))
+            s->time_heading = -side;
         else
             for (size_t i = 0; i < s->mech->input_count; i++) s->heading[i] = -side * rate_of(&w->path, i, 1);
     }

@@ -7,44 +7,49 @@
 // --- poses beside a change point
 
 // Finds which input moves, if it is only one: its drive may rest or turn back at the change point, so that time does
-// not lead to both sides of it, but its way does. The rates are those at the change point.
-static void find_moving(YkBeside *b)
+// not lead to both sides of it, but its way does. The rates are those at the change point. Returns false if one input stops there
+// and another starts: the rates of the two motions have nothing in common.
+static bool find_moving(YkBeside *b)
 {
     const YkPath *path = &b->walk->path;
     const YkState *s = path->state;
     size_t count = 0;
+    bool starts = false, stops = false;
     b->moving = YK_NONE;
-    if (!yk_path_is_time(path)) return;
+    if (!yk_path_is_time(path)) return true;
     b->is_back = yk_path_turns_back(path, b->at);
     for (size_t i = 0; i < s->mech->input_count; i++) {
         double here = yk_path_heads(path, i, b->at, b->side), there = yk_path_heads(path, i, b->at, -b->side);
+        starts |= here != 0 && there == 0;
+        stops |= here == 0 && there != 0;
         if (here == 0 && there == 0 && s->input[3 * i + 1] == 0 && s->input[3 * i + 2] == 0) continue;
         count++;
         b->moving = (int32_t)i;
         b->way = here != 0 ? copysign(1, here) : 0;
     }
     if (count != 1 || b->way == 0) b->moving = YK_NONE;
-    if (!yk_walk_turns_at_a_limit(b->walk, b->margins, b->at)) return; // only time leads to both sides
+    if (starts && stops) return false;
+    if (!yk_walk_turns_at_a_limit(b->walk, b->margins, b->at)) return true; // only time leads to both sides
     b->moving = YK_NONE;
     b->is_back = false;
+    return true;
 }
 
-// Solves the pose that many steps from the change point, on the side of the signs if positive.
+// Solves the pose that many steps from the change point, on the side of the signs if positive. Angles are counted from the change
+// point: a first, coarse step may turn a link too far for the next pose to tell how often it has turned.
 static bool stand_beside(const YkBeside *b, double steps)
 {
     YkPath *path = &b->walk->path;
     YkState *s = path->state;
     if (b->moving == YK_NONE) {
         double off = b->side * steps * b->step * yk_path_scale(path);
-        return yk_path_probe(path, b->at + off, false) >= 0;
+        return yk_path_try(path, b->at + off, false) >= 0;
     }
     double off = b->way * steps * b->step * yk_input_unit(s->mech, (size_t)b->moving);
     if (yk_path_set(path, b->at, false) < 0) return false;
     s->input[3 * b->moving] += off;
     yk_path_place_signs(path, b->at);
-    if (yk_state_solve(s) < 0) return false;
-    yk_path_refer(path);
-    return true;
+    return yk_state_solve(s) >= 0;
 }
 
 static void exchange_signs(const YkBeside *b)
@@ -157,9 +162,8 @@ bool yk_beside_begin(YkBeside *b, double *limits)
     b->walk->failed |= !sums;
     if (!sums) return false;
     b->step = 0.01;
-    find_moving(b);
-    bool is_known = sum_poses(b, now), is_same = false;
-    for (int k = 0; k < HALVINGS && !is_same; k++) {
+    bool has_limits = find_moving(b), is_known = has_limits && sum_poses(b, now), is_same = false;
+    for (int k = 0; has_limits && k < HALVINGS && !is_same; k++) {
         b->step *= 0.5;
         bool is_finer_known = sum_poses(b, finer);
         is_same = is_known && is_finer_known && agree(b->walk->path.state, now, finer);

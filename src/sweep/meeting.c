@@ -1,32 +1,32 @@
 // Change points that are known by the place of the input that leads to them. On each side of it the block has one sign,
-// however often and however little the motion goes over it: the pose follows from where the input is, not from its past.
+// however often and however little the motion goes over it: the pose follows from where the input is, not from its past. Where a
+// drive turns back just at a limit, time takes the place of the input.
 #include "sweep/meeting.h"
 
-static const double MEETS = 1e-11, START = 1e-4; // sin^2
+static const double MEETS = 1e-11, MEETS_LIMIT = YK_SINGULAR_MARGIN, START = 1e-4; // sin^2
 
 // --- where the input is
 
-// Returns how far from the change point an input's value, or a place on a path that is not time, lies: rad or machine sizes.
-static double off_of(const YkPath *path, const YkMeeting *m, double value)
+// Returns how far from the change point an input's value, or a place on the path, lies, in units.
+static double off_of(const YkMeeting *m, double value)
 {
-    double unit = m->input == YK_NONE ? yk_path_scale(path) : yk_input_unit(path->state->mech, (size_t)m->input);
-    return (value - m->at) / unit;
+    return (value - m->at) / m->unit;
 }
 
 // Returns the distance up to which a place counts as the change point itself.
-static double tolerance(const YkPath *path, const YkMeeting *m)
+static double tolerance(const YkMeeting *m)
 {
-    return 1e-11 * fmax(1, 1e-4 * fabs(off_of(path, m, 0)));
+    return 1e-11 * fmax(1, 1e-4 * fabs(off_of(m, 0)));
 }
 
 static double off_at(const YkPath *path, const YkMeeting *m, double at)
 {
-    return off_of(path, m, m->input == YK_NONE ? at : yk_path_input_at(path, (size_t)m->input, at));
+    return off_of(m, m->input == YK_NONE ? at : yk_path_input_at(path, (size_t)m->input, at));
 }
 
-static int side_of(const YkPath *path, const YkMeeting *m, double off)
+static int side_of(const YkMeeting *m, double off)
 {
-    return fabs(off) > tolerance(path, m) ? (off > 0) - (off < 0) : 0;
+    return fabs(off) > tolerance(m) ? (off > 0) - (off < 0) : 0;
 }
 
 // Returns the side on which the path is just before `at` (way -1) or just behind it (+1); 0: it rests there for ever.
@@ -34,12 +34,12 @@ static int side_beside(const YkPath *path, const YkMeeting *m, double at, double
 {
     enum { DOUBLINGS = 80 };
     double step = 1e-13 * fmax(yk_path_scale(path), fabs(at));
-    int side = side_of(path, m, off_at(path, m, at));
+    int side = side_of(m, off_at(path, m, at));
     if (side == 0 && m->input == YK_NONE) return way > 0 ? 1 : -1;
     for (int k = 0; k < DOUBLINGS && side == 0; k++, step *= 2) {
         double off = off_at(path, m, at + way * step);
         if (!isfinite(off)) return 0;
-        side = side_of(path, m, 0.25 * off);
+        side = side_of(m, 0.25 * off);
     }
     return side;
 }
@@ -50,7 +50,7 @@ void yk_path_place_signs(const YkPath *path, double at)
     for (size_t k = 0; k < path->meeting_count; k++) {
         const YkMeeting *m = &path->meetings[k];
         if (!m->is_known || m->is_off) continue;
-        int side = side_of(path, m, off_of(path, m, m->input == YK_NONE ? at : s->input[3 * m->input]));
+        int side = side_of(m, off_of(m, m->input == YK_NONE ? at : s->input[3 * m->input]));
         s->branch[k] = (signed char)((side != 0 ? side : m->side) * m->above);
     }
 }
@@ -60,8 +60,9 @@ bool yk_walk_is_at_meeting(const YkWalk *w, size_t block, double a, double b)
     const YkPath *path = &w->path;
     if (block >= path->meeting_count || !path->meetings[block].is_known) return false;
     const YkMeeting *m = &path->meetings[block];
-    bool is_near = fabs(off_at(path, m, b)) < m->near || fabs(off_at(path, m, a)) < m->near;
-    return is_near && (a == b || yk_path_way(path, a, b) < m->near);
+    double before = off_at(path, m, a), after = off_at(path, m, b);
+    bool is_short = m->input == YK_NONE ? fabs(after - before) < m->near : a == b || yk_path_way(path, a, b) < m->near;
+    return is_short && fmin(fabs(before), fabs(after)) < m->near;
 }
 
 bool yk_walk_knows_meeting(const YkWalk *w, size_t block, double at)
@@ -79,7 +80,7 @@ typedef struct Search {
     size_t block;
     YkMeeting meeting;
     double place; // on the path, where the other inputs are as they are here
-    double unit, h;
+    double h;     // the distance between poses, in units
 } Search;
 
 // Returns the sine of the block's transmission angle; negative where that cannot be told.
@@ -101,7 +102,7 @@ static double sine_at(const Search *f, double value)
 static bool come_closer(const Search *f, double *value)
 {
     for (int k = 0; k < 4; k++) {
-        double step = f->h * f->unit, here = sine_at(f, *value);
+        double step = f->h * f->meeting.unit, here = sine_at(f, *value);
         double before = sine_at(f, *value - step), after = sine_at(f, *value + step);
         if (here < 0 || before < 0 || after < 0) return false;
         double slope = fmax(fabs(after - here), fabs(before - here)) / step;
@@ -117,7 +118,7 @@ static bool come_closer(const Search *f, double *value)
 // unless that is smooth there, and about a straight line.
 static bool correct(const Search *f, double *value)
 {
-    double step = f->h * f->unit, before[4], after[4];
+    double step = f->h * f->meeting.unit, before[4], after[4];
     for (int k = 1; k < 4; k++) {
         before[k] = sine_at(f, *value - k * step);
         after[k] = sine_at(f, *value + k * step);
@@ -135,7 +136,7 @@ static bool correct(const Search *f, double *value)
 static bool is_smooth(const Search *f, double value)
 {
     static const double weights[] = {75.0 / 128, -25.0 / 256, 3.0 / 256}; // midway between six poses
-    double step = f->h * f->unit, sum = 0, sine[5];
+    double step = f->h * f->meeting.unit, sum = 0, sine[5];
     for (int k = 1; k < 5; k++) sine[k] = sine_at(f, value + (k - 0.5) * step);
     double nearer = sine_at(f, value - 0.5 * step), farther = sine_at(f, value - 1.5 * step);
     double middle = sine_at(f, value + step);
@@ -154,8 +155,9 @@ static bool find_value(Search *f, double *value)
         *value = first;
         bool ok = come_closer(f, value) && correct(f, value) && correct(f, value) && correct(f, value);
         if (!ok || !is_smooth(f, *value)) continue;
-        double least = sine_at(f, *value);
-        return least >= 0 && least * least <= MEETS;
+        double least = sine_at(f, *value),
+               meets = yk_path_is_time(&f->walk->path) && f->meeting.input == YK_NONE ? MEETS_LIMIT : MEETS;
+        return least >= 0 && least * least <= meets;
     }
     return false;
 }
@@ -168,7 +170,6 @@ static bool find_input(Search *f)
     const YkMechanism *mech = s->mech;
     size_t count = 0, depends = 0;
     f->meeting.input = YK_NONE;
-    if (!yk_path_is_time(path)) return true;
     for (int pass = 0; pass < 2; pass++)
         for (size_t i = 0; i < mech->input_count; i++) {
             if (mech->coordinates[mech->inputs[i]].drive == YK_NONE || s->is_held[3 * i]) continue;
@@ -187,20 +188,46 @@ static bool find_input(Search *f)
     return count == 1 || depends == 1;
 }
 
+// Makes the place on the path count. The unit of time is one in which the block turns by not much more than a radian.
+static void take_place(Search *f)
+{
+    enum { QUARTERS = 16 };
+    YkPath *path = &f->walk->path;
+    f->meeting.input = YK_NONE;
+    yk_path_set(path, f->place, true);
+    f->meeting.unit = yk_path_scale(path);
+    for (int k = 0; yk_path_is_time(path) && k < QUARTERS; k++) {
+        double before = sine_at(f, f->place - 1e-3 * f->meeting.unit),
+               after = sine_at(f, f->place + 1e-3 * f->meeting.unit);
+        if (before < 0.01 && after < 0.01) return;
+        f->meeting.unit *= 0.25;
+    }
+}
+
+static bool find_by_input(Search *f)
+{
+    const YkPath *path = &f->walk->path;
+    if (!yk_path_is_time(path) || !find_input(f)) return false;
+    f->meeting.unit = yk_input_unit(path->state->mech, (size_t)f->meeting.input);
+    f->meeting.at = yk_path_input_at(path, (size_t)f->meeting.input, f->place);
+    return isfinite(f->meeting.at) && find_value(f, &f->meeting.at);
+}
+
+static bool find_by_place(Search *f)
+{
+    take_place(f);
+    f->meeting.at = f->place;
+    return find_value(f, &f->meeting.at);
+}
+
 static bool find(YkWalk *w, size_t block, double at, YkMeeting *meeting)
 {
-    const YkPath *path = &w->path;
-    if (block >= path->meeting_count || !yk_walk_has_margin(w, block)) return false;
+    if (block >= w->path.meeting_count || !yk_walk_has_margin(w, block)) return false;
     Search f = {.walk = w, .block = block, .place = at};
-    path->meetings[block].is_known = false;
-    if (!find_input(&f)) return false;
-    bool is_place = f.meeting.input == YK_NONE;
-    f.unit = is_place ? yk_path_scale(path) : yk_input_unit(path->state->mech, (size_t)f.meeting.input);
-    double value = is_place ? at : yk_path_input_at(path, (size_t)f.meeting.input, at);
-    if (!isfinite(value) || !find_value(&f, &value)) return false;
+    w->path.meetings[block].is_known = false;
+    if (!find_by_input(&f) && !find_by_place(&f)) return false;
     *meeting = f.meeting;
     meeting->is_known = true;
-    meeting->at = value;
     meeting->near = f.h;
     return true;
 }
@@ -213,16 +240,16 @@ static void keep(YkWalk *w, size_t block, YkMeeting m, int side)
     w->path.meetings[block] = m;
 }
 
-bool yk_walk_meets(YkWalk *w, size_t block, double at, double known)
+bool yk_walk_meets(YkWalk *w, size_t block, double at, double known, double way)
 {
     YkMeeting m, old = block < w->path.meeting_count ? w->path.meetings[block] : (YkMeeting){0};
     if (!find(w, block, at, &m)) return false;
-    if (old.is_known && old.input == m.input && fabs(off_of(&w->path, &m, old.at)) < 0.1 * m.near) {
+    if (old.is_known && old.input == m.input && fabs(off_of(&m, old.at)) < 0.1 * m.near) {
         w->path.meetings[block] = old;
         return true;
     }
-    int side = side_of(&w->path, &m, off_at(&w->path, &m, known));
-    if (side == 0) side = side_beside(&w->path, &m, at, -w->path.way);
+    int side = side_of(&m, off_at(&w->path, &m, known));
+    if (side == 0) side = side_beside(&w->path, &m, known, -way);
     keep(w, block, m, side);
     return side != 0;
 }
@@ -253,7 +280,7 @@ void yk_walk_begin_at(YkWalk *w, double at, double way)
         bool is_found = find(w, k, at, &m);
         yk_path_probe(&w->path, at, true);
         if (!is_found) continue;
-        int side = side_of(path, &m, off_at(path, &m, at));
+        int side = side_of(&m, off_at(path, &m, at));
         keep(w, k, m, side != 0 ? side : side_at_start(w, &m, at, way));
     }
     if (has_looked) yk_path_probe(&w->path, at, true);
@@ -270,8 +297,10 @@ static bool is_seen(YkWalk *w, double at)
 
 static void note(YkWalk *w, size_t block, double at)
 {
-    if (is_seen(w, at))
-        yk_walk_note(w, (YkEvent){.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true});
+    bool may_turn = yk_path_is_time(&w->path) && w->path.meetings[block].input == YK_NONE;
+    YkEvent event = {.kind = YK_EVENT_CHANGE_POINT, .at = at, .block = (int)block, .is_passed = true};
+    event.is_turned = may_turn && yk_path_turns_back(&w->path, at);
+    if (is_seen(w, at)) yk_walk_note(w, event);
 }
 
 // Returns where the path goes over the change point between a place on the side of `side` and one on the other.
@@ -314,11 +343,11 @@ void yk_walk_note_crossings(YkWalk *w, double a, double b)
         YkMeeting *m = &path->meetings[k];
         if (!m->is_known) continue;
         double off = off_at(path, m, b);
-        int side = side_of(path, m, off);
+        int side = side_of(m, off);
         bool is_near = fmin(fabs(off_at(path, m, a)), fabs(off)) < m->near;
         if (side == m->side && m->input != YK_NONE && yk_walk_is_at_meeting(w, k, a, b)) {
             double beyond = farthest_beyond(path, m, a, b);
-            if (side_of(path, m, off_at(path, m, beyond)) == -m->side) {
+            if (side_of(m, off_at(path, m, beyond)) == -m->side) {
                 note(w, k, crossing(path, m, a, beyond, m->side));
                 note(w, k, crossing(path, m, b, beyond, m->side));
                 is_moved = true;
@@ -335,7 +364,7 @@ void yk_walk_note_crossings(YkWalk *w, double a, double b)
 bool yk_walk_passes_meeting(YkWalk *w, size_t block, double at, double way, bool is_start)
 {
     YkMeeting *m = &w->path.meetings[block];
-    if (side_of(&w->path, m, off_at(&w->path, m, at)) != 0) return true; // elsewhere, if at all
+    if (side_of(m, off_at(&w->path, m, at)) != 0) return true; // elsewhere, if at all
     int ahead = side_beside(&w->path, m, at, way);
     int before = is_start ? m->side : side_beside(&w->path, m, at, -way);
     if (ahead == 0 || ahead == before) return false;
@@ -348,5 +377,5 @@ double yk_walk_side_held(const YkWalk *w, size_t block, double at)
 {
     const YkPath *path = &w->path;
     const YkMeeting *m = &path->meetings[block];
-    return m->is_known && side_of(path, m, off_at(path, m, at)) == 0 ? m->side : 0;
+    return m->is_known && side_of(m, off_at(path, m, at)) == 0 ? m->side : 0;
 }

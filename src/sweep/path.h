@@ -12,7 +12,7 @@
 typedef struct YkMeeting {
     bool is_known, is_off;   // off: the signs are set otherwise for the time being
     int32_t input;           // over time: the only one that leads there; YK_NONE: the place on the path does
-    double at, near;         // its value there; how far from it nothing else can be, rad or machine sizes
+    double unit, at, near;   // one of its units; its value there; how far from it, in units, nothing else can be
     signed char above, side; // the sign above it; the side on which the motion was last
 } YkMeeting;
 

@@ -120,6 +120,25 @@ static bool goes_over(YkSweep *w, size_t row, const double *margins, double way)
     return is_known ? is_passed : passes(w, row, margins, way);
 }
 
+static bool was_flipped(const YkSweep *w, size_t row)
+{
+    for (size_t k = 0; k < w->walk.margin_count; k++)
+        if (yk_walk_was_flipped_near(&w->walk, k, *yk_sweep_row(w, row))) return true;
+    return false;
+}
+
+// Returns whether the machine goes on from a row at a known change point, though its rates have no limits there: one input may
+// stop and another start.
+static bool goes_on(YkSweep *w, size_t row, double way)
+{
+    YkPath *path = &w->walk.path;
+    double at = *yk_sweep_row(w, row), ahead = yk_path_off(path, at, way, 2e-5);
+    bool is_known = false, closes = isfinite(ahead) && yk_path_try(path, ahead, true) >= 0;
+    yk_path_try(path, at, true);
+    for (size_t k = 0; k < path->meeting_count; k++) is_known |= yk_walk_side_held(&w->walk, k, at) != 0;
+    return is_known && closes;
+}
+
 void yk_sweep_try_change_row(YkSweep *w)
 {
     size_t row = w->row_count - 1;
@@ -129,11 +148,13 @@ void yk_sweep_try_change_row(YkSweep *w)
         w->walk.margin_count != s->mech->block_count || s->mech->has_groups)
         return;
     yk_walk_read_margins(&w->walk, margins);
+    size_t before = w->walk.event_count;
     bool is_passed = goes_over(w, row, margins, way);
     if (row == 0 && is_passed) w->walk.from = NAN;
     if (is_passed) yk_walk_flip_at(&w->walk, *yk_sweep_row(w, row), margins);
     fill_change_row(w, row, margins, is_passed || row == 0 ? way : -way); // else it goes back to where the signs hold
-    if (w->row_status[row] == YK_CHANGE_POINT) {
+    bool is_told = w->walk.event_count > before;
+    if (w->row_status[row] == YK_CHANGE_POINT || (is_told && goes_on(w, row, way))) {
         w->walk.event_count = drop_singular(w, *yk_sweep_row(w, row));
         YkEvent touched = {.kind = YK_EVENT_CHANGE_POINT,
                            .at = *yk_sweep_row(w, row),
@@ -142,6 +163,7 @@ void yk_sweep_try_change_row(YkSweep *w)
         return;
     }
     if (row == 0) w->walk.from = *yk_sweep_row(w, row);
+    if (is_told && !was_flipped(w, row)) w->walk.event_count = before;
     for (size_t k = 0; k < w->walk.margin_count; k++) // a limit after all: restores the signs
         if (yk_walk_was_flipped_near(&w->walk, k, *yk_sweep_row(w, row))) {
             s->branch[k] = (signed char)-s->branch[k];

@@ -170,11 +170,11 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
         if (!yk_walk_has_margin(w, k) || margins[k] > 1e-8 || yk_walk_was_flipped_near(w, k, at) ||
             yk_walk_is_at_meeting(w, k, at, at))
             continue;
-        bool passes = passes_with_other_sign(w, k, beyond);
-        if (!passes ||
-            !flip(w, k, yk_walk_touch(at, margins[k], beyond, s->space.block_margin[k]), copysign(1, bad - at)))
-            continue;
+        if (!passes_with_other_sign(w, k, beyond)) continue;
+        double touch = yk_walk_touch(at, margins[k], beyond, s->space.block_margin[k]);
+        if (!yk_walk_meets(w, k, touch, good, bad - good) && !flip(w, k, touch, copysign(1, bad - at))) continue;
         yk_path_probe(&w->path, beyond, true);
+        yk_walk_note_crossings(w, good, beyond);
         yk_walk_read_margins(w, yk_walk_margins(w, depth + 1, 0));
         return beyond == bad || advance(w, beyond, bad, depth + 1);
     }
@@ -241,13 +241,13 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
         if (!yk_walk_has_margin(w, k) || yk_walk_is_at_meeting(w, k, a, b)) continue;
         if (!narrow && !is_decided(w, k, b) && is_within_reach(w, fmin(ma[k], fmin(mm[k], mb[k])), a, b)) return FINER;
         if (!yk_margin_may_vanish(ma[k], mm[k], mb[k])) {
-            touched |= mb[k] <= YK_SINGULAR_MARGIN && (yk_walk_meets(w, k, b, a) || flip_at_end(w, k, a, b));
+            touched |= mb[k] <= YK_SINGULAR_MARGIN && (yk_walk_meets(w, k, b, a, b - a) || flip_at_end(w, k, a, b));
             continue;
         }
         if (is_decided(w, k, b)) continue;
         if (!narrow || is_wide_for_bodies(w, a, b, depth)) return FINER;
         double touch = yk_walk_touch(a, ma[k], b, mb[k]);
-        if (yk_walk_meets(w, k, touch, a)) {
+        if (yk_walk_meets(w, k, touch, a, b - a)) {
             touched = true;
             continue;
         }
@@ -290,7 +290,7 @@ void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
     size_t events = w->event_count, more = w->more_events, tried = 0, flips = 0;
     for (size_t k = 0; k < w->margin_count; k++) {
         if (!yk_walk_has_margin(w, k) || margins[k] > YK_SINGULAR_MARGIN || is_decided(w, k, a)) continue;
-        if (yk_walk_is_at_meeting(w, k, a, a) || yk_walk_meets(w, k, a, a)) continue;
+        if (yk_walk_is_at_meeting(w, k, a, a) || yk_walk_meets(w, k, a, a, way)) continue;
         tried++;
         flips += flip(w, k, a, way);
     }

@@ -246,6 +246,44 @@ static void test_a_creep_within_rounding_of_a_change_point_is_told(void **unused
         for (size_t k = 0; k < sizeof widths / sizeof widths[0]; k++) creep_over(widths[k], steps, false);
 }
 
+// Of three cranks in line the third repeats what two say. The false branch closes up to rounding for 1e-5 rad beyond the change
+// point, which is told where it is all the same.
+static void test_three_cranks_in_line_tell_where_they_pass(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("bodies:\n"
+                              "  ground: {points: {O1: [0, 0], O2: [1.5, 0], O3: [4, 0]}}\n"
+                              "  crank1: {points: {O1: [0, 0], A1: [0.5, 0]}}\n"
+                              "  crank2: {points: {O2: [0, 0], A2: [0.5, 0]}}\n"
+                              "  crank3: {points: {O3: [0, 0], A3: [0.5, 0]}}\n"
+                              "  rod:    {points: {A1: [0, 0], A2: [1.5, 0], A3: [4, 0]}}\n"
+                              "joints:\n"
+                              "  O1: {pin: [ground, crank1], angle: theta1}\n"
+                              "  A1: {pin: [crank1, rod], angle: phi}\n"
+                              "  O2: {pin: [ground, crank2], angle: theta2}\n"
+                              "  O3: {pin: [ground, crank3], angle: theta3}\n"
+                              "  A2: {pin: [rod, crank2]}\n"
+                              "  A3: {pin: [rod, crank3]}\n"
+                              "drives: {theta1: 50 deg}\n"
+                              "start: {phi: -50 deg, theta2: 50 deg, theta3: 50 deg}\n",
+                              true);
+    static const char *const of[] = {"theta1", "theta2", "theta3"};
+    for (size_t steps = 1; steps < 40; steps += 3) {
+        YkSweep *sweep = machine_sweep(&m, "theta1", 0.2, steps % 2 ? 22.1 : -9.3, steps, of, 3);
+        assert_int_equal(yk_sweep_status(sweep), YK_OK);
+        for (size_t row = 0; row <= steps; row++)
+            for (size_t c = 1; c < 3; c++)
+                CHECK_NEAR(yk_sweep_value(sweep, row, c), yk_sweep_value(sweep, row, 0), 1e-7);
+        assert_int_equal(count_events(sweep, YK_EVENT_CHANGE_POINT), steps % 2 ? 7 : 3);
+        for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
+            YkEvent e = yk_sweep_event(sweep, k);
+            if (e.kind == YK_EVENT_CHANGE_POINT) CHECK_NEAR(e.at, YK_PI * rint(e.at / YK_PI), 1e-11);
+        }
+        yk_sweep_free(sweep);
+    }
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -256,6 +294,7 @@ int main(void)
         cmocka_unit_test(test_parallelograms_side_by_side_stay_parallel),
         cmocka_unit_test(test_a_slotted_lever_passes_its_own_pivot),
         cmocka_unit_test(test_a_creep_through_a_change_point_keeps_the_kind),
+        cmocka_unit_test(test_three_cranks_in_line_tell_where_they_pass),
         cmocka_unit_test(test_a_creep_within_rounding_of_a_change_point_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
