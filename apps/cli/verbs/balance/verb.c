@@ -72,8 +72,10 @@ static void write_text(YkSession *session, const YkBalancing *b, double fluctuat
     if (yk_balancing_count(b) > 0) write_weights(session, b);
     write_shaking(session, b);
     if (isfinite(flywheel))
-        yk_text_format(out, "\nA flywheel of %e kg m^2 on the input keeps its speed within %e of the mean.\n", flywheel,
-                       fluctuation);
+        yk_text_format(
+            out,
+            "\nWithout counterweights, a flywheel of %e kg m^2 on the input keeps its speed within %e of the mean.\n",
+            flywheel, fluctuation);
 }
 
 // --- JSON
