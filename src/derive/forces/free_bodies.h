@@ -242,6 +242,7 @@ const int32_t *yk_derive_pushes_on(const YkDeriveForces *f, int32_t body, size_t
 void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
 void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first);
 const char *yk_derive_load_letter(YkDeriveLoadKind kind);
+const char *yk_derive_couple_name(const YkDeriveForces *f, const YkDeriveLoad *load);
 const char *yk_derive_load_word(YkDeriveLoadKind kind);                               // "weight", "spring", ...
 const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact); // the other body, or "the pin A"
 // Returns the point at which a contact acts.
