@@ -113,7 +113,7 @@ static void add_load(YkFreeBodyDrawings *p, size_t picture, const YkDeriveLoad *
         }
     }
     if (yk_ring_is_zero(push->moment)) return;
-    name.base = "M";
+    name.base = "M", name.sub = yk_derive_couple_name(p->forces, load);
     YkArrow *arrow = add_arrow(p, picture, name, couple_place(p, load, push));
     if (!arrow) return;
     arrow->words = words;

@@ -38,6 +38,29 @@ joints: {O: {pin: [ground, arm], angle: theta}}
             if printed or len(line.split()[2]) < 18:
                 self.assertIn("true for all dimensions", self.good("derive", path, "--check", line).out)
 
+    def test_couples_on_one_body_have_names_of_their_own(self):
+        """Spring, damper and law along one angle were all called M_S, friction and stop of one pin M_O."""
+        path = self.write("arm.yaml", """\
+parameters: {k: 3, c: 0.5, m: 2}
+bodies:
+  ground: {points: {O: [0, 0]}}
+  arm: {points: {O: [0, 0]}, mass: m, center: [1, 0], inertia: 0.1}
+joints: {O: {pin: [ground, arm], angle: q, friction: {viscous: 0.2, coulomb: 0.1, radius: 10 mm}}}
+springs: {S: {along: q, stiffness: k, angle: 0.3, damping: c, torque: 2 N*m * angle^3}}
+efforts: {q: 0.7}
+drives: {q: 1 rad/s * t}
+stops: {q: [-2, 2]}
+""")
+        for example in (path, os.path.join(EXAMPLES, "epicyclic-drive.yaml")):
+            names, body = [], ""
+            for section in self.good("derive", example, "--what", "free-bodies", "-q", "--format", "json").json()["sections"]:
+                for item in section["items"]:
+                    body = item["text"] if item["kind"] == "heading" else body
+                    found = re.match(r"-? ?(M_\S+) = ", item["text"])
+                    names += [(body, found.group(1))] if found else []
+            self.assertEqual(len(names), len(set(names)), names)
+            self.assertGreater(len(names), 4)
+
     def test_all_that_there_is_comes_by_default(self):
         run = self.good("derive", QUICK)
         for title in ("Loop equations", "Jacobian", "Velocities", "Accelerations"):

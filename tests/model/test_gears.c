@@ -234,6 +234,42 @@ static void a_racks_sense_depends_on_the_side_of_its_pinion(void **state)
     refused("racks: {r: {pinion: sun, rack: bar, radius: 0}}", YK_CODE_BAD_RADIUS, "0");
 }
 
+// Returns how many problems of this code the text has.
+static size_t count_of(const char *text, int code)
+{
+    YkProblems *problems = yk_problems_new();
+    yk_model_free(yk_model_parse(text, strlen(text), "t.yaml", NULL, problems));
+    size_t count = 0;
+    for (size_t k = 0; k < yk_problems_count(problems); k++) count += (int)yk_problems_get(problems, k)->code == code;
+    yk_problems_free(problems);
+    return count;
+}
+
+static void a_rack_through_its_pinion_and_pulleys_without_room_are_told(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *place, *drives;
+        size_t rack, belt;
+    } cases[] = {
+        {"[0, 0]", "racks: {r: {pinion: a, rack: bar, radius: 0.04}}", 1, 0},
+        {"[0.3, 0]", "racks: {r: {pinion: a, rack: bar, radius: 0.04}}", 1, 0},
+        {"[0, 0.04]", "racks: {r: {pinion: a, rack: bar, radius: 0.04}}", 0, 0},
+        {"[0, 0]", "belts: {b: {between: [a, b], radii: [0.05, 0.051]}}", 0, 1},
+        {"[0, 0]", "belts: {b: {between: [a, b], radii: [0.05, 0.051], crossed: true}}", 0, 1},
+        {"[0, 0]", "belts: {b: {between: [a, b], radii: [0.05, 0.049]}}", 0, 0},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "bodies: {ground: {points: {Q: %s, B: [0.1, 0]}}, a: {}, b: {points: {B: [0, 0]}}, bar: {}}\n"
+                 "joints: {A: {pin: [ground, a]}, B: {pin: [ground, b]}, S: {slide: [ground, bar], from: Q}}\n%s\n",
+                 cases[k].place, cases[k].drives);
+        assert_int_equal(count_of(text, YK_CODE_RACK_SIDE), cases[k].rack);
+        assert_int_equal(count_of(text, YK_CODE_PULLEYS_OVERLAP), cases[k].belt);
+    }
+}
+
 static void locks_are_lists_or_maps(void **state)
 {
     (void)state;
@@ -266,6 +302,7 @@ int main(void)
         cmocka_unit_test(radii_of_belts_are_kept_exactly),
         cmocka_unit_test(exact_values_know_units_and_pi),
         cmocka_unit_test(a_racks_sense_depends_on_the_side_of_its_pinion),
+        cmocka_unit_test(a_rack_through_its_pinion_and_pulleys_without_room_are_told),
         cmocka_unit_test(locks_are_lists_or_maps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,6 @@
 // Section: free bodies. Every body by itself with all that acts on it: forces of other bodies, loads, and inertia
 // forces.
+#include <string.h>
 #include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 
@@ -19,6 +20,23 @@ void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, si
 {
     if (push == 1 || !first) yk_line_sign(page, line, push == 1 ? "-" : "+");
     yk_line_vector(page, line, yk_derive_load_letter(load->kind), NULL, load->name);
+}
+
+// Returns what follows the M of a load's couple: its name and, where another couple has the same name, its letter. The
+// effort of a drive keeps the plain name.
+const char *yk_derive_couple_name(const YkDeriveForces *f, const YkDeriveLoad *load)
+{
+    bool is_alone = true;
+    for (size_t k = 0; k < f->load_count; k++) {
+        const YkDeriveLoad *other = &f->loads[k];
+        bool is_couple = other->push_count > 0 && !yk_ring_is_zero(other->push[0].moment);
+        is_alone = is_alone && (other == load || !is_couple || strcmp(other->name, load->name) != 0);
+    }
+    if (is_alone || load->kind == YK_DERIVE_DRIVE) return load->name;
+    char letter[2] = {yk_derive_load_letter(load->kind)[0], 0};
+    if (load->kind == YK_DERIVE_DRY)
+        letter[0] = yk_ring_symbol_name(f->d->ring, load->symbol)[0]; // R friction, S a stop
+    return yk_derive_text(f->d, load->name, ",", letter);
 }
 
 const char *yk_derive_contact_point(YkDerivation *d, const YkDeriveContact *contact)
@@ -110,7 +128,7 @@ static void put_load_lines(const YkDeriveForces *f, YkPage *page, const YkDerive
     if (yk_ring_is_zero(push->moment)) return;
     YkLine *line = yk_page_formula(page, yk_derive_load_word(load->kind));
     if (p == 1) yk_line_sign(page, line, "-");
-    yk_line_vector(page, line, "M", NULL, load->name);
+    yk_line_vector(page, line, "M", NULL, yk_derive_couple_name(f, load));
     put_couple(d, page, line, push->moment);
 }
 

@@ -244,6 +244,7 @@ void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, si
 // All forces and couples on a body, a line each with its value: contacts, loads, inertia.
 void yk_derive_put_acting(const YkDeriveForces *f, YkPage *page, int32_t body);
 const char *yk_derive_load_letter(YkDeriveLoadKind kind);
+const char *yk_derive_couple_name(const YkDeriveForces *f, const YkDeriveLoad *load);
 const char *yk_derive_load_word(YkDeriveLoadKind kind);                               // "weight", "spring", ...
 const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact); // the other body, or "the pin A"
 // Returns the point at which a contact acts.

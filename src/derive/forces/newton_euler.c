@@ -94,7 +94,7 @@ static bool put_load_moments(const YkDeriveForces *f, YkPage *page, YkLine *line
         }
         if (yk_ring_is_zero(push->moment)) continue;
         if (p == 1 || !first) yk_line_sign(page, line, p == 1 ? "-" : "+");
-        yk_line_vector(page, line, "M", NULL, load->name);
+        yk_line_vector(page, line, "M", NULL, yk_derive_couple_name(f, load));
         first = false;
     }
     return first;

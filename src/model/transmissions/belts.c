@@ -34,6 +34,18 @@ void yk_load_belts(YkLoader *loader)
     }
 }
 
+// Warns if no belt could lie around the two pulleys.
+static void check_room(YkLoader *loader, const YkBelt *belt, double distance)
+{
+    double sum = belt->radius[0] + belt->radius[1], size = 1;
+    bool is_known = belt->carrier >= 0 && belt->radius[0] > 0 && belt->radius[1] > 0;
+    if (!is_known || sum <= distance * (1 + 1e-9)) return;
+    const char *unit = yk_model_unit(loader->model, YK_QUANTITY_LENGTH, &size);
+    yk_problem(loader->problems, YK_CODE_PULLEYS_OVERLAP, belt->place,
+               "belt %q: its pulleys overlap, since their centres are %e %s apart and their radii are %e and %e %s",
+               belt->name, distance / size, unit, belt->radius[0] / size, belt->radius[1] / size, unit);
+}
+
 void yk_load_finish_belts(YkLoader *loader)
 {
     YkModel *model = loader->model;
@@ -49,5 +61,6 @@ void yk_load_finish_belts(YkLoader *loader)
             yk_problem(loader->problems, YK_CODE_BAD_RADIUS, belt->radius_expr[k]->place,
                        "a radius of belt %q is %g; it must be positive", belt->name, belt->radius[k]);
         }
+        check_room(loader, belt, distance);
     }
 }

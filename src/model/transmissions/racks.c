@@ -68,17 +68,23 @@ static bool holds_pinion(const YkModel *model, const YkRack *rack, int32_t body,
 
 // Returns the side of the rack's line on which the pinion lies, seen along the slide by its first body. A slide written
 // from the rack to the carrier fixes its line in the rack, and the line passes through the carrier's point: both signs
-// change.
-static int32_t sense_of(const YkJoint *slide, bool is_reversed, YkVec center)
+// change. Where the line passes through the pinion's centre, says that the side is a guess.
+static int32_t sense_of(YkLoader *loader, const YkRack *rack, const YkJoint *slide, bool is_reversed, YkVec center)
 {
-    double side = is_reversed ? yk_cross(slide->along, yk_sub(center, slide->at[1]))
-                              : yk_cross(slide->along, yk_sub(center, slide->at[0]));
+    double side = yk_cross(slide->along, yk_sub(center, slide->at[is_reversed ? 1 : 0]));
     int32_t sense = side < 0 ? -1 : 1;
+    if (fabs(side) <= 1e-9 * rack->radius) {
+        yk_problem(loader->problems, YK_CODE_RACK_SIDE, rack->place,
+                   "rack %q: slide %q passes through the centre of %q, which is taken to lie to the left of the line",
+                   rack->name, slide->name, loader->model->bodies[rack->pinion].name);
+        yk_problem_hint(loader->problems, "begin the slide with `from:` at a point beside the pinion");
+    }
     return is_reversed ? -sense : sense;
 }
 
-static bool find_slide(YkModel *model, YkRack *rack)
+static bool find_slide(YkLoader *loader, YkRack *rack)
 {
+    YkModel *model = loader->model;
     int32_t given = rack->carrier;
     for (size_t i = 0; i < model->joint_count; i++) {
         const YkJoint *joint = &model->joints[i];
@@ -89,7 +95,7 @@ static bool find_slide(YkModel *model, YkRack *rack)
             if ((given != YK_NONE && given != carrier) || !holds_pinion(model, rack, carrier, &center)) continue;
             rack->carrier = carrier;
             rack->slide = (int32_t)i;
-            rack->sense = sense_of(joint, k == 0, center);
+            rack->sense = sense_of(loader, rack, joint, k == 0, center);
             return true;
         }
     }
@@ -106,7 +112,7 @@ static void finish_rack(YkLoader *loader, YkRack *rack)
     }
     if (rack->pinion == YK_NONE || rack->rack == YK_NONE || rack->carrier == YK_REPORTED || loader->has_bad_joint)
         return;
-    if (find_slide(model, rack)) return;
+    if (find_slide(loader, rack)) return;
     yk_problem(loader->problems, YK_CODE_NO_CARRIER, rack->place,
                "rack %q: no body holds the centre of %q by a pin and %q by a slide", rack->name,
                model->bodies[rack->pinion].name, model->bodies[rack->rack].name);

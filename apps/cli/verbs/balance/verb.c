@@ -110,8 +110,10 @@ static void write_text(YkSession *session, const YkBalancing *b, double fluctuat
     write_shaking(session, b);
     write_orders(session, b);
     if (isfinite(flywheel))
-        yk_text_format(out, "\nA flywheel of %e kg m^2 on the input keeps its speed within %e of the mean.\n", flywheel,
-                       fluctuation);
+        yk_text_format(
+            out,
+            "\nWithout counterweights, a flywheel of %e kg m^2 on the input keeps its speed within %e of the mean.\n",
+            flywheel, fluctuation);
     if (yk_balancing_turns(b) > 1)
         yk_text_format(out, "The machine and its efforts repeat after %z turns of the input.\n", yk_balancing_turns(b));
 }
