@@ -19,11 +19,6 @@ typedef struct YkArmCircle {
     YkVec inverse;
 } YkArmCircle;
 
-typedef union YkArms {
-    YkArmPair pair;
-    YkArmCircle circle;
-} YkArms;
-
 // Returns whether a constant vector points along x (is a real number), as for most points and slides.
 static inline bool yk_is_axial(YkVec v)
 {

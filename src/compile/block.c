@@ -134,7 +134,13 @@ YkBlock *yk_plan_new_block(YkPlan *plan, YkBlockKind kind, const int32_t *joints
         return NULL;
     }
     YkBlock *block = &mech->blocks[mech->block_count];
-    *block = (YkBlock){.kind = kind, .first_joint = (uint32_t)mech->member_count, .joint_count = (uint32_t)count};
+    *block = (YkBlock){.kind = kind, .aside = YK_NEW(mech->arena, YkBlockAside, 1)};
+    if (!block->aside) {
+        plan->failed = true;
+        return NULL;
+    }
+    block->aside->first_joint = (uint32_t)mech->member_count;
+    block->aside->joint_count = (uint32_t)count;
     // labelled by the joint that closes its loop in the tree of coordinates, otherwise by its middle joint
     int32_t label = joints[count / 2];
     for (size_t k = 0; k < count; k++) {
@@ -147,8 +153,8 @@ YkBlock *yk_plan_new_block(YkPlan *plan, YkBlockKind kind, const int32_t *joints
         mech->block_members[mech->member_count++] = joints[k];
     }
     block->label = mech->model->joints[label].name;
-    block->assur_class = kind <= YK_BLOCK_PP ? 2 : 0;
-    block->first_body = (uint32_t)mech->member_count;
+    block->aside->assur_class = kind <= YK_BLOCK_PP ? 2 : 0;
+    block->aside->first_body = (uint32_t)mech->member_count;
     mech->block_count++;
     return block;
 }
@@ -156,7 +162,7 @@ YkBlock *yk_plan_new_block(YkPlan *plan, YkBlockKind kind, const int32_t *joints
 void yk_plan_block_bodies(YkPlan *plan, YkBlock *block, const int32_t *clusters, size_t count)
 {
     YkMechanism *mech = plan->mech;
-    block->first_body = (uint32_t)mech->member_count;
+    block->aside->first_body = (uint32_t)mech->member_count;
     for (size_t c = 0; c < count; c++)
         for (uint32_t k = plan->cluster_first[clusters[c]]; k < plan->cluster_first[clusters[c] + 1]; k++) {
             if (!YK_ROOM(mech->block_members, mech->member_count, mech->member_capacity)) {
@@ -165,23 +171,23 @@ void yk_plan_block_bodies(YkPlan *plan, YkBlock *block, const int32_t *clusters,
             }
             mech->block_members[mech->member_count++] = plan->cluster_member[k];
         }
-    block->body_count = (uint32_t)mech->member_count - block->first_body;
+    block->aside->body_count = (uint32_t)mech->member_count - block->aside->first_body;
 }
 
 static double share_of(const YkBlock *block, int k, double per_enough2)
 {
-    return yk_arm_share(yk_dot(block->arm[k].constant, block->arm[k].constant), per_enough2);
+    return yk_arm_share(yk_dot(block->aside->arm[k].constant, block->aside->arm[k].constant), per_enough2);
 }
 
 // Finds the form. per_enough2 is that of the arms, as for yk_arm_share. In long machines all arms are short.
 static YkBlockForm form_of(const YkBlock *block, double per_enough2)
 {
-    YkVec arm = block->arm[0].constant;
+    YkVec arm = block->aside->arm[0].constant;
     bool is_axial = yk_is_axial(block->line[0]), is_fixed = block->line_slot[0] == 0;
     if (!block->arm_is_constant[0]) return YK_FORM_RARE;
     if (block->kind == YK_BLOCK_RRR && block->arm_is_constant[1]) {
         if (share_of(block, 0, per_enough2) < 1 || share_of(block, 1, per_enough2) < 1) return YK_FORM_RRR_SHORT;
-        return yk_is_axial(arm) && yk_is_axial(block->arm[1].constant) ? YK_FORM_RRR_AXIAL : YK_FORM_RRR;
+        return yk_is_axial(arm) && yk_is_axial(block->aside->arm[1].constant) ? YK_FORM_RRR_AXIAL : YK_FORM_RRR;
     }
     if (block->kind != YK_BLOCK_RPR && share_of(block, 0, per_enough2) < 1) return YK_FORM_RARE;
     if (block->kind == YK_BLOCK_RRP && !is_fixed) return YK_FORM_RRP_TURNING;
@@ -194,11 +200,12 @@ void yk_block_measure(YkBlock *block, double size)
 {
     double per_size2 = 1 / (size * size), per_enough2 = YK_PER_ARM_ENOUGH2 * per_size2;
     block->per_size2 = per_size2;
+    const YkSum *arm = block->aside->arm;
     block->form = form_of(block, per_enough2);
     if (block->form == YK_FORM_RRR || block->form == YK_FORM_RRR_AXIAL || block->form == YK_FORM_RRR_SHORT)
-        block->arms.pair = yk_arm_pair(block->arm[0].constant, block->arm[1].constant, per_enough2, per_enough2);
+        block->pair = yk_arm_pair(arm[0].constant, arm[1].constant, per_enough2, per_enough2);
     else if (block->kind == YK_BLOCK_RRP)
-        block->arms.circle = yk_arm_circle(block->arm[0].constant, per_enough2);
+        block->circle = yk_arm_circle(arm[0].constant, per_enough2);
 }
 
 double yk_distance_unit(const YkMechanism *mech)
@@ -227,7 +234,7 @@ static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
     YkMechanism *mech = plan->mech;
     bool ok = yk_terms_store(&p->known, mech, &block->known);
     for (size_t k = 0; k < p->angles; k++) {
-        ok = ok && yk_terms_store(&p->arm[k], mech, &block->arm[k]);
+        ok = ok && yk_terms_store(&p->arm[k], mech, &block->aside->arm[k]);
         block->arm_is_constant[k] = is_constant(&p->arm[k]);
     }
     for (size_t k = 0; k < p->lines; k++) {
@@ -250,7 +257,8 @@ static void note_redundant(YkPlan *plan, const YkBlock *block)
         plan->failed = true;
         return;
     }
-    mech->redundant[mech->redundant_count++] = mech->block_members[block->first_joint + block->joint_count - 1];
+    mech->redundant[mech->redundant_count++] =
+        mech->block_members[block->aside->first_joint + block->aside->joint_count - 1];
 }
 
 bool yk_plan_block(YkPlan *plan, const int32_t *joints, size_t count, size_t expected)

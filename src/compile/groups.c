@@ -426,7 +426,7 @@ static void emit_group(Rest *r, const int32_t *members, size_t count, uint32_t s
     block->first_relation = group.first_relation;
     block->relation_count = group.relation_count;
     if (group.loop_count == 0) block->label = mech->relations[mech->group_relations[group.first_relation]].name;
-    block->assur_class = count == 1 ? 2 : count == 2 ? 3 : 4;
+    block->aside->assur_class = count == 1 ? 2 : count == 2 ? 3 : 4;
     yk_plan_block_bodies(plan, block, r->clusters, gather_clusters(r, joints, stamp));
     note_redundant(r, members, count);
     mech->has_groups = true;

@@ -147,10 +147,11 @@ size_t yk_block_count(const YkMechanism *mech)
 static bool is_told(const YkMechanism *mech, const YkBlock *b, uint32_t k)
 {
     int32_t member = mech->block_members[k];
-    if (k < b->first_joint || k >= b->first_joint + b->joint_count) return !is_carriage(mech, member);
+    if (k < b->aside->first_joint || k >= b->aside->first_joint + b->aside->joint_count)
+        return !is_carriage(mech, member);
     const YkJoint *joint = &mech->model->joints[member];
     if (!joint->is_free || joint->kind == YK_PIN_SLOT) return true;
-    for (uint32_t i = b->first_joint; i < b->first_joint + b->joint_count; i++)
+    for (uint32_t i = b->aside->first_joint; i < b->aside->first_joint + b->aside->joint_count; i++)
         if (mech->block_members[i] == joint->partner) return false;
     return true;
 }
@@ -173,25 +174,25 @@ YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block)
     const YkBlock *b = &mech->blocks[block];
     return (YkBlockInfo){.kind = b->kind,
                          .label = b->label,
-                         .assur_class = b->assur_class,
+                         .assur_class = b->aside->assur_class,
                          .unknowns = b->column_count,
                          .equations = b->kind == YK_BLOCK_GROUP ? yk_block_rows(b) : 2,
-                         .joint_count = count_told(mech, b, b->first_joint, b->joint_count),
-                         .body_count = count_told(mech, b, b->first_body, b->body_count),
+                         .joint_count = count_told(mech, b, b->aside->first_joint, b->aside->joint_count),
+                         .body_count = count_told(mech, b, b->aside->first_body, b->aside->body_count),
                          .relation_count = b->relation_count};
 }
 
 size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index)
 {
     const YkBlock *b = &mech->blocks[block];
-    if (mech->model->carriage_count == 0) return (size_t)mech->block_members[b->first_joint + index];
-    return (size_t)shown_joint(mech->model, told_at(mech, b, b->first_joint, index));
+    if (mech->model->carriage_count == 0) return (size_t)mech->block_members[b->aside->first_joint + index];
+    return (size_t)shown_joint(mech->model, told_at(mech, b, b->aside->first_joint, index));
 }
 size_t yk_block_body(const YkMechanism *mech, size_t block, size_t index)
 {
     const YkBlock *b = &mech->blocks[block];
-    if (mech->model->carriage_count == 0) return (size_t)mech->block_members[b->first_body + index];
-    return (size_t)told_at(mech, b, b->first_body, index);
+    if (mech->model->carriage_count == 0) return (size_t)mech->block_members[b->aside->first_body + index];
+    return (size_t)told_at(mech, b, b->aside->first_body, index);
 }
 
 const char *yk_block_relation(const YkMechanism *mech, size_t block, size_t index)

@@ -143,6 +143,14 @@ typedef enum YkBlockForm {
     YK_FORM_RPR_AXIAL // the line points along x and passes through the pin
 } YkBlockForm;
 
+// What most poses do not read, in memory of its own.
+typedef struct YkBlockAside {
+    YkSum arm[2]; // RRR: U, W; RRP: W; RPR: C; LINK: U
+    int32_t assur_class;
+    uint32_t first_joint, joint_count; // in block_members
+    uint32_t first_body, body_count;   // in block_members
+} YkBlockAside;
+
 typedef struct YkBlock {
     YkBlockKind kind;
     YkBlockForm form;
@@ -151,21 +159,23 @@ typedef struct YkBlock {
     int32_t line_slot[2]; // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
     YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
     YkSum known;
-    YkArms arms;      // of RRR and RRP with constant arms
+    union {
+        YkArmPair pair; // RRR with constant arms
+        struct {
+            YkArmCircle circle; // RRP with a constant arm
+            YkVec line[2];      // all others: constant unit vectors
+        };
+    };
     double per_size2; // 1 / size^2 of the machine: the scale for a base or an arm that vanishes
-    YkVec line[2];    // constant unit vectors
-    YkSum arm[2];     // RRR: U, W; RRP: W; RPR: C; LINK: U
+    YkBlockAside *aside;
     const char *label;
-    int32_t assur_class;
-    uint32_t first_joint, joint_count; // in block_members
-    uint32_t first_body, body_count;   // in block_members
     // Groups:
     uint32_t first_column, column_count;     // in group_columns
     uint32_t first_loop, loop_count;         // in group_loops: all terms, known and unknown
     uint32_t first_relation, relation_count; // in group_relations: one equation each, after those of the loops
 } YkBlock;
 
-// Computes the block's form, `arms` and `per_size2`: call it after every change of its vectors or of the machine's
+// Computes the block's form, `pair` or `circle`, and `per_size2`: call it after every change of its vectors or of the machine's
 // size.
 void yk_block_measure(YkBlock *block, double size);
 

@@ -117,7 +117,7 @@ static void list_patches(YkVariant *v)
         if (block->kind == YK_BLOCK_GROUP) continue;
         add_sum(v, &block->known);
         for (size_t c = 0; c < 2 && c < block->column_count; c++)
-            if (!block->column[c].is_distance) add_sum(v, &block->arm[c]);
+            if (!block->column[c].is_distance) add_sum(v, &block->aside->arm[c]);
     }
     for (size_t k = 0; k < mech->group_loop_count; k++) add_sum(v, &mech->group_loops[k]);
     for (size_t k = 0; k < v->recipe.line_count; k++) {

@@ -86,18 +86,19 @@ static bool add_arms(YkEliminationOrder *o, const YkBlock *b)
     for (int k = 0; k < 2; k++) line[k] = (YkTerm){b->line_slot[k], b->column[k].index, b->line[k]};
     switch (b->kind) {
     case YK_BLOCK_RRR:
-        return yk_gradient_add_sum(e, c, &b->arm[0], root, 0, 0) && yk_gradient_add_sum(e, c, &b->arm[1], root2, 1, 0);
+        return yk_gradient_add_sum(e, c, &b->aside->arm[0], root, 0, 0) &&
+               yk_gradient_add_sum(e, c, &b->aside->arm[1], root2, 1, 0);
     case YK_BLOCK_RRP:
     case YK_BLOCK_RPR:
         line[0].distance = b->column[1].index;
-        return yk_gradient_add_sum(e, c, &b->arm[0], root, 0, 0) &&
+        return yk_gradient_add_sum(e, c, &b->aside->arm[0], root, 0, 0) &&
                yk_gradient_add_term(e, c, line[0], b->kind == YK_BLOCK_RPR ? root : 0,
                                     b->kind == YK_BLOCK_RPR ? 0 : YK_NONE, 0);
     case YK_BLOCK_PP:
         return yk_gradient_add_term(e, c, line[0], 0, YK_NONE, 0) && yk_gradient_add_term(e, c, line[1], 0, YK_NONE, 0);
     case YK_BLOCK_LINK:
         if (b->column[0].is_distance) return yk_gradient_add_term(e, c, line[0], 0, YK_NONE, 0);
-        return yk_gradient_add_sum(e, c, &b->arm[0], root, 0, 0);
+        return yk_gradient_add_sum(e, c, &b->aside->arm[0], root, 0, 0);
     default:
         return true;
     }

@@ -177,7 +177,7 @@ static void take_repeated(YkDiscs *d, const YkBlock *block)
     YkColumn c = block->column[0];
     YkDual away = yk_dual_negate(yk_discs_sum(d, &block->known));
     if (!c.is_distance) {
-        d->slots[c.index] = divide(away, yk_discs_sum(d, &block->arm[0]));
+        d->slots[c.index] = divide(away, yk_discs_sum(d, &block->aside->arm[0]));
         return;
     }
     YkDual along = yk_dual_mul(away, yk_dual_conjugate(line_of(d, block)));
@@ -192,7 +192,7 @@ YkDual yk_discs_miss(const YkDiscs *d, const YkBlock *block)
         YkDual along = yk_dual_mul(known, yk_dual_conjugate(line_of(d, block)));
         return (YkDual){yk_real_disc(along.at.at.y, along.at.radius), yk_real_disc(along.rate.at.y, along.rate.radius)};
     }
-    YkDual arm = yk_dual_times(yk_vec(1 / d->mech->size, 0), yk_discs_sum(d, &block->arm[0]));
+    YkDual arm = yk_dual_times(yk_vec(1 / d->mech->size, 0), yk_discs_sum(d, &block->aside->arm[0]));
     return yk_dual_add(yk_dual_mul(known, yk_dual_conjugate(known)),
                        yk_dual_negate(yk_dual_mul(arm, yk_dual_conjugate(arm))));
 }

@@ -45,7 +45,7 @@ static void read_dyad(const YkDiscs *d, const YkBlock *block, double per_size, Y
     for (int k = 0; k < 2; k++) {
         int line = block->kind == YK_BLOCK_PP ? k : 0;
         row[k] = slides[k] ? yk_dual_times(block->line[line], d->slots[block->line_slot[line]])
-                           : yk_dual_times(scale, yk_discs_sum(d, &block->arm[k]));
+                           : yk_dual_times(scale, yk_discs_sum(d, &block->aside->arm[k]));
     }
     row[2] = yk_dual_times(scale, yk_discs_sum(d, &block->known));
 }

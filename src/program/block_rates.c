@@ -36,7 +36,7 @@ static void rates_rrr(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRate
 {
     YkGraph *g = &p->graph;
     int32_t o1 = b->column[0].index, o2 = b->column[1].index;
-    Arm U = arm_of(p, &b->arm[0], r, s), W = arm_of(p, &b->arm[1], r, s);
+    Arm U = arm_of(p, &b->aside->arm[0], r, s), W = arm_of(p, &b->aside->arm[1], r, s);
     YkRates *target = s ? s : r;
     YkRefVec G;
     if (!s) {
@@ -60,7 +60,7 @@ static void rates_rrp(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRate
     YkGraph *g = &p->graph;
     int32_t o = b->column[0].index, slide = b->column[1].index, line = b->line_slot[0];
     YkRef d = p->distance[slide], spin = r->turn[line];
-    Arm W = arm_of(p, &b->arm[0], r, s);
+    Arm W = arm_of(p, &b->aside->arm[0], r, s);
     YkRefVec e = at->e[0], G;
     YkRates *target = s ? s : r;
     if (!s) {
@@ -101,12 +101,12 @@ static void rates_rpr(YkProgram *p, const YkBlock *b, const YkPlaced *at, YkRate
 {
     YkGraph *g = &p->graph;
     int32_t o = b->column[0].index, slide = b->column[1].index, inner = b->line_slot[0];
-    if (at->passes_pin && inner == 0 && b->arm[0].count == 0) {
+    if (at->passes_pin && inner == 0 && b->aside->arm[0].count == 0) {
         rates_radial(p, b, at, r, s);
         return;
     }
     YkRef d = p->distance[slide], spin = r->turn[inner];
-    Arm C = arm_of(p, &b->arm[0], r, s);
+    Arm C = arm_of(p, &b->aside->arm[0], r, s);
     YkRefVec e = at->e[0], ie = yk_graph_vec_quarter(g, e), K = at->known, G;
     YkRefVec known = yk_graph_vec_multiply(g, C.rate, at->e[1]); // of the turning axes' (C + d f)', all but d' e
     known = yk_graph_vec_add(g, known, yk_graph_vec_scale(g, yk_graph_multiply(g, d, spin), ie));
@@ -158,7 +158,7 @@ static void rates_redundant(YkProgram *p, const YkBlock *b, const YkPlaced *at, 
         target->slide[index] = s ? yk_graph_add(g, inward, rate) : rate;
         return;
     }
-    Arm U = arm_of(p, &b->arm[0], r, s);
+    Arm U = arm_of(p, &b->aside->arm[0], r, s);
     YkRefVec own = s ? swing(g, U, at->e[0], r->turn[index]) : yk_graph_vec_multiply(g, U.rate, at->e[0]);
     G = yk_graph_vec_add(g, G, own);
     YkRef top = yk_graph_cross(g, at->p, G);

@@ -60,7 +60,8 @@ static void place_redundant(YkProgram *p, size_t index, YkPlaced *placed)
         yk_block_set_distance(p, b->column[0].index, yk_graph_minus(g, yk_graph_dot(g, K, placed->e[0])));
         yk_program_keep_gap(p, yk_graph_unary(g, YK_VALUE_SIZE, yk_graph_cross(g, K, placed->e[0])));
     } else { // LINK
-        YkRefVec U = yk_program_sum(p, &b->arm[0]), z = yk_graph_vec_multiply(g, K, yk_graph_vec_conjugate(g, U));
+        YkRefVec U = yk_program_sum(p, &b->aside->arm[0]),
+                 z = yk_graph_vec_multiply(g, K, yk_graph_vec_conjugate(g, U));
         YkRef per = yk_graph_minus(g, yk_graph_inverse(g, yk_graph_vec_length(g, z)));
         YkRef arm = yk_graph_vec_length(g, U);
         placed->e[0] = yk_graph_vec_scale(g, per, z);

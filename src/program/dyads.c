@@ -28,7 +28,7 @@ static bool is_careful(YkProgram *p, const YkBlock *b, int arms)
     double size = yk_program_size(p);
     bool careful = false;
     for (int k = 0; k < arms; k++) {
-        YkVec arm = b->arm[k].constant;
+        YkVec arm = b->aside->arm[k].constant;
         careful =
             careful || !b->arm_is_constant[k] || yk_arm_share(yk_dot(arm, arm), YK_PER_ARM_ENOUGH2 / (size * size)) < 1;
     }
@@ -71,7 +71,7 @@ void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
 {
     YkGraph *g = &p->graph;
     const YkBlock *b = &p->mech->blocks[index];
-    YkRefVec K = placed->known, U = yk_program_sum(p, &b->arm[0]), W = yk_program_sum(p, &b->arm[1]);
+    YkRefVec K = placed->known, U = yk_program_sum(p, &b->aside->arm[0]), W = yk_program_sum(p, &b->aside->arm[1]);
     YkRef U2 = yk_graph_dot(g, U, U), W2 = yk_graph_dot(g, W, W), L2 = yk_graph_dot(g, K, K);
     YkRef u = yk_graph_function(g, YK_SQRT, U2, -1), w = yk_graph_function(g, YK_SQRT, W2, -1);
     YkRef sum = yk_graph_add(g, u, w), difference = yk_graph_subtract(g, u, w);
@@ -119,7 +119,7 @@ void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
 {
     YkGraph *g = &p->graph;
     const YkBlock *b = &p->mech->blocks[index];
-    YkRefVec K = placed->known, W = yk_program_sum(p, &b->arm[0]), e = yk_block_line(p, b, 1, 0);
+    YkRefVec K = placed->known, W = yk_program_sum(p, &b->aside->arm[0]), e = yk_block_line(p, b, 1, 0);
     YkRef W2 = yk_graph_dot(g, W, W), radius = yk_graph_function(g, YK_SQRT, W2, -1);
     YkRef h = yk_graph_minus(g, yk_graph_cross(g, e, K)), along = yk_graph_dot(g, e, K);
     yk_graph_name(g, h, "%s_h", placed->name);
@@ -156,7 +156,7 @@ void yk_block_place_rpr(YkProgram *p, size_t index, YkPlaced *placed)
 {
     YkGraph *g = &p->graph;
     const YkBlock *b = &p->mech->blocks[index];
-    YkRefVec K = placed->known, C = yk_program_sum(p, &b->arm[0]), f = yk_block_line(p, b, 1, 0);
+    YkRefVec K = placed->known, C = yk_program_sum(p, &b->aside->arm[0]), f = yk_block_line(p, b, 1, 0);
     YkRef h = yk_graph_cross(g, f, C), along = yk_graph_dot(g, f, C), K2 = yk_graph_dot(g, K, K);
     YkRef r2 = yk_graph_subtract(g, K2, yk_graph_multiply(g, h, h));
     yk_graph_name(g, K2, "%s_K2", placed->name);

@@ -31,7 +31,7 @@ static YkDirection of_sum(const YkRun *run, const YkSum *sum)
 
 static YkDirection of_arm(const YkRun *run, const YkBlock *b, int k)
 {
-    YkDirection d = b->arm_is_constant[k] ? of_vector(b->arm[k].constant) : of_sum(run, &b->arm[k]);
+    YkDirection d = b->arm_is_constant[k] ? of_vector(b->aside->arm[k].constant) : of_sum(run, &b->aside->arm[k]);
     return turned(d, run->space, b->column[b->kind == YK_BLOCK_RRR ? k : 0].index);
 }
 

@@ -125,7 +125,7 @@ static double sine2(const YkState *s, const YkBlock *b, double margin)
         return K2 > 0 ? margin * fmax(1, 1 / (K2 * b->per_size2)) : 0;
     }
     for (int k = 0; b->kind <= YK_BLOCK_RRP && k < (b->kind == YK_BLOCK_RRR ? 2 : 1); k++) {
-        yk_run_sum(&run, &b->arm[k], p);
+        yk_run_sum(&run, &b->aside->arm[k], p);
         double enough = b->arm_is_constant[k] ? YK_PER_ARM_ENOUGH2 : 1;
         share = fmin(share, yk_arm_share(yk_dot(place_of(p), place_of(p)), enough * b->per_size2));
     }

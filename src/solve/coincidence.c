@@ -38,7 +38,7 @@ static bool settle_rrr(const YkRun *run, const YkBlock *b, const YkTurn *kept, d
 {
     YkVec K = sum_at(run, &b->known, YK_SCRATCH_KNOWN), arm[2];
     int32_t slot[2] = {b->column[0].index, b->column[1].index};
-    for (int k = 0; k < 2; k++) arm[k] = sum_at(run, &b->arm[k], YK_SCRATCH_ARM_1 + k);
+    for (int k = 0; k < 2; k++) arm[k] = sum_at(run, &b->aside->arm[k], YK_SCRATCH_ARM_1 + k);
     int open = yk_norm(arm[0]) < least ? 0 : 1, held = 1 - open;
     bool has_base = yk_norm(K) >= least, has_arm = yk_norm(arm[open]) >= least;
     if (has_base && has_arm) return false;
@@ -55,7 +55,7 @@ static bool settle_rrr(const YkRun *run, const YkBlock *b, const YkTurn *kept, d
 // Settles K + W e^(i Phi) + d e = 0 if W has no length.
 static bool settle_rrp(const YkRun *run, const YkBlock *b, const YkTurn *kept, double least)
 {
-    if (b->arm_is_constant[0] || !(yk_norm(sum_at(run, &b->arm[0], YK_SCRATCH_ARM_1)) < least)) return false;
+    if (b->arm_is_constant[0] || !(yk_norm(sum_at(run, &b->aside->arm[0], YK_SCRATCH_ARM_1)) < least)) return false;
     YkVec K = sum_at(run, &b->known, YK_SCRATCH_KNOWN), e = b->line[0];
     YkTurn line = yk_space_turn(run->space, b->line_slot[0]);
     if (line.c) e = yk_mul(yk_vec(*line.c, *line.s), e);
@@ -69,7 +69,7 @@ static bool settle_rrp(const YkRun *run, const YkBlock *b, const YkTurn *kept, d
 static bool settle_rpr(const YkRun *run, const YkBlock *b, const YkTurn *kept, double least)
 {
     if (!(yk_norm(sum_at(run, &b->known, YK_SCRATCH_KNOWN)) < least)) return false;
-    YkVec C = sum_at(run, &b->arm[0], YK_SCRATCH_ARM_1), f = b->line[0];
+    YkVec C = sum_at(run, &b->aside->arm[0], YK_SCRATCH_ARM_1), f = b->line[0];
     YkTurn inner = yk_space_turn(run->space, b->line_slot[0]);
     if (inner.c) f = yk_mul(yk_vec(*inner.c, *inner.s), f);
     if (!(fabs(yk_cross(f, C)) < 2 * least)) return false;

@@ -74,10 +74,10 @@ static double gap_of(YkState *s, YkSpace *space, int index)
     if (b->kind > YK_BLOCK_PP) return space->gap[0];
     double k = length_at(&run, &b->known, K);
     if (b->kind == YK_BLOCK_PP) return fabs(yk_cross(yk_vec(K.x[0], K.y[0]), line_of(space, b, 0)));
-    double U = length_at(&run, &b->arm[0], A);
+    double U = length_at(&run, &b->aside->arm[0], A);
     YkVec arm = yk_vec(A.x[0], A.y[0]), e = line_of(space, b, 0);
     if (b->kind == YK_BLOCK_RRR) {
-        double W = length_at(&run, &b->arm[1], A);
+        double W = length_at(&run, &b->aside->arm[1], A);
         return k > U + W ? k - (U + W) : fmax(0, fabs(U - W) - k);
     }
     if (b->kind == YK_BLOCK_RRP) return fmax(0, fabs(yk_cross(yk_vec(K.x[0], K.y[0]), e)) - U);
@@ -154,7 +154,8 @@ static void tell_block(YkState *s, const YkSpace *space, int index, const Senten
     YkReport *r = &s->report;
     const YkBlock *block = &s->mech->blocks[index];
     r->block = index;
-    if (block->joint_count > 0) r->joint = s->mech->block_members[block->first_joint + block->joint_count / 2];
+    if (block->aside->joint_count > 0)
+        r->joint = s->mech->block_members[block->aside->first_joint + block->aside->joint_count / 2];
     r->determinant = sqrt(fmax(0, space->block_margin[index]));
     write_sentence(r, sentence, block->label, value);
 }

@@ -68,7 +68,7 @@ void yk_run_point(const YkRun *run, size_t point, YkPlane out)
 static YkArm varying_arm(const YkRun *run, const YkBlock *block, int k)
 {
     YkArm arm = {.lanes = yk_space_scratch(run->space, YK_SCRATCH_ARM_1 + k), .per_enough2 = block->per_size2};
-    yk_run_sum(run, &block->arm[k], arm.lanes);
+    yk_run_sum(run, &block->aside->arm[k], arm.lanes);
     return arm;
 }
 
@@ -76,7 +76,7 @@ static YkArm varying_arm(const YkRun *run, const YkBlock *block, int k)
 static inline YkArm constant_arm(const YkBlock *block, int k)
 {
     double share = block->kind == YK_BLOCK_RPR ? 1 : YK_PER_ARM_ENOUGH2;
-    return (YkArm){.constant = block->arm[k].constant, .per_enough2 = share * block->per_size2};
+    return (YkArm){.constant = block->aside->arm[k].constant, .per_enough2 = share * block->per_size2};
 }
 
 static inline YkArm arm_of(const YkRun *run, const YkBlock *block, int k)

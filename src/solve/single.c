@@ -112,8 +112,7 @@ YK_INLINE void keep_found(const Pose *p, const YkBlock *b, size_t index, Found f
 YK_INLINE void solve_rrr(const Pose *p, const YkBlock *b, size_t index, double branch, bool axial)
 {
     const Known none = {{0, 0}, {0, 0}, {0, 0}}; // for constant arms only the lengths count
-    RrrFound found =
-        rrr_solve(true, sum_of(p, &b->known), none, false, none, false, b->arms.pair, axial, false, branch);
+    RrrFound found = rrr_solve(true, sum_of(p, &b->known), none, false, none, false, b->pair, axial, false, branch);
     p->turn[b->column[0].index] = (Line){found.e1, found.rates.w1, found.rates.a1};
     p->turn[b->column[1].index] = (Line){found.e2, found.rates.w2, found.rates.a2};
     keep_margin(p, index, found.margin, found.e1.x);
@@ -121,8 +120,8 @@ YK_INLINE void solve_rrr(const Pose *p, const YkBlock *b, size_t index, double b
 
 YK_INLINE void solve_short_rrr(const Pose *p, const YkBlock *b, size_t index, double branch)
 {
-    const Known U = {.place = b->arm[0].constant}, W = {.place = b->arm[1].constant};
-    RrrFound found = rrr_solve(true, sum_of(p, &b->known), U, false, W, false, b->arms.pair, false, true, branch);
+    const Known none = {{0, 0}, {0, 0}, {0, 0}}; // as above
+    RrrFound found = rrr_solve(true, sum_of(p, &b->known), none, false, none, false, b->pair, false, true, branch);
     p->turn[b->column[0].index] = (Line){found.e1, found.rates.w1, found.rates.a1};
     p->turn[b->column[1].index] = (Line){found.e2, found.rates.w2, found.rates.a2};
     keep_margin(p, index, found.margin, found.e1.x);
@@ -130,19 +129,19 @@ YK_INLINE void solve_short_rrr(const Pose *p, const YkBlock *b, size_t index, do
 
 YK_INLINE void solve_rrp(const Pose *p, const YkBlock *b, size_t index, double branch, bool turns, bool axial)
 {
-    Known W = {.place = b->arm[0].constant};
+    Known W = {.place = b->aside->arm[0].constant};
     Line line = {.e = b->line[0]};
     if (turns) {
         Line by = p->turn[b->line_slot[0]];
         line = (Line){yk_mul(by.e, line.e), by.w, by.a};
     }
     Form form = {.places = true, .rates = true, .turns = turns, .axial = axial};
-    keep_found(p, b, index, rrp_solve(form, sum_of(p, &b->known), W, b->arms.circle, line, branch, 0));
+    keep_found(p, b, index, rrp_solve(form, sum_of(p, &b->known), W, b->circle, line, branch, 0));
 }
 
 YK_INLINE void solve_rpr(const Pose *p, const YkBlock *b, size_t index, double branch, bool axial)
 {
-    Known C = {.place = b->arm[0].constant};
+    Known C = {.place = b->aside->arm[0].constant};
     Form form = {.places = true, .rates = true, .axial = axial};
     keep_found(p, b, index, rpr_solve(form, sum_of(p, &b->known), C, b->per_size2, (Line){.e = b->line[0]}, branch, 0));
 }

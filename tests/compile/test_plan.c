@@ -70,8 +70,8 @@ static void check_block(const YkMechanism *mech, const Seen *seen, const YkBlock
     size_t angles = 0;
     for (size_t c = 0; c < b->column_count; c++) angles += !b->column[c].is_distance;
     for (size_t a = 0; a < angles; a++) {
-        check_sum(mech, seen, &b->arm[a]);
-        assert_int_equal(b->arm_is_constant[a], b->arm[a].count == 0);
+        check_sum(mech, seen, &b->aside->arm[a]);
+        assert_int_equal(b->arm_is_constant[a], b->aside->arm[a].count == 0);
     }
 }
 

@@ -75,10 +75,11 @@ typedef struct RrrFound {
     RatePair rates;
 } RrrFound;
 
-// Restores length 1, which rounding changes if the base is long compared with the arm. Not for 0.
-YK_INLINE YkVec of_length_one(YkVec e)
+// Returns what restores length 1, which rounding changes if the base is long compared with the arm. Not for 0.
+YK_INLINE double to_length_one(YkVec e)
 {
-    return yk_scale(1 / sqrt(yk_dot(e, e)), e);
+    double square = yk_dot(e, e), near = 1.5 - 0.5 * square, far = 1 / sqrt(square);
+    return fabs(square - 1) < 1e-8 ? near : far; // the first differs from the root by 3/8 of the square of that
 }
 
 // Solves one lane. axial: both arms point along x. careful: an arm is short, or may be, so that its unit vector needs
@@ -91,8 +92,9 @@ YK_INLINE RrrFound rrr_solve(bool rates, Known K, Known U, bool U_varies, Known 
     YkVec e1 = times(at.p, arms.inverse_U, axial), e2 = times(at.q, arms.inverse_W, axial);
     double inverse = 4 * at.D * known.per_square;
     if (careful) {
-        e1 = of_length_one(e1), e2 = of_length_one(e2);
-        at.p = yk_mul(U.place, e1), at.q = yk_mul(W.place, e2);
+        double U_too = to_length_one(e1), W_too = to_length_one(e2);
+        e1 = yk_scale(U_too, e1), e2 = yk_scale(W_too, e2);
+        at.p = yk_scale(U_too, at.p), at.q = yk_scale(W_too, at.q);
         inverse = 1 / yk_cross(at.p, at.q);
     }
     RrrFound found = {.e1 = e1, .e2 = e2, .margin = rrr_margin(known, arms, careful)};
