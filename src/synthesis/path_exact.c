@@ -39,6 +39,19 @@ void yk_path_exact_piece(const YkTask *task, uint64_t seed, size_t piece, YkPace
     memcpy(numbers + 1, x, sizeof x);
 }
 
+// Proves a solution by one of its names, and gives it that name.
+static bool prove(const YkAltTask *task, YkVec *x, YkAltProof *proof)
+{
+    YkVec named[YK_ALT_SIZE];
+    for (size_t name = 0; name < YK_ALT_NAMES / 2; name++) {
+        yk_alt_name(name, x, named);
+        if (!yk_alt_certify(task->places, named, proof)) continue;
+        memcpy(x, named, sizeof named);
+        return true;
+    }
+    return false;
+}
+
 // Keeps a solution that can be proved, unless its triple is there.
 static void take(Exact *exact, const double *numbers)
 {
@@ -46,7 +59,7 @@ static void take(Exact *exact, const double *numbers)
     YkAltProof *proof = &exact->proof[exact->count];
     if (numbers[0] != 1) return;
     memcpy(x, numbers + 1, YK_ALT_SIZE * sizeof *x);
-    if (!yk_alt_certify(exact->task.places, x, proof)) return;
+    if (!prove(&exact->task, x, proof)) return;
     for (size_t k = 0; k < exact->count; k++)
         if (!yk_alt_are_different(proof, &exact->proof[k])) return;
     exact->count++;

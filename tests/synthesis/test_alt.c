@@ -163,7 +163,7 @@ static size_t origin_of(const Known *k, const Starts *s)
     bool arrived = false;
     yk_alt_lay(&k->task, 0, &route);
     for (size_t name = 0; name < NAMES / 2 && !arrived; name++) {
-        YkAltPath path = {k->task.places, route.from, 1e-5, NULL};
+        YkAltPath path = {k->task.places, route.from, false, NULL};
         yk_alt_name(name, k->x, x);
         arrived = yk_alt_follow(&path, x);
     }
