@@ -38,7 +38,7 @@ bool yk_alt_turn(const YkVec *places, const YkVec *x, size_t j, YkVec *turn);
 // alt_follow.c: a path from the places `from` along the straight line to the places `to`.
 typedef struct YkAltPath {
     const YkVec *from, *to; // [16]
-    bool is_fine;           // equations are evaluated with twice the precision: ten times as long, for what passes near infinity
+    bool is_fine;           // residuals of twice the precision, ten times as long: for what passes near infinity
     YkPace *pace;
 } YkAltPath;
 // Follows the solution x from the beginning to the end. Returns whether x is then a solution there. Cost: some 3 ms.
