@@ -2,7 +2,15 @@
 #include <string.h>
 #include "synthesis/alt.h"
 
-enum { N = YK_ALT_SIZE, P = YK_ALT_PLACES, STEPS_MAX = 4000, STEP_WORK = 16000, CORRECTIONS = 3, POLISHES = 14 };
+enum {
+    N = YK_ALT_SIZE,
+    P = YK_ALT_PLACES,
+    STEPS_MAX = 4000,
+    STEP_WORK = 16000,
+    FINE_WORK = 200000,
+    CORRECTIONS = 3,
+    POLISHES = 14
+};
 
 typedef struct Path {
     YkVec along[P], at[P]; // to - from; the places at the last t asked for
@@ -129,9 +137,10 @@ bool yk_alt_follow(const YkAltPath *path, YkVec *x)
     YkVec rate[N], next[N];
     Path p = {.from = path->from, .is_fine = path->is_fine};
     double t = 0, h = 0.02;
+    uint64_t work = path->is_fine ? FINE_WORK : STEP_WORK;
     for (size_t k = 0; k < P; k++) p.along[k] = yk_sub(path->to[k], path->from[k]);
     for (int step = 0; t < 1; step++) {
-        if (step == STEPS_MAX || is_far(x) || !yk_pace_spend(path->pace, STEP_WORK)) return false;
+        if (step == STEPS_MAX || is_far(x) || !yk_pace_spend(path->pace, work)) return false;
         go_to(&p, t);
         if (!tangent(&p, x, rate)) return false;
         double error = INFINITY;

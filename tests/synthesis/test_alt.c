@@ -96,6 +96,12 @@ static void a_four_bar_solves_the_equations_by_all_its_names(void **state)
     }
 }
 
+static YkVec anywhere(uint64_t *seed)
+{
+    double x = check_uniform(seed, -1, 1), y = check_uniform(seed, -1, 1);
+    return yk_vec(x, y);
+}
+
 static void derivatives_are_those_of_differences(void **state)
 {
     (void)state;
@@ -103,10 +109,10 @@ static void derivatives_are_those_of_differences(void **state)
     const double h = 1e-6;
     YkVec places[P], rate[P], x[N], J[N * N], F[N], ahead[N], behind[N], by_rate[N], moved[P];
     for (size_t k = 0; k < P; k++) {
-        places[k] = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1));
-        rate[k] = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1));
+        places[k] = anywhere(&seed);
+        rate[k] = anywhere(&seed);
     }
-    for (size_t k = 0; k < N; k++) x[k] = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1));
+    for (size_t k = 0; k < N; k++) x[k] = anywhere(&seed);
     yk_alt_evaluate(places, x, F, J, rate, by_rate);
     for (size_t k = 0; k <= N; k++) { // each unknown, and then the places
         YkVec at = x[k % N];
