@@ -68,7 +68,7 @@ static bool invent(YkVec *places, YkVec *x)
         places[k] = random_complex();
         places[k] = yk_vec(rounded(places[k].x), rounded(places[k].y));
     }
-    YkAltPath path = {from, places, 1e-6, NULL};
+    YkAltPath path = {from, places, false, NULL};
     return yk_alt_polish(from, x) < 1e-10 && yk_alt_follow(&path, x);
 }
 
@@ -114,7 +114,7 @@ static void *go_round(void *context)
         memcpy(r->end[i], solutions[i].x, sizeof r->end[i]);
         r->arrived[i] = true;
         for (size_t k = 0; k < 3 && r->arrived[i]; k++) {
-            YkAltPath path = {r->corner[k], r->corner[(k + 1) % 3], 1e-5, NULL};
+            YkAltPath path = {r->corner[k], r->corner[(k + 1) % 3], false, NULL};
             r->arrived[i] = yk_alt_follow(&path, r->end[i]);
         }
         if (!r->arrived[i]) r->lost++;

@@ -60,11 +60,13 @@ YK_API YkSynthesisOptions yk_default_synthesis_options(void);
 typedef struct YkSynthesis YkSynthesis;
 // Finds machines for a task, which must outlive the result. Returns NULL with problems added when out of memory or when
 // the task has no exact solution that could be sought. Cost: some 0.5 ms for every pair of dyads, most of it the
-// engine's judgement; of a path 0.1 to 10 s. The work is counted, so that a seed determines the answer.
+// engine's judgement; of a path 0.1 to 10 s, of exactly nine points 3 s or more. The work is counted, so that a seed
+// determines the answer.
 YK_API YkSynthesis *yk_synthesis_run(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
 YK_API void yk_synthesis_free(YkSynthesis *synthesis);
 YK_API bool yk_synthesis_was_stopped(const YkSynthesis *synthesis);
-// Returns whether everything that there is was sought: false where a task leaves a choice, which is sampled, and for paths.
+// Returns whether everything that there is was sought: false where a task leaves a choice, which is sampled, and for paths
+// but those of exactly nine points.
 YK_API bool yk_synthesis_is_complete(const YkSynthesis *synthesis);
 // The number of solutions of the equations, where they are finite: false otherwise.
 YK_API bool yk_synthesis_solutions(const YkSynthesis *synthesis, size_t *complex_count, size_t *real_count);

@@ -30,13 +30,15 @@ enum { YK_ALT_X, YK_ALT_A, YK_ALT_X_HAT, YK_ALT_A_HAT, YK_ALT_DYAD };
 // alt_system.c: evaluates F[8]; its Jacobian J[8][8] by the unknowns; and its derivative by_rate[8] as the places change by
 // rate[16]. J may be NULL, and so may rate with by_rate.
 void yk_alt_evaluate(const YkVec *places, const YkVec *x, YkVec *F, YkVec *J, const YkVec *rate, YkVec *by_rate);
+// alt_disc.c: evaluates F[8] with twice the precision. Large linkages nearly cancel in the equations.
+void yk_alt_residual(const YkVec *places, const YkVec *x, YkVec *F);
 // Finds t = e^(i angle) of the coupler at place j (0 to 7). Returns false where it is not determined.
 bool yk_alt_turn(const YkVec *places, const YkVec *x, size_t j, YkVec *turn);
 
 // alt_follow.c: a path from the places `from` along the straight line to the places `to`.
 typedef struct YkAltPath {
     const YkVec *from, *to; // [16]
-    double aim;             // by which a prediction may miss, relative to the unknowns: smaller is safer
+    bool is_fine;           // residuals of twice the precision, ten times as long: for what passes near infinity
     YkPace *pace;
 } YkAltPath;
 // Follows the solution x from the beginning to the end. Returns whether x is then a solution there. Cost: some 3 ms.

@@ -4,83 +4,23 @@
 
 enum { N = YK_ALT_SIZE };
 
-typedef struct Line {
-    YkDisc u, v, w;
-} Line;
-
-static YkDisc sub(YkDisc a, YkDisc b)
-{
-    return yk_disc_add(a, yk_disc_negate(b));
-}
-
-static YkDisc add_product(YkDisc sum, YkDisc a, YkDisc b)
-{
-    return yk_disc_add(sum, yk_disc_mul(a, b));
-}
-
-static YkDisc determinant(YkDisc a, YkDisc b, YkDisc c, YkDisc d)
-{
-    return sub(yk_disc_mul(a, d), yk_disc_mul(b, c));
-}
-
-static Line line_of(YkDisc d, YkDisc hat, const YkDisc *x)
-{
-    YkDisc off = sub(x[YK_ALT_X], x[YK_ALT_A]), off_hat = sub(x[YK_ALT_X_HAT], x[YK_ALT_A_HAT]);
-    Line line;
-    line.u = yk_disc_mul(sub(hat, x[YK_ALT_A_HAT]), x[YK_ALT_X]);
-    line.v = yk_disc_mul(sub(d, x[YK_ALT_A]), x[YK_ALT_X_HAT]);
-    line.w = add_product(add_product(yk_disc_mul(d, off_hat), hat, off), d, hat);
-    return line;
-}
-
-// As in alt_system.c.
-static Line gradient(const Line *other, YkDisc by_D, YkDisc by_G, YkDisc by_H)
-{
-    Line g;
-    g.u = determinant(by_D, by_H, other->w, other->v);
-    g.v = determinant(by_G, by_D, other->u, other->w);
-    g.w = determinant(by_H, by_G, other->v, other->u);
-    return g;
-}
-
-static void fill_row(YkDisc d, YkDisc hat, const YkDisc *x, const Line *by, bool is_second, YkDisc *row)
-{
-    YkDisc along = yk_disc_mul(by->w, hat), along_hat = yk_disc_mul(by->w, d);
-    row[YK_ALT_X] = add_product(along, by->u, sub(hat, x[YK_ALT_A_HAT]));
-    row[YK_ALT_X_HAT] = add_product(along_hat, by->v, sub(d, x[YK_ALT_A]));
-    row[YK_ALT_A] = yk_disc_negate(add_product(along, by->v, x[YK_ALT_X_HAT]));
-    row[YK_ALT_A_HAT] = yk_disc_negate(add_product(along_hat, by->u, x[YK_ALT_X]));
-    for (size_t k = 0; k < YK_ALT_DYAD && is_second; k++) row[k] = yk_disc_negate(row[k]);
-}
-
-// Evaluates an equation at discs; row may be NULL.
-static YkDisc equation_at(YkDisc d, YkDisc hat, const YkDisc *x, YkDisc *row)
-{
-    Line one = line_of(d, hat, x), two = line_of(d, hat, x + YK_ALT_DYAD);
-    YkDisc D = determinant(one.u, one.v, two.u, two.v), G = determinant(one.v, one.w, two.v, two.w);
-    YkDisc H = determinant(one.w, one.u, two.w, two.u), by_D = yk_disc_add(G, H);
-    YkDisc value = add_product(yk_disc_mul(D, by_D), G, H);
-    if (!row) return value;
-    YkDisc by_G = yk_disc_add(D, H), by_H = yk_disc_add(D, G);
-    Line by_one = gradient(&two, by_D, by_G, by_H), by_two = gradient(&one, by_D, by_G, by_H);
-    fill_row(d, hat, x, &by_one, false, row);
-    fill_row(d, hat, x + YK_ALT_DYAD, &by_two, true, row + YK_ALT_DYAD);
-    return value;
-}
-
 typedef struct Proof {
     YkDisc place[YK_ALT_PLACES];
-    YkVec *x;
+    YkDisc x[N];    // with radius 0
     double size[N]; // of x_k
     YkVec Y[N * N]; // an approximate inverse of the Jacobian at x
     double miss[N]; // upper bounds of |Y F(x)|
 } Proof;
 
-static bool invert_jacobian(const YkVec *places, Proof *p)
+static bool invert_jacobian(Proof *p)
 {
-    YkVec F[N], J[N * N], column[N];
+    YkDisc row[N];
+    YkVec J[N * N], column[N];
     int pivot[N];
-    yk_alt_evaluate(places, p->x, F, J, NULL, NULL);
+    for (size_t j = 0; j < N; j++) {
+        yk_alt_enclose(p->place[j], p->place[N + j], p->x, row);
+        for (size_t k = 0; k < N; k++) J[j * N + k] = row[k].at;
+    }
     if (!yk_complex_factor(N, J, pivot)) return false;
     for (size_t j = 0; j < N; j++) {
         for (size_t k = 0; k < N; k++) column[k] = yk_vec(k == j, 0);
@@ -90,9 +30,11 @@ static bool invert_jacobian(const YkVec *places, Proof *p)
     return true;
 }
 
-static double radius_of(const Proof *p, size_t k, double radius)
+static YkDisc widened(const Proof *p, size_t k, double radius)
 {
-    return YK_BALL_OUT(radius * p->size[k]);
+    YkDisc x = p->x[k];
+    x.radius = YK_BALL_OUT(radius * p->size[k]);
+    return x;
 }
 
 static YkBall multiply_row(const Proof *p, size_t k, const YkBall *column, size_t stride, YkBall sum)
@@ -104,10 +46,8 @@ static YkBall multiply_row(const Proof *p, size_t k, const YkBall *column, size_
 // Encloses the Newton step at x itself.
 static void enclose_step(const Proof *p, YkBall *step)
 {
-    YkDisc x[N];
     YkBall F[N];
-    for (size_t k = 0; k < N; k++) x[k] = yk_disc(p->x[k], 0);
-    for (size_t j = 0; j < N; j++) F[j] = yk_disc_round(equation_at(p->place[j], p->place[N + j], x, NULL));
+    for (size_t j = 0; j < N; j++) F[j] = yk_disc_round(yk_alt_enclose(p->place[j], p->place[N + j], p->x, NULL));
     for (size_t k = 0; k < N; k++) step[k] = multiply_row(p, k, F, 1, yk_ball(yk_vec(0, 0), 0));
 }
 
@@ -117,9 +57,9 @@ static double image_of(const Proof *p, double radius)
     YkDisc x[N], row[N];
     YkBall J[N * N];
     double most = 0;
-    for (size_t k = 0; k < N; k++) x[k] = yk_disc(p->x[k], radius_of(p, k, radius));
+    for (size_t k = 0; k < N; k++) x[k] = widened(p, k, radius);
     for (size_t j = 0; j < N; j++) {
-        equation_at(p->place[j], p->place[N + j], x, row);
+        yk_alt_enclose(p->place[j], p->place[N + j], x, row);
         for (size_t k = 0; k < N; k++) J[j * N + k] = yk_disc_round(row[k]);
     }
     for (size_t k = 0; k < N; k++) {
@@ -143,38 +83,49 @@ static bool are_real(const YkVec *places)
     return true;
 }
 
-// How far z and the conjugate of z^ are apart.
-static double apart(const YkVec *x, size_t k)
-{
-    return yk_sum_norm(yk_sub(x[k], yk_conj(x[k + YK_ALT_X_HAT])));
-}
-
 static bool is_plain(size_t k) // not one of z^
 {
     return k % YK_ALT_DYAD < YK_ALT_X_HAT;
 }
 
-// Returns whether x is near its own conjugate; moves it there if so.
-static bool make_real(YkVec *x)
+static YkDisc conjugate(YkDisc a)
 {
-    const double near = 1e-7;
+    return (YkDisc){yk_conj(a.at), yk_conj(a.rest), a.radius};
+}
+
+// Encloses the difference of z and the conjugate of z^.
+static YkDisc apart(const Proof *p, size_t k, double radius)
+{
+    return yk_disc_sub(widened(p, k, radius), conjugate(widened(p, k + YK_ALT_X_HAT, radius)));
+}
+
+static bool seems_real(const Proof *p)
+{
+    const double near = 1e-10;
     for (size_t k = 0; k < N; k++)
-        if (is_plain(k) && !(apart(x, k) < near * yk_sum_norm(x[k]))) return false;
+        if (is_plain(k) && !(yk_sum_norm(apart(p, k, 0).at) < near * p->size[k])) return false;
+    return true;
+}
+
+// Moves x to the nearest point that is its own conjugate.
+static void make_real(Proof *p)
+{
     for (size_t k = 0; k < N; k++) {
         if (!is_plain(k)) continue;
-        x[k] = yk_scale(0.5, yk_add(x[k], yk_conj(x[k + YK_ALT_X_HAT])));
-        x[k + YK_ALT_X_HAT] = yk_conj(x[k]);
+        YkDisc sum = yk_disc_add(p->x[k], conjugate(p->x[k + YK_ALT_X_HAT]));
+        p->x[k] = (YkDisc){yk_scale(0.5, sum.at), yk_scale(0.5, sum.rest), 0};
+        p->x[k + YK_ALT_X_HAT] = conjugate(p->x[k]);
     }
-    return true;
 }
 
 // Returns whether the polydisc holds no real point.
 static bool avoids_reals(const Proof *p, double within)
 {
-    for (size_t k = 0; k < N; k++)
-        if (is_plain(k) &&
-            apart(p->x, k) > YK_BALL_OUT(2 * within * (p->size[k] + p->size[k + YK_ALT_X_HAT])) + 1e-14 * p->size[k])
-            return true;
+    for (size_t k = 0; k < N; k++) {
+        if (!is_plain(k)) continue;
+        YkBall off = yk_disc_round(apart(p, k, within));
+        if (fmax(fabs(off.at.x), fabs(off.at.y)) > off.radius) return true;
+    }
     return false;
 }
 
@@ -187,51 +138,83 @@ static void enclose_key(const Proof *p, double within, YkBall key[2])
         YkDisc own[2][2]; // x and a of a dyad
         for (size_t k = 0; k < 4; k++) {
             size_t at = k / 2 * YK_ALT_DYAD + hat * YK_ALT_X_HAT + k % 2;
-            own[k / 2][k % 2] = yk_disc(p->x[at], radius_of(p, at, within));
+            own[k / 2][k % 2] = widened(p, at, within);
         }
-        YkDisc turned = determinant(own[0][YK_ALT_A], own[1][YK_ALT_A], own[0][YK_ALT_X], own[1][YK_ALT_X]);
-        YkBall inverse = yk_ball_inverse(yk_disc_round(sub(own[1][YK_ALT_X], own[0][YK_ALT_X])));
+        YkDisc turned = yk_disc_determinant(own[0][YK_ALT_A], own[1][YK_ALT_A], own[0][YK_ALT_X], own[1][YK_ALT_X]);
+        YkBall inverse = yk_ball_inverse(yk_disc_round(yk_disc_sub(own[1][YK_ALT_X], own[0][YK_ALT_X])));
         YkBall third = yk_ball_mul(yk_disc_round(turned), inverse);
         key[hat] = yk_ball_add(yk_disc_round(yk_disc_add(own[0][YK_ALT_A], own[1][YK_ALT_A])), third);
     }
 }
 
-// Brings x to where rounding alone keeps it from the solution.
-static void refine(Proof *p, bool is_real)
+static void measure(Proof *p)
 {
-    enum { STEPS = 3 };
-    YkBall step[N];
-    for (int i = 0; i < STEPS; i++) {
-        enclose_step(p, step);
-        for (size_t k = 0; k < N; k++) p->x[k] = yk_sub(p->x[k], step[k].at);
-        if (is_real) make_real(p->x);
-    }
-    enclose_step(p, step);
+    for (size_t k = 0; k < N; k++) p->size[k] = yk_sum_norm(p->x[k].at);
+}
+
+// Bounds the Newton step. Returns the largest bound relative to the sizes.
+static double bound_step(Proof *p, const YkBall *step)
+{
+    double most = 0;
     for (size_t k = 0; k < N; k++) {
         p->miss[k] = yk_ball_most(step[k]);
-        p->size[k] = yk_sum_norm(p->x[k]);
+        most = fmax(most, p->miss[k] / p->size[k]);
     }
+    return most;
+}
+
+// Brings x to where the precision ends, by Newton's method with one and the same inverse, and bounds what is left.
+static bool refine(Proof *p, bool is_real)
+{
+    enum { STEPS = 12 };
+    const double enough = 1e-26;
+    YkBall step[N];
+    if (!invert_jacobian(p)) return false;
+    for (int i = 0; i < STEPS; i++) {
+        enclose_step(p, step);
+        if (bound_step(p, step) < enough) return true;
+        for (size_t k = 0; k < N; k++) {
+            p->x[k] = yk_disc_sub(p->x[k], yk_disc(step[k].at, 0));
+            p->x[k].radius = 0; // wherever it is now, it is taken as it is
+        }
+        if (is_real) make_real(p);
+        measure(p);
+    }
+    enclose_step(p, step);
+    bound_step(p, step);
+    return true;
+}
+
+// Tries radii, from large to small. Returns false if none succeeds.
+static bool prove(const Proof *p, double *radius, double *image)
+{
+    static const double radii[] = {1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16, 1e-18, 1e-20, 1e-22, 1e-24};
+    for (size_t r = 0; r < sizeof radii / sizeof *radii; r++) {
+        *radius = radii[r];
+        *image = image_of(p, *radius);
+        if (*image < *radius) return true;
+    }
+    return false;
 }
 
 bool yk_alt_certify(const YkVec *places, YkVec *x, YkAltProof *proof)
 {
-    static const double radii[] = {1e-6, 1e-8, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 2e-15};
-    Proof p = {.x = x};
-    bool has_reals = are_real(places), looks_real = has_reals && make_real(x);
+    Proof p = {.size = {0}};
+    double image;
     for (size_t k = 0; k < YK_ALT_PLACES; k++) p.place[k] = yk_disc(places[k], 0);
-    if (!invert_jacobian(places, &p)) return false;
-    refine(&p, looks_real);
-    for (size_t r = 0; r < sizeof radii / sizeof *radii; r++) {
-        double image = image_of(&p, radii[r]);
-        if (!(image < radii[r])) continue;
-        *proof = (YkAltProof){.radius = radii[r], .reality = YK_ALT_UNKNOWN};
-        if (has_reals && !looks_real && avoids_reals(&p, image)) proof->reality = YK_ALT_NOT_REAL;
-        if (looks_real)
-            proof->reality = YK_ALT_REAL; // the polydisc is its own conjugate, and so is what is alone in it
-        enclose_key(&p, image, proof->key);
-        return true;
-    }
-    return false;
+    for (size_t k = 0; k < N; k++) p.x[k] = yk_disc(x[k], 0);
+    measure(&p);
+    bool has_reals = are_real(places);
+    if (!refine(&p, false)) return false;
+    bool is_real = has_reals && seems_real(&p);
+    if (is_real) make_real(&p);
+    *proof = (YkAltProof){.reality = YK_ALT_UNKNOWN};
+    if (!refine(&p, is_real) || !prove(&p, &proof->radius, &image)) return false;
+    for (size_t k = 0; k < N; k++) x[k] = p.x[k].at;
+    if (has_reals && !is_real && avoids_reals(&p, image)) proof->reality = YK_ALT_NOT_REAL;
+    if (is_real) proof->reality = YK_ALT_REAL; // the polydisc is its own conjugate, and so is what is alone in it
+    enclose_key(&p, image, proof->key);
+    return true;
 }
 
 bool yk_alt_are_different(const YkAltProof *one, const YkAltProof *other)

@@ -13,7 +13,8 @@ typedef struct YkDisc {
     double radius;
 } YkDisc;
 
-#define YK_DISC_UNIT 0x1p-96 // more than 20 roundings of a double-double
+// Over twice what a product or a sum loses: a double-double's product 8 * 2^-106 of its size, the sum of two 4 * 2^-106 more.
+#define YK_DISC_UNIT 0x1p-101
 
 static inline YkDisc yk_disc(YkVec at, double radius)
 {
@@ -46,10 +47,26 @@ static inline YkDisc yk_disc_mul(YkDisc a, YkDisc b)
     double A = YK_BALL_OUT(yk_sum_norm(a.at)), B = YK_BALL_OUT(yk_sum_norm(b.at));
     return yk_disc_of(x, y, A * b.radius + B * a.radius + a.radius * b.radius + YK_DISC_UNIT * A * B);
 }
+static inline YkDisc yk_disc_sub(YkDisc a, YkDisc b)
+{
+    return yk_disc_add(a, yk_disc_negate(b));
+}
+static inline YkDisc yk_disc_add_product(YkDisc sum, YkDisc a, YkDisc b)
+{
+    return yk_disc_add(sum, yk_disc_mul(a, b));
+}
+// Returns a d - b c.
+static inline YkDisc yk_disc_determinant(YkDisc a, YkDisc b, YkDisc c, YkDisc d)
+{
+    return yk_disc_sub(yk_disc_mul(a, d), yk_disc_mul(b, c));
+}
 // Rounds the centre to double.
 static inline YkBall yk_disc_round(YkDisc a)
 {
     return yk_ball(a.at, YK_BALL_OUT(a.radius + yk_sum_norm(a.rest)));
 }
+
+// alt_disc.c: encloses the equation of one place at discs of the unknowns, x[8], and its derivatives, row[8] or NULL.
+YkDisc yk_alt_enclose(YkDisc place, YkDisc hat, const YkDisc *x, YkDisc *row);
 
 #endif

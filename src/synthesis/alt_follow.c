@@ -2,11 +2,20 @@
 #include <string.h>
 #include "synthesis/alt.h"
 
-enum { N = YK_ALT_SIZE, P = YK_ALT_PLACES, STEPS_MAX = 4000, STEP_WORK = 16000, CORRECTIONS = 3, POLISHES = 14 };
+enum {
+    N = YK_ALT_SIZE,
+    P = YK_ALT_PLACES,
+    STEPS_MAX = 4000,
+    STEP_WORK = 16000,
+    FINE_WORK = 200000,
+    CORRECTIONS = 3,
+    POLISHES = 14
+};
 
 typedef struct Path {
     YkVec along[P], at[P]; // to - from; the places at the last t asked for
     const YkVec *from;
+    bool is_fine;
     YkVec J[N * N];
     int pivot[N];
 } Path;
@@ -22,10 +31,12 @@ static double relative(const YkVec *x, const YkVec *change)
     return most;
 }
 
-static double correct(const YkVec *places, YkVec *x, YkVec *J, int *pivot)
+// Takes a Newton step. Returns its relative size.
+static double correct(const YkVec *places, bool is_fine, YkVec *x, YkVec *J, int *pivot)
 {
     YkVec F[N];
     yk_alt_evaluate(places, x, F, J, NULL, NULL);
+    if (is_fine) yk_alt_residual(places, x, F);
     if (!yk_complex_factor(N, J, pivot)) return INFINITY;
     yk_complex_solve(N, J, pivot, F);
     double size = relative(x, F);
@@ -33,14 +44,14 @@ static double correct(const YkVec *places, YkVec *x, YkVec *J, int *pivot)
     return size;
 }
 
-double yk_alt_polish(const YkVec *places, YkVec *x)
+static double polish(const YkVec *places, bool is_fine, YkVec *x)
 {
     YkVec J[N * N], best[N];
     int pivot[N];
     double last = INFINITY;
     for (int k = 0; k < POLISHES; k++) {
         memcpy(best, x, sizeof best);
-        double size = correct(places, x, J, pivot);
+        double size = correct(places, is_fine, x, J, pivot);
         if (!(size < last)) { // rounding is reached, or there is no progress
             memcpy(x, best, sizeof best);
             return last;
@@ -49,6 +60,11 @@ double yk_alt_polish(const YkVec *places, YkVec *x)
         if (size < 1e-15) break;
     }
     return last;
+}
+
+double yk_alt_polish(const YkVec *places, YkVec *x)
+{
+    return polish(places, false, x);
 }
 
 static void go_to(Path *p, double t)
@@ -98,7 +114,7 @@ static double settle(Path *p, YkVec *x)
     const double enough = 1e-9, trust = 1e-3;
     double first = 0, last = INFINITY;
     for (int k = 0; k < CORRECTIONS; k++) {
-        double size = correct(p->at, x, p->J, p->pivot);
+        double size = correct(p->at, p->is_fine, x, p->J, p->pivot);
         if (k == 0) first = size;
         if (!(size < trust) || (k > 0 && !(size < 0.1 * last || size < enough))) return INFINITY;
         if (size < enough) return first;
@@ -117,13 +133,14 @@ static bool is_far(const YkVec *x)
 
 bool yk_alt_follow(const YkAltPath *path, YkVec *x)
 {
-    const double aim = path->aim, least = 1e-13;
+    const double aim = 1e-5, least = 1e-13;
     YkVec rate[N], next[N];
-    Path p = {.from = path->from};
+    Path p = {.from = path->from, .is_fine = path->is_fine};
     double t = 0, h = 0.02;
+    uint64_t work = path->is_fine ? FINE_WORK : STEP_WORK;
     for (size_t k = 0; k < P; k++) p.along[k] = yk_sub(path->to[k], path->from[k]);
     for (int step = 0; t < 1; step++) {
-        if (step == STEPS_MAX || is_far(x) || !yk_pace_spend(path->pace, STEP_WORK)) return false;
+        if (step == STEPS_MAX || is_far(x) || !yk_pace_spend(path->pace, work)) return false;
         go_to(&p, t);
         if (!tangent(&p, x, rate)) return false;
         double error = INFINITY;
@@ -139,5 +156,5 @@ bool yk_alt_follow(const YkAltPath *path, YkVec *x)
         // The error grows with h^5; its fifth root is near enough by steps.
         h *= error < aim / 1000 ? 3 : error < aim / 30 ? 1.8 : error < aim ? 1.2 : 0.7;
     }
-    return yk_alt_polish(path->to, x) < 1e-9;
+    return polish(path->to, path->is_fine, x) < 1e-9;
 }

@@ -35,11 +35,11 @@ bool yk_alt_path(const YkAltTask *task, size_t piece, YkPace *pace, YkVec *x)
     YkVec start[YK_ALT_SIZE];
     if (!yk_alt_start(piece % YK_ALT_TRIPLES, start)) return false;
     yk_alt_lay(task, piece / YK_ALT_TRIPLES, &route);
-    YkAltPath path = {route.from, task->places, 1e-5, pace};
     for (size_t k = 0; k < YK_ALT_SIZE; k++)
         start[k] = yk_mul(k % YK_ALT_DYAD < YK_ALT_X_HAT ? route.z : route.hat, start[k]);
-    for (size_t name = 0; name < COGNATES; name++) {
-        yk_alt_name(name, start, x);
+    for (size_t k = 0; k < 2 * COGNATES; k++) {
+        YkAltPath path = {route.from, task->places, k >= COGNATES, pace};
+        yk_alt_name(k % COGNATES, start, x);
         if (yk_alt_follow(&path, x)) return true;
     }
     return false;

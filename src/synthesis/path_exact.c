@@ -39,6 +39,19 @@ void yk_path_exact_piece(const YkTask *task, uint64_t seed, size_t piece, YkPace
     memcpy(numbers + 1, x, sizeof x);
 }
 
+// Proves a solution by one of its names, and gives it that name.
+static bool prove(const YkAltTask *task, YkVec *x, YkAltProof *proof)
+{
+    YkVec named[YK_ALT_SIZE];
+    for (size_t name = 0; name < YK_ALT_NAMES / 2; name++) {
+        yk_alt_name(name, x, named);
+        if (!yk_alt_certify(task->places, named, proof)) continue;
+        memcpy(x, named, sizeof named);
+        return true;
+    }
+    return false;
+}
+
 // Keeps a solution that can be proved, unless its triple is there.
 static void take(Exact *exact, const double *numbers)
 {
@@ -46,25 +59,36 @@ static void take(Exact *exact, const double *numbers)
     YkAltProof *proof = &exact->proof[exact->count];
     if (numbers[0] != 1) return;
     memcpy(x, numbers + 1, YK_ALT_SIZE * sizeof *x);
-    if (!yk_alt_certify(exact->task.places, x, proof)) return;
+    if (!prove(&exact->task, x, proof)) return;
     for (size_t k = 0; k < exact->count; k++)
         if (!yk_alt_are_different(proof, &exact->proof[k])) return;
     exact->count++;
 }
 
-// Follows all paths along one route after the other, until every triple is there. Returns false if stopped.
-static bool follow_all(Exact *exact)
+// Computes a piece, or gets it, and takes what it holds. Returns false if the search is to end.
+static bool follow_one(Exact *exact, size_t piece)
 {
     YkSynthesis *s = exact->s;
-    for (size_t piece = 0; piece < YK_ALT_ROUTES * YK_ALT_TRIPLES && exact->count < YK_ALT_TRIPLES; piece++) {
-        yk_pace_reach(&s->pace, fmin((double)piece / YK_ALT_TRIPLES, 1));
-        if (s->options.pieces.get) {
-            if (!yk_synthesis_fetch(s, piece, exact->numbers)) return false;
-        } else {
-            yk_path_exact_piece(s->task, s->options.seed, piece, &s->pace, exact->numbers);
+    if (s->options.pieces.get) {
+        if (!yk_synthesis_fetch(s, piece, exact->numbers)) return false;
+    } else {
+        yk_path_exact_piece(s->task, s->options.seed, piece, &s->pace, exact->numbers);
+    }
+    if (!yk_synthesis_goes_on(s, 100)) return false;
+    take(exact, exact->numbers);
+    return true;
+}
+
+// Follows all paths along one route after the other, until every triple is there or a route shows nothing new: special points
+// have fewer solutions. Returns false if stopped.
+static bool follow_all(Exact *exact)
+{
+    for (size_t route = 0, before = 0; route < YK_ALT_ROUTES; route++, before = exact->count) {
+        for (size_t k = 0; k < YK_ALT_TRIPLES && exact->count < YK_ALT_TRIPLES; k++) {
+            yk_pace_reach(&exact->s->pace, (double)k / YK_ALT_TRIPLES);
+            if (!follow_one(exact, route * YK_ALT_TRIPLES + k)) return false;
         }
-        if (!yk_synthesis_goes_on(s, 100)) return false;
-        take(exact, exact->numbers);
+        if (exact->count == before || exact->count == YK_ALT_TRIPLES) break;
     }
     return true;
 }

@@ -20,6 +20,8 @@ class Synthesis(Case):
             answer = self.good("synthesize", path, "--format", "json").json()
             self.assertEqual(answer["status"], "ok", path)
             self.assertGreater(len(answer["candidates"]), 0)
+            if "nine-points" in path:
+                self.assertEqual((answer["complete"], answer["solutions"]), (True, {"complex": 8652, "real": 384}))
             for candidate in answer["candidates"][:1 if FEW else None]:
                 self.assertLessEqual(KEYS if answer["synthesis"] != "machine" else KEYS - DIMENSIONS, set(candidate))
                 file = self.write("candidate.yaml", candidate["model"])

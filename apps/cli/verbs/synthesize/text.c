@@ -150,6 +150,25 @@ static void add_defects(YkText *out, const YkSynthesis *synthesis, const Units *
     if (count > DEFECTS_SHOWN) yk_text_format(out, "and %z more\n", count - DEFECTS_SHOWN);
 }
 
+// Says how many solutions the equations have, and whether all of them were found.
+static void add_solutions(YkText *out, const YkSynthesis *synthesis, size_t complex_count, size_t real_count)
+{
+    enum { OF_NINE_POINTS = 8652 }; // the only ones that may be missing
+    if (yk_synthesis_is_complete(synthesis)) {
+        yk_text_format(out, "The equations have %z solutions, %z of them real: all are here.\n", complex_count,
+                       real_count);
+        return;
+    }
+    if (complex_count < OF_NINE_POINTS)
+        yk_text_format(out, "General points have %d solutions; for these %z were found, %z of them real.\n",
+                       (int)OF_NINE_POINTS, complex_count, real_count);
+    else
+        yk_text_format(out, "The equations of four-bars have %z solutions, %z of them real.\n", complex_count,
+                       real_count);
+    yk_text_puts(out, "Machines that miss the points come from least squares from random starts: other seeds may find "
+                      "other ones.\n");
+}
+
 void yk_synthesis_text(const YkSynthesisAnswer *answer)
 {
     YkText *out = &answer->session->out;
@@ -160,9 +179,9 @@ void yk_synthesis_text(const YkSynthesisAnswer *answer)
     u.length = yk_task_unit(answer->task, YK_QUANTITY_LENGTH, &u.length_size);
     u.angle = yk_task_unit(answer->task, YK_QUANTITY_ANGLE, &u.angle_size);
     yk_text_format(out, "%s: %s, %z machine%s\n", yk_task_name(answer->task), kind, count, count == 1 ? "" : "s");
-    if (yk_synthesis_solutions(synthesis, &complex_count, &real_count))
-        yk_text_format(out, "The equations have %z solutions, %z of them real: all are here.\n", complex_count,
-                       real_count);
+    bool has_solutions = yk_synthesis_solutions(synthesis, &complex_count, &real_count);
+    if (has_solutions)
+        add_solutions(out, synthesis, complex_count, real_count);
     else if (kind[1] == 'a') // path, machine
         yk_text_puts(out, "Least squares from random starts: other seeds may find other machines.\n");
     else if (!yk_synthesis_is_complete(synthesis))
