@@ -1,5 +1,5 @@
 // Dimensions, type and defects of a four-bar from two dyads.
-#include "synthesis/path_bar.h"
+#include "synthesis/path_chain.h"
 #include <math.h>
 
 static YkVec vector(const double v[2])
@@ -67,6 +67,34 @@ const char *yk_design_kind_name(YkDesignKind kind)
     static const char *const names[YK_DESIGN_KINDS] = {"four-bar",        "slider-crank", "inverted-slider-crank",
                                                        "geared-five-bar", "watt",         "stephenson"};
     return (size_t)kind < YK_DESIGN_KINDS ? names[kind] : NULL;
+}
+
+// Where link (0) or arm (1) begins.
+static YkVec dyad_end(const YkDesign *d, int which, const YkDesignPlaces *at)
+{
+    YkChainVariant variant = yk_chain_variant(d->kind, d->variant);
+    YkChainBody body = which == 0 ? variant.link : variant.arm;
+    if (d->kind == YK_DESIGN_GEARED) return body == YK_CHAIN_INPUT ? at->A : at->B;
+    const YkVec origin[] = {yk_vec(0, 0), d->pivot[0], at->A, d->pivot[1]};
+    YkVec along = body == YK_CHAIN_GROUND ? yk_vec(1, 0) : yk_unit(d->angle[body - 1]);
+    return yk_add(origin[body], yk_mul(along, d->end[which]));
+}
+
+YkDesignPlaces yk_design_places(const YkDesign *d)
+{
+    YkDesignPlaces at = {.A = yk_add(d->pivot[0], yk_scale(d->length[1], yk_unit(d->angle[0])))};
+    YkVec along = yk_unit(d->angle[1]);
+    at.B = d->kind == YK_DESIGN_GEARED     ? yk_add(d->pivot[1], yk_scale(d->length[3], yk_unit(d->angle[2])))
+           : d->kind == YK_DESIGN_INVERTED ? d->pivot[1]
+                                           : yk_add(at.A, yk_scale(d->length[2], along));
+    at.P = d->has_point ? yk_add(at.A, yk_mul(along, d->point)) : at.B;
+    if (yk_bar_size(d->kind) == YK_BAR_PLAIN) return at;
+    at.C = dyad_end(d, 0, &at);
+    at.D = dyad_end(d, 1, &at);
+    YkVec link = yk_unit(d->dyad_angle[0]);
+    at.E = yk_add(at.C, yk_scale(d->dyad_length[0], link));
+    at.P = yk_add(at.C, yk_mul(link, d->point));
+    return at;
 }
 
 const char *yk_design_type(const YkDesign *design)

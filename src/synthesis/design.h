@@ -61,6 +61,12 @@ typedef struct YkVerdict {
 // design.c
 bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design);
 YkFourBarClass yk_design_class(const YkDesign *design);
+// Finds where A, B, the traced point, and of a machine with a dyad C, D, E are at the first position, m. Where the kind has no B, it is
+// the end of the output, or the output pivot.
+typedef struct YkDesignPlaces {
+    YkVec A, B, P, C, D, E;
+} YkDesignPlaces;
+YkDesignPlaces yk_design_places(const YkDesign *design);
 const char *yk_design_type(const YkDesign *design);  // "crank-rocker", ...
 bool yk_design_has_circuits(const YkDesign *design); // two of them, so that one cannot be reached from the other
 bool yk_design_turns(const YkDesign *design);        // the input turns through

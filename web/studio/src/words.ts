@@ -116,7 +116,7 @@ export const words = {
   },
   design: {
     how: "Draw a curve on the canvas: the core looks for linkages whose point traces it, and drives each of them through it before it is shown here.",
-    draw: "Draw a curve", clear: "Clear", mechanism: "Mechanism", mechanisms: [["four-bar", "Four-bars"], ["slider-crank", "Slider-cranks"], ["four-bar, slider-crank", "Both"]] as [string, string][],
+    draw: "Draw a curve", clear: "Clear", mechanism: "Mechanism", mechanisms: [["four-bar", "Four-bars"], ["slider-crank", "Slider-cranks"], ["four-bar, slider-crank", "Both"], ["watt, stephenson", "Six-bars"], ["all", "All kinds"]] as [string, string][],
     task: "Task file", find: "Find linkages", others: "Find others", stop: "Stop", wait: "Searching …", progress: "Progress of the search", none: "Draw a curve first, or write a task.",
     soFar: (n: number) => (n === 0 ? "Searching …" : `Searching … ${n} so far; better ones come to the front. Click one to take it, or stop.`),
     stopped: (n: number) => (n === 0 ? "Stopped before any was found." : `Stopped: the best so far, not the best there are. Click one to take it into the file.`),
