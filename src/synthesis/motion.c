@@ -110,6 +110,19 @@ static void add_lines(YkSynthesis *s)
             yk_synthesis_add_dyad(s, &dyad, 2);
 }
 
+// The same for blocks that turn about a point of the ground, through which a line of the body goes.
+static void add_blocks(YkSynthesis *s)
+{
+    const YkMotionTask *motion = &s->task->motion;
+    uint64_t seed = s->options.seed + 1;
+    double from = yk_mix_unit(&seed);
+    YkDyad dyad;
+    for (size_t k = 0; k < LINES && !motion->pivot[1].is_given; k++)
+        if (yk_pose_block(motion->pose, motion->count, YK_PI * ((double)k + from) / LINES, 4 * filled(from, k, 2) - 2,
+                          &dyad))
+            yk_synthesis_add_dyad(s, &dyad, 2);
+}
+
 // --- pairs
 
 // Fills the input's angles at the positions: on and on in one sense (+1, -1), or each the nearest way (0). Returns
@@ -207,8 +220,9 @@ static void take_pair(YkSynthesis *s, size_t i, size_t k)
 static bool is_sought(const YkSynthesis *s, YkDyadKind a, YkDyadKind b)
 {
     if (a == YK_DYAD_RR && b == YK_DYAD_RR) return s->task->has_four_bar;
-    bool is_slider = (a == YK_DYAD_RR && b == YK_DYAD_PR) || (a == YK_DYAD_PR && b == YK_DYAD_RR);
-    return is_slider && s->task->has_slider;
+    if (a != YK_DYAD_RR && b != YK_DYAD_RR) return false;
+    YkDyadKind other = a == YK_DYAD_RR ? b : a;
+    return s->task->kinds >> (other == YK_DYAD_PR ? YK_DESIGN_SLIDER_CRANK : YK_DESIGN_INVERTED) & 1;
 }
 
 bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems)
@@ -218,6 +232,7 @@ bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems)
     if (count == 4) add_four(s);
     if (count < 4) add_few(s);
     if (count < 4 && s->task->has_slider) add_lines(s);
+    if (count < 4 && s->task->kinds >> YK_DESIGN_INVERTED & 1) add_blocks(s);
     size_t dyads = s->dyad_count;
     for (size_t i = 0; i < dyads; i++) {
         yk_pace_reach(&s->pace, (double)i * (2 * (double)dyads - (double)i) / ((double)dyads * (double)dyads + 1));

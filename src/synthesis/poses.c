@@ -108,3 +108,18 @@ bool yk_pose_slide(const YkPose *pose, size_t count, double direction, double al
     *dyad = (YkDyad){.kind = YK_DYAD_PR, .fixed = {foot.x, foot.y}, .moving = {z.x, z.y}, .direction = direction};
     return true;
 }
+
+bool yk_pose_block(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad)
+{
+    YkPose seen[YK_POSES_MAX]; // the ground, from the body
+    for (size_t k = 0; k < count; k++)
+        seen[k] = (YkPose){yk_scale(-1, yk_mul(yk_conj(yk_unit(pose[k].angle)), pose[k].at)), -pose[k].angle};
+    YkDyad slide;
+    if (!yk_pose_slide(seen, count, direction, along, &slide)) return false;
+    *dyad = (YkDyad){.kind = YK_DYAD_RP, .direction = direction};
+    for (size_t i = 0; i < 2; i++) {
+        dyad->fixed[i] = slide.moving[i];
+        dyad->moving[i] = slide.fixed[i];
+    }
+    return true;
+}

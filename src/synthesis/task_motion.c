@@ -117,20 +117,21 @@ static void check_pole(YkTaskReader *reader)
     yk_problem_hint(reader->loader->problems, "a pin there is the whole machine; a four-bar needs other positions");
 }
 
-// Reports what leaves no slider-crank: its line is found, and five positions have none.
+// Reports what leaves no slide: its line, or the pivot of its block, is found, and five positions have none.
 static void check_slider(YkTaskReader *reader)
 {
     const YkTask *task = reader->task;
     YkProblems *problems = reader->loader->problems;
     const YkNode *mechanisms = yk_node_get(reader->loader->root, "mechanisms");
-    if (!task->has_slider || task->has_four_bar) return;
+    if (task->has_four_bar || task->kinds == 0) return;
     if (task->motion.count == YK_POSES_MAX) {
         yk_problem(problems, YK_CODE_TASK_POSITIONS, mechanisms->place,
                    "five positions have no slide: a slider-crank takes a body exactly through two to four");
         yk_problem_hint(problems, "leave one position out, or add four-bar");
     } else if (task->motion.pivot[1].is_given) {
         yk_problem(problems, YK_CODE_TASK_BOUNDS, mechanisms->place,
-                   "a slider-crank has no output pivot: the line of its slider is found");
+                   "a slider-crank has no output pivot to be given: the line of its slider, or the pivot of its block, "
+                   "is found");
         yk_problem_hint(problems, "leave `output_pivot` out, or add four-bar");
     }
 }

@@ -160,6 +160,7 @@ static void what_the_signs_leave_out_the_engine_cannot_drive(void **state)
     (void)state;
     signs_agree_with_the_engine(12, 40, 5, "");
     signs_agree_with_the_engine(16, 2, 4, "mechanisms: [slider-crank]\n");
+    signs_agree_with_the_engine(21, 2, 4, "mechanisms: [inverted-slider-crank]\n");
 }
 
 static void three_positions_with_pivots_have_one_machine_or_a_reason(void **state)
@@ -274,6 +275,71 @@ static void two_and_three_positions_have_slider_cranks_that_pass(void **state)
     }
 }
 
+// Positions of the coupler of an inverted slider-crank whose crank turns through; it slides through a block at (2, 0).
+static void inverted_poses(YkPose *pose, size_t count, uint64_t *seed)
+{
+    double a = check_uniform(seed, .4, .9), e = check_uniform(seed, -.3, .3), turn = check_uniform(seed, -3, 3);
+    YkVec P = yk_vec(check_uniform(seed, -1, 2), check_uniform(seed, -1, 1));
+    double from = check_uniform(seed, -3, 3), step = check_uniform(seed, .5, 1.2);
+    for (size_t k = 0; k < count; k++) {
+        YkVec A = yk_scale(a, yk_unit(from + step * (double)k)), D = yk_sub(yk_vec(2, 0), A);
+        double angle = yk_atan2(D.y, D.x) - yk_asin(e / yk_norm(D));
+        pose[k] = (YkPose){yk_add(A, yk_mul(yk_unit(angle), P)), angle + turn};
+    }
+}
+
+static void four_positions_of_an_inverted_slider_crank_give_its_block(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    for (int round = 0; round < 6; round++) {
+        YkPose pose[4];
+        char text[2000];
+        size_t blocks = 0;
+        inverted_poses(pose, 4, &seed);
+        write_task(text, sizeof text, pose, 4);
+        strcat(text, "mechanisms: [inverted-slider-crank]\n");
+        Answer a = answer_to(text);
+        for (size_t k = 0; k < yk_synthesis_dyad_count(a.synthesis); k++) {
+            YkDyad d = yk_synthesis_dyad(a.synthesis, k);
+            if (d.kind != YK_DYAD_RP) continue;
+            CHECK_NEAR(d.fixed[0], 2, 1e-7);
+            CHECK_NEAR(d.fixed[1], 0, 1e-7);
+            blocks++;
+        }
+        assert_int_equal(blocks, 1);
+        assert_true(yk_synthesis_count(a.synthesis) > 0);
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis) && k < 4; k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            assert_string_equal(c.mechanism, "inverted-slider-crank");
+            assert_true(c.error < 1e-16 && c.transmission[0] > 0);
+            check_passes(c.model, pose, 4, true);
+        }
+        answer_free(&a);
+    }
+}
+
+static void two_and_three_positions_have_inverted_slider_cranks_that_pass(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (size_t count = 2; count <= 3; count++) {
+        YkPose pose[3];
+        char text[2000];
+        inverted_poses(pose, count, &seed);
+        write_task(text, sizeof text, pose, count);
+        strcat(text, "mechanisms: [inverted-slider-crank]\n");
+        Answer a = answer_to(text);
+        assert_true(yk_synthesis_count(a.synthesis) > 5);
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis) && k < 5; k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            assert_true(c.error < 1e-16);
+            check_passes(c.model, pose, count, true);
+        }
+        answer_free(&a);
+    }
+}
+
 static void bounds_and_requirements_leave_out_what_breaks_them(void **state)
 {
     (void)state;
@@ -330,6 +396,8 @@ int main(void)
         cmocka_unit_test(two_and_four_positions_are_sampled_and_every_candidate_passes),
         cmocka_unit_test(four_positions_of_a_slider_crank_give_its_line),
         cmocka_unit_test(two_and_three_positions_have_slider_cranks_that_pass),
+        cmocka_unit_test(four_positions_of_an_inverted_slider_crank_give_its_block),
+        cmocka_unit_test(two_and_three_positions_have_inverted_slider_cranks_that_pass),
         cmocka_unit_test(bounds_and_requirements_leave_out_what_breaks_them),
         cmocka_unit_test(a_search_that_is_stopped_keeps_what_it_has),
     };
