@@ -41,7 +41,9 @@ typedef struct YkJourney {
     double *input;             // [count] absolute angles, each reached from the one before by moving straight, rad
     size_t count;
     bool turns;                // goes round as a whole
-    const YkPose *pose;        // [count] of the body, or NULL
+    const YkPose *pose;        // [count + rates] of the body: positions, and rates at some of them; or NULL
+    size_t rates;              //
+    const size_t *rate_of;     // [rates]
     const double *output;      // [count] absolute angles of the output, rad (NaN: any), or NULL
     bool exact;                // poses and outputs are met exactly; otherwise only near
     const YkVec *point, *path; // [count] wanted of the coupler point, and where it passes by its equations, or NULL

@@ -13,10 +13,15 @@
 
 enum { YK_MONOMIALS = 7, YK_POSES_MAX = 5 };
 
-// A position of the body: where its origin is, and how far it is turned, rad.
+// A position of the body: where its origin is, and how far it is turned, rad. With is_rate it is the limit of a second position beside
+// this one, in the direction of a velocity (m/s) and a rate of turning (rad/s), of which only the ratio counts: lists of positions may
+// end with such.
 typedef struct YkPose {
     YkVec at;
     double angle;
+    bool is_rate;
+    YkVec velocity;
+    double rate;
 } YkPose;
 
 // The rows of some positions, in units of their spread about their middle, so that all entries are near 1.

@@ -11,7 +11,7 @@ typedef struct Kind {
 } Kind;
 
 static const Kind kinds[YK_TASK_KINDS] = {
-    {"motion", yk_task_read_motion, yk_task_check_motion, {"positions"}},
+    {"motion", yk_task_read_motion, yk_task_check_motion, {"positions", "rates"}},
     {"function",
      yk_task_read_function,
      yk_task_check_function,
@@ -24,7 +24,7 @@ static const char *const keys[] = {"name",       "synthesis", "units",   "parame
                                    "bounds",     "require",   "best",    "positions",  "of",         "x",
                                    "input",      "output",    "samples", "pairs",      "swing",      "stroke",
                                    "time_ratio", "points",    "closed",  "angles",     "evened",     "angles_from",
-                                   "machine",    "free",      "over",    "goals",      NULL};
+                                   "machine",    "free",      "over",    "goals",      "rates",      NULL};
 
 const char *yk_task_kind(const YkTask *task)
 {
