@@ -1,6 +1,7 @@
 // The candidates of a synthesis side by side: each at its first position, with the task and its curve.
 #include <math.h>
 #include "picture/svg.h"
+#include "synthesis/path_chain.h"
 #include "synthesis/synthesis.h"
 #include "base/number.h"
 
@@ -34,15 +35,6 @@ static void include(Box *box, YkVec at)
     box->high = yk_vec(fmax(box->high.x, at.x), fmax(box->high.y, at.y));
 }
 
-// The joints A, B and the coupler point at the first position.
-static void place(const YkDesign *d, YkVec at[3])
-{
-    YkVec along = yk_unit(d->angle[1]);
-    at[0] = yk_add(d->pivot[0], yk_scale(d->length[1], yk_unit(d->angle[0])));
-    at[1] = yk_add(at[0], yk_scale(d->length[2], along));
-    at[2] = d->has_point ? yk_add(at[0], yk_mul(along, d->point)) : at[1];
-}
-
 // A machine that is there is shown by the curve of its point alone.
 static Cell fit_curve(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec corner)
 {
@@ -56,15 +48,26 @@ static Cell fit_curve(YkText *svg, const YkSynthesis *s, const YkFound *found, Y
     return (Cell){svg, middle, yk_add(corner, origin), (CELL - 2 * MARGIN) / size};
 }
 
+static bool has_dyad(const YkDesign *d)
+{
+    return yk_bar_size(d->kind) > YK_BAR_PLAIN;
+}
+
 static Cell fit(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec corner)
 {
-    YkVec at[3];
     const YkDesign *d = &found->design;
     const YkMotionTask *motion = &s->task->motion;
-    place(d, at);
+    YkDesignPlaces at = yk_design_places(d);
     Box box = {d->pivot[0], d->pivot[0]};
     include(&box, d->pivot[1]);
-    for (size_t k = 0; k < 3; k++) include(&box, at[k]);
+    include(&box, at.A);
+    include(&box, at.B);
+    include(&box, at.P);
+    if (has_dyad(d)) {
+        include(&box, at.C);
+        include(&box, at.D);
+        include(&box, at.E);
+    }
     for (size_t k = 0; k < motion->count; k++) include(&box, motion->pose[k].at);
     for (size_t k = 0; k < s->task->path.count; k++) include(&box, s->task->path.point[k]);
     for (size_t r = 0; r < found->rows && d->has_point; r++)
@@ -100,30 +103,70 @@ static void draw_curve(const Cell *cell, const YkFound *found)
     yk_svg_polyline(cell->svg, points, found->rows, "fill=\"none\" stroke=\"#2471a3\" stroke-width=\"1.3\"");
 }
 
+static const char *const bar = "stroke=\"#34495e\" stroke-width=\"3\" stroke-linecap=\"round\"";
+static const char *const thin = "stroke=\"#5d6d7e\" stroke-width=\"2\"";
+
+static void draw_plate(const Cell *cell, YkVec a, YkVec b, YkVec c)
+{
+    YkVec corners[3] = {pixel(cell, a), pixel(cell, b), pixel(cell, c)};
+    yk_svg_polygon(cell->svg, corners, 3, "fill=\"#aed6f1\" fill-opacity=\"0.5\" stroke=\"#5d6d7e\"");
+}
+
+static void draw_joint(const Cell *cell, YkVec at)
+{
+    yk_svg_circle(cell->svg, pixel(cell, at), 3, "fill=\"#fff\" stroke=\"#34495e\"");
+}
+
+// The link with the traced point, the arm, and the plates that reach to them.
+static void draw_dyad(const Cell *cell, const YkDesign *d, const YkDesignPlaces *at)
+{
+    draw_plate(cell, at->C, at->E, at->P);
+    line(cell, at->C, at->E, thin);
+    line(cell, at->D, at->E, bar);
+    if (d->kind == YK_DESIGN_GEARED) return;
+    const YkVec end[] = {at->C, at->D};
+    YkChainVariant variant = yk_chain_variant(d->kind, d->variant);
+    for (size_t k = 0; k < 2; k++) {
+        YkChainBody body = k == 0 ? variant.link : variant.arm;
+        if (body == YK_CHAIN_INPUT) draw_plate(cell, d->pivot[0], at->A, end[k]);
+        if (body == YK_CHAIN_COUPLER) draw_plate(cell, at->A, at->B, end[k]);
+        if (body == YK_CHAIN_OUTPUT) draw_plate(cell, d->pivot[1], at->B, end[k]);
+    }
+}
+
+static void draw_line(const Cell *cell, YkVec at, double angle)
+{
+    YkVec along = yk_scale(18 / cell->scale, yk_unit(angle));
+    line(cell, yk_sub(at, along), yk_add(at, along), "stroke=\"#7f8c8d\" stroke-dasharray=\"4 2\"");
+}
+
 static void draw_links(const Cell *cell, const YkDesign *d)
 {
-    static const char *const bar = "stroke=\"#34495e\" stroke-width=\"3\" stroke-linecap=\"round\"";
-    YkVec at[3];
-    place(d, at);
-    if (d->has_point) {
-        YkVec corners[3] = {pixel(cell, at[0]), pixel(cell, at[1]), pixel(cell, at[2])};
-        yk_svg_polygon(cell->svg, corners, 3, "fill=\"#aed6f1\" fill-opacity=\"0.5\" stroke=\"#5d6d7e\"");
-    }
-    line(cell, d->pivot[0], at[0], bar);
-    line(cell, at[0], at[1], "stroke=\"#5d6d7e\" stroke-width=\"2\"");
-    if (d->kind == YK_DESIGN_FOUR_BAR) {
-        line(cell, d->pivot[1], at[1], bar);
-    } else {
-        YkVec along = yk_scale(18 / cell->scale, yk_unit(d->along));
-        line(cell, yk_sub(at[1], along), yk_add(at[1], along), "stroke=\"#7f8c8d\" stroke-dasharray=\"4 2\"");
-    }
-    for (size_t k = 0; k < (d->kind == YK_DESIGN_FOUR_BAR ? 2u : 1u); k++) {
+    YkDesignPlaces at = yk_design_places(d);
+    if (has_dyad(d))
+        draw_dyad(cell, d, &at);
+    else if (d->has_point)
+        draw_plate(cell, at.A, at.B, at.P);
+    line(cell, d->pivot[0], at.A, bar);
+    if (d->kind != YK_DESIGN_GEARED) line(cell, at.A, at.B, thin);
+    if (d->kind == YK_DESIGN_SLIDER_CRANK)
+        draw_line(cell, at.B, d->along);
+    else if (d->kind == YK_DESIGN_INVERTED)
+        draw_line(cell, at.B, d->angle[1]);
+    else
+        line(cell, d->pivot[1], at.B, bar);
+    for (size_t k = 0; k < (d->kind != YK_DESIGN_SLIDER_CRANK ? 2u : 1u); k++) {
         YkVec p = pixel(cell, d->pivot[k]);
         YkVec foot[3] = {p, {p.x - 7, p.y + 11}, {p.x + 7, p.y + 11}};
         yk_svg_polygon(cell->svg, foot, 3, "fill=\"#d5d8dc\" stroke=\"#34495e\"");
         yk_svg_circle(cell->svg, p, 3, "fill=\"#fff\" stroke=\"#34495e\"");
     }
-    for (size_t k = 0; k < 2; k++) yk_svg_circle(cell->svg, pixel(cell, at[k]), 3, "fill=\"#fff\" stroke=\"#34495e\"");
+    draw_joint(cell, at.A);
+    draw_joint(cell, at.B);
+    if (!has_dyad(d)) return;
+    draw_joint(cell, at.C);
+    draw_joint(cell, at.D);
+    draw_joint(cell, at.E);
 }
 
 // The error of a function over its range, in the lower part of the cell.

@@ -55,7 +55,7 @@ YkCandidate yk_found_candidate(const YkFound *found)
         c.dyads[i] = design->dyad[i];
     }
     for (size_t i = 0; i < 4; i++) {
-        c.lengths[i] = design->length[i];
+        c.lengths[i] = i == 3 && design->kind == YK_DESIGN_INVERTED ? 0 : design->length[i];
         c.size = fmax(c.size, design->length[i]);
     }
     for (size_t i = 0; i < 2; i++) c.size = fmax(c.size, design->dyad_length[i]);

@@ -1,5 +1,5 @@
 // Dimensions, type and defects of a four-bar from two dyads.
-#include "synthesis/path_bar.h"
+#include "synthesis/path_chain.h"
 #include <math.h>
 
 static YkVec vector(const double v[2])
@@ -21,6 +21,22 @@ static bool slider_of_dyads(const YkPose *first, const YkDyad *output, YkDesign 
     return design->length[1] > 1e-7 * design->length[2] && design->length[2] > 1e-7 * design->length[1];
 }
 
+// An inverted slider-crank: the second dyad is a block on the ground's pivot, through which a line of the body slides. The coupler's
+// axis is parallel to that line, through the input's joint.
+static bool inverted_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design)
+{
+    YkVec along = yk_unit(output->direction), z = vector(input->moving);
+    design->kind = YK_DESIGN_INVERTED;
+    design->pivot[1] = vector(output->fixed);
+    design->length[0] = yk_norm(yk_sub(design->pivot[1], design->pivot[0]));
+    design->length[2] = 0;
+    design->length[3] = yk_cross(along, yk_sub(vector(output->moving), z));
+    design->turn = -output->direction;
+    design->point = yk_mul(yk_unit(design->turn), yk_scale(-1, z));
+    yk_design_angles(design, *first, design->angle);
+    return design->length[1] > 1e-7 * (design->length[0] + design->length[1]);
+}
+
 bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design)
 {
     YkVec z = vector(input->moving), across = yk_sub(vector(output->moving), z);
@@ -33,6 +49,7 @@ bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *
     design->length[2] = coupler;
     design->turn = -argument(across);
     design->point = yk_mul(yk_unit(design->turn), yk_scale(-1, z));
+    if (output->kind == YK_DYAD_RP) return inverted_of_dyads(first, input, output, design);
     if (output->kind == YK_DYAD_PR) {
         good = slider_of_dyads(first, output, design);
     } else {
@@ -69,6 +86,34 @@ const char *yk_design_kind_name(YkDesignKind kind)
     return (size_t)kind < YK_DESIGN_KINDS ? names[kind] : NULL;
 }
 
+// Where link (0) or arm (1) begins.
+static YkVec dyad_end(const YkDesign *d, int which, const YkDesignPlaces *at)
+{
+    YkChainVariant variant = yk_chain_variant(d->kind, d->variant);
+    YkChainBody body = which == 0 ? variant.link : variant.arm;
+    if (d->kind == YK_DESIGN_GEARED) return body == YK_CHAIN_INPUT ? at->A : at->B;
+    const YkVec origin[] = {yk_vec(0, 0), d->pivot[0], at->A, d->pivot[1]};
+    YkVec along = body == YK_CHAIN_GROUND ? yk_vec(1, 0) : yk_unit(d->angle[body - 1]);
+    return yk_add(origin[body], yk_mul(along, d->end[which]));
+}
+
+YkDesignPlaces yk_design_places(const YkDesign *d)
+{
+    YkDesignPlaces at = {.A = yk_add(d->pivot[0], yk_scale(d->length[1], yk_unit(d->angle[0])))};
+    YkVec along = yk_unit(d->angle[1]);
+    at.B = d->kind == YK_DESIGN_GEARED     ? yk_add(d->pivot[1], yk_scale(d->length[3], yk_unit(d->angle[2])))
+           : d->kind == YK_DESIGN_INVERTED ? d->pivot[1]
+                                           : yk_add(at.A, yk_scale(d->length[2], along));
+    at.P = d->has_point ? yk_add(at.A, yk_mul(along, d->point)) : at.B;
+    if (yk_bar_size(d->kind) == YK_BAR_PLAIN) return at;
+    at.C = dyad_end(d, 0, &at);
+    at.D = dyad_end(d, 1, &at);
+    YkVec link = yk_unit(d->dyad_angle[0]);
+    at.E = yk_add(at.C, yk_scale(d->dyad_length[0], link));
+    at.P = yk_add(at.C, yk_mul(link, d->point));
+    return at;
+}
+
 const char *yk_design_type(const YkDesign *design)
 {
     static const char *const built[YK_DESIGN_KINDS][6] = {
@@ -90,20 +135,21 @@ static double offset_of(const YkDesign *design)
     return yk_cross(yk_unit(design->along), yk_sub(design->pivot[0], design->pivot[1]));
 }
 
-bool yk_design_has_circuits(const YkDesign *design)
-{
-    if (design->kind == YK_DESIGN_INVERTED || design->kind == YK_DESIGN_GEARED) return true;
-    if (design->kind == YK_DESIGN_SLIDER_CRANK) // crank or coupler turns through
-        return fabs(offset_of(design)) < fabs(design->length[1] - design->length[2]);
-    YkFourBarClass kind = yk_design_class(design);
-    return kind != YK_FOUR_BAR_TRIPLE_ROCKER && kind != YK_FOUR_BAR_CHANGE_POINT;
-}
-
 // Where the distance of the output pivot from the crank's joint is less than that from the coupler's line, an inverted slider-crank
 // stops; a geared five-bar is judged by the engine.
 static bool turns_otherwise(const YkDesign *design)
 {
     return design->kind == YK_DESIGN_GEARED || fabs(design->length[0] - design->length[1]) > fabs(design->length[3]);
+}
+
+bool yk_design_has_circuits(const YkDesign *design)
+{
+    if (design->kind == YK_DESIGN_GEARED) return true;
+    if (design->kind == YK_DESIGN_INVERTED) return turns_otherwise(design);
+    if (design->kind == YK_DESIGN_SLIDER_CRANK) // crank or coupler turns through
+        return fabs(offset_of(design)) < fabs(design->length[1] - design->length[2]);
+    YkFourBarClass kind = yk_design_class(design);
+    return kind != YK_FOUR_BAR_TRIPLE_ROCKER && kind != YK_FOUR_BAR_CHANGE_POINT;
 }
 
 bool yk_design_turns(const YkDesign *design)
@@ -121,12 +167,23 @@ void yk_design_angles(const YkDesign *design, YkPose pose, double angle[3])
     YkVec B = yk_add(A, yk_scale(design->length[2], along));
     angle[0] = argument(yk_sub(A, design->pivot[0]));
     YkVec out = yk_sub(B, design->pivot[1]);
-    angle[2] = design->kind == YK_DESIGN_FOUR_BAR ? argument(out) : yk_dot(out, yk_unit(design->along));
+    angle[2] = design->kind == YK_DESIGN_FOUR_BAR   ? argument(out)
+               : design->kind == YK_DESIGN_INVERTED ? yk_dot(yk_sub(design->pivot[1], A), along)
+                                                    : yk_dot(out, yk_unit(design->along));
 }
 
 static int sign(double x)
 {
     return (x > 0) - (x < 0);
+}
+
+// An inverted slider-crank cannot pass the place where the output pivot lies across the coupler's line from its joint, s = 0: it ends one
+// circuit, or one of the two branches of a machine that has but one.
+static YkDefect inverted_signs(const YkDesign *design, double (*angle)[3], size_t count)
+{
+    for (size_t k = 1; k < count; k++)
+        if (angle[k][2] * angle[0][2] <= 0) return yk_design_turns(design) ? YK_DEFECT_CIRCUIT : YK_DEFECT_BRANCH;
+    return YK_DEFECT_NONE;
 }
 
 // The joint whose sense tells the circuit: one that does not touch the shortest link, whose two links never line up.
@@ -152,6 +209,7 @@ YkDefect yk_design_signs(const YkDesign *design, double (*angle)[3], size_t coun
 {
     bool has_circuits = yk_design_has_circuits(design), is_slider = design->kind == YK_DESIGN_SLIDER_CRANK;
     YkDefect defect = YK_DEFECT_NONE;
+    if (design->kind == YK_DESIGN_INVERTED) return inverted_signs(design, angle, count);
     int circuit = 0, branch = 0;
     for (size_t k = 0; k < count; k++) {
         int own_circuit = has_circuits ? sign(circuit_sense(design, angle[k])) : 0;

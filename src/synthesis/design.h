@@ -41,7 +41,9 @@ typedef struct YkJourney {
     double *input;             // [count] absolute angles, each reached from the one before by moving straight, rad
     size_t count;
     bool turns;                // goes round as a whole
-    const YkPose *pose;        // [count] of the body, or NULL
+    const YkPose *pose;        // [count + rates] of the body: positions, and rates at some of them; or NULL
+    size_t rates;              //
+    const size_t *rate_of;     // [rates]
     const double *output;      // [count] absolute angles of the output, rad (NaN: any), or NULL
     bool exact;                // poses and outputs are met exactly; otherwise only near
     const YkVec *point, *path; // [count] wanted of the coupler point, and where it passes by its equations, or NULL
@@ -61,6 +63,12 @@ typedef struct YkVerdict {
 // design.c
 bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design);
 YkFourBarClass yk_design_class(const YkDesign *design);
+// Finds where A, B, the traced point, and of a machine with a dyad C, D, E are at the first position, m. Where the kind has no B, it is
+// the end of the output, or the output pivot.
+typedef struct YkDesignPlaces {
+    YkVec A, B, P, C, D, E;
+} YkDesignPlaces;
+YkDesignPlaces yk_design_places(const YkDesign *design);
 const char *yk_design_type(const YkDesign *design);  // "crank-rocker", ...
 bool yk_design_has_circuits(const YkDesign *design); // two of them, so that one cannot be reached from the other
 bool yk_design_turns(const YkDesign *design);        // the input turns through

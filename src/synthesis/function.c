@@ -17,8 +17,8 @@ static void relative_poses(const YkFunctionTask *f, size_t held, YkPose *pose)
 {
     for (size_t k = 0; k < f->count; k++) {
         double turned = f->pair[k][held], other = f->pair[k][1 - held];
-        pose[k].at = yk_mul(yk_unit(-turned), yk_vec(held == 0 ? 1 : -1, 0));
-        pose[k].angle = other - turned;
+        YkVec at = yk_mul(yk_unit(-turned), yk_vec(held == 0 ? 1 : -1, 0));
+        pose[k] = (YkPose){.at = at, .angle = other - turned};
     }
 }
 

@@ -71,6 +71,29 @@ static bool meets(Trial *t, size_t k)
     return off <= met;
 }
 
+// Returns whether the body passes position k in the direction of its rates there, whatever the input's own rate.
+static bool passes(Trial *t, size_t k)
+{
+    const YkJourney *journey = t->journey;
+    for (size_t i = 0; i < journey->rates; i++) {
+        const YkPose *rate = &journey->pose[journey->count + i];
+        if (journey->rate_of[i] != k) continue;
+        yk_state_set_input_to(t->state, 0, journey->input[k], 1, 0);
+        if (yk_state_solve(t->state) < 0 || !yk_state_has_rates(t->state)) return false;
+        YkPointMotion p = yk_state_point(t->state, t->point);
+        const double is[] = {p.velocity[0], p.velocity[1], t->scale * yk_state_body(t->state, t->coupler).velocity};
+        const double wanted[] = {rate->velocity.x, rate->velocity.y, t->scale * rate->rate};
+        double square = 0, other = 0, both = 0;
+        for (size_t j = 0; j < 3; j++) {
+            square += is[j] * is[j];
+            other += wanted[j] * wanted[j];
+            both += is[j] * wanted[j];
+        }
+        if (!(square * other - both * both <= met * met * square * other)) return false; // of the angle between them
+    }
+    return true;
+}
+
 // Drives the machine from position to position.
 static YkStatus travel(Trial *t)
 {
@@ -80,7 +103,7 @@ static YkStatus travel(Trial *t)
         YkMotion goal = {.position = journey->input[k]};
         YkStatus status = yk_state_move_to(t->state, &goal, NULL, NULL);
         if (status == YK_NO_MEMORY) return status;
-        if (status < 0 || status == YK_SINGULAR || (!meets(t, k) && journey->exact)) {
+        if (status < 0 || status == YK_SINGULAR || ((!meets(t, k) || !passes(t, k)) && journey->exact)) {
             verdict->defect = k == 0 ? YK_DEFECT_ASSEMBLY : YK_DEFECT_BRANCH;
             return YK_OK;
         }

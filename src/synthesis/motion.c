@@ -81,9 +81,9 @@ static void add_few(YkSynthesis *s)
     find_region(s->task, &low, &high);
     bool has_both = motion->pivot[0].is_given && motion->pivot[1].is_given;
     for (unsigned side = 0; side < YK_SIDES; side++) {
-        size_t choices = motion->count == 2 ? PIVOTS : 1;
+        size_t choices = motion->conditions == 2 ? PIVOTS : 1;
         for (size_t k = 0; k < choices && motion->pivot[side].is_given; k++)
-            if (yk_pose_pivot(motion->pose, motion->count, motion->pivot[side].at, 4 * filled(from[2], k, 2) - 2,
+            if (yk_pose_pivot(motion->pose, motion->conditions, motion->pivot[side].at, 4 * filled(from[2], k, 2) - 2,
                               &dyad))
                 yk_synthesis_add_dyad(s, &dyad, 1u << side);
     }
@@ -91,10 +91,10 @@ static void add_few(YkSynthesis *s)
     for (size_t k = 0; k < PIVOTS && !has_both; k++) {
         YkVec F =
             yk_vec(low.x + (high.x - low.x) * filled(from[0], k, 0), low.y + (high.y - low.y) * filled(from[1], k, 1));
-        if (yk_pose_pivot(motion->pose, motion->count, F, 4 * filled(from[2], k, 2) - 2, &dyad))
+        if (yk_pose_pivot(motion->pose, motion->conditions, F, 4 * filled(from[2], k, 2) - 2, &dyad))
             yk_synthesis_add_dyad(s, &dyad, open);
     }
-    s->is_complete = has_both && motion->count == 3;
+    s->is_complete = has_both && motion->conditions == 3;
 }
 
 // Two or three positions have slides in every direction; they are the output's where its pivot is not given.
@@ -105,8 +105,21 @@ static void add_lines(YkSynthesis *s)
     double from = yk_mix_unit(&seed);
     YkDyad dyad;
     for (size_t k = 0; k < LINES && !motion->pivot[1].is_given; k++)
-        if (yk_pose_slide(motion->pose, motion->count, YK_PI * ((double)k + from) / LINES, 4 * filled(from, k, 2) - 2,
-                          &dyad))
+        if (yk_pose_slide(motion->pose, motion->conditions, YK_PI * ((double)k + from) / LINES,
+                          4 * filled(from, k, 2) - 2, &dyad))
+            yk_synthesis_add_dyad(s, &dyad, 2);
+}
+
+// The same for blocks that turn about a point of the ground, through which a line of the body goes.
+static void add_blocks(YkSynthesis *s)
+{
+    const YkMotionTask *motion = &s->task->motion;
+    uint64_t seed = s->options.seed + 1;
+    double from = yk_mix_unit(&seed);
+    YkDyad dyad;
+    for (size_t k = 0; k < LINES && !motion->pivot[1].is_given; k++)
+        if (yk_pose_block(motion->pose, motion->conditions, YK_PI * ((double)k + from) / LINES,
+                          4 * filled(from, k, 2) - 2, &dyad))
             yk_synthesis_add_dyad(s, &dyad, 2);
 }
 
@@ -132,17 +145,19 @@ static void take_pair(YkSynthesis *s, size_t i, size_t k)
 static bool is_sought(const YkSynthesis *s, YkDyadKind a, YkDyadKind b)
 {
     if (a == YK_DYAD_RR && b == YK_DYAD_RR) return s->task->has_four_bar;
-    bool is_slider = (a == YK_DYAD_RR && b == YK_DYAD_PR) || (a == YK_DYAD_PR && b == YK_DYAD_RR);
-    return is_slider && s->task->has_slider;
+    if (a != YK_DYAD_RR && b != YK_DYAD_RR) return false;
+    YkDyadKind other = a == YK_DYAD_RR ? b : a;
+    return s->task->kinds >> (other == YK_DYAD_PR ? YK_DESIGN_SLIDER_CRANK : YK_DESIGN_INVERTED) & 1;
 }
 
 bool yk_synthesise_motion(YkSynthesis *s, YkProblems *problems)
 {
-    size_t count = s->task->motion.count;
+    size_t count = s->task->motion.conditions;
     if (count == 5 && !add_five(s, problems)) return false;
     if (count == 4) add_four(s);
     if (count < 4) add_few(s);
     if (count < 4 && s->task->has_slider) add_lines(s);
+    if (count < 4 && s->task->kinds >> YK_DESIGN_INVERTED & 1) add_blocks(s);
     size_t dyads = s->dyad_count;
     for (size_t i = 0; i < dyads; i++) {
         yk_pace_reach(&s->pace, (double)i * (2 * (double)dyads - (double)i) / ((double)dyads * (double)dyads + 1));

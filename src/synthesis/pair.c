@@ -35,10 +35,14 @@ static void attempt(YkSynthesis *s, const YkDesign *design, const YkPair *pair, 
     bool turns = s->task->turns || pair->turns;
     YkJourney journey = {.task = s->task, .input = input, .count = pair->count, .turns = turns, .exact = true};
     for (size_t k = 0; k < pair->count; k++) at[k] = pair->pose[k].at;
-    if (pair->is_motion)
+    if (pair->is_motion) {
+        const YkMotionTask *motion = &s->task->motion;
         journey.pose = pair->pose;
-    else
+        journey.rates = motion->conditions - motion->count;
+        journey.rate_of = motion->rate_of;
+    } else {
         journey.point = journey.path = at;
+    }
     trial->design = *design;
     trial->defect = yk_design_bounds(design, s->task);
     for (size_t k = 0; k < pair->count; k++) yk_design_angles(design, pair->pose[k], angle[k]);

@@ -50,6 +50,15 @@ static void keep(const YkPathSearch *search, const YkPathTry *try, YkFound *foun
     found->angle = angle;
 }
 
+// Where several kinds compete, a machine 10 times as large as the path counts as one with twice the error.
+static double burden(const YkPathSearch *search, const YkDesign *design)
+{
+    double size = yk_norm(yk_sub(design->pivot[1], design->pivot[0]));
+    for (size_t k = 0; k < 4; k++) size = fmax(size, fabs(design->length[k]));
+    for (size_t k = 0; k < 2; k++) size = fmax(size, design->dyad_length[k]);
+    return search->kinds > 1 ? 1 + size / (10 * search->batches.problem.size) : 1;
+}
+
 // Drives the machine on its file, and keeps or leaves it. Returns whether it passed.
 static bool judge(YkPathSearch *search, const YkPathTry *try)
 {
@@ -67,7 +76,7 @@ static bool judge(YkPathSearch *search, const YkPathTry *try)
     YkDefect defect = yk_bar_design(&try->bar, try->angle[0], &design) ? YK_DEFECT_NONE : YK_DEFECT_ASSEMBLY;
     if (defect == YK_DEFECT_NONE) defect = yk_synthesis_try(s, &design, &journey, &text, &verdict);
     double noise = (double)p->count * p->size * p->size * 1e-20; // among exact ones the transmission angle decides
-    double merit = verdict.error > noise ? -verdict.error : verdict.transmission[0];
+    double merit = verdict.error > noise ? -verdict.error * burden(search, &design) : verdict.transmission[0];
     if (defect == YK_DEFECT_NONE)
         keep(search, try, yk_synthesis_keep(s, &design, &text, &verdict, merit));
     else
@@ -163,11 +172,15 @@ static YkPathSearch *begin(YkSynthesis *s, YkDesignKind kind, size_t place, size
     return good ? search : NULL;
 }
 
-// Runs one batch of a kind. Returns false when the search is stopped.
-static bool go_on(YkPathSearch *search, size_t batch)
+// Runs one batch of a kind. Returns false when the search is stopped. Machines with a dyad, whose batches take long, are sought
+// only as long as no kind passes all points.
+static bool go_on(YkPathSearch *search, size_t batch, bool *has_exact)
 {
-    if (search->is_done || batch >= yk_path_batch_count(search->batches.problem.kind)) return true;
+    bool is_chain = search->batches.problem.dimensions > YK_BAR_PLAIN;
+    if (search->is_done || (is_chain && *has_exact) || batch >= yk_path_batch_count(search->batches.problem.kind))
+        return true;
     search->is_done = has_enough(search, batch, &search->first);
+    *has_exact |= search->is_done;
     if (search->is_done) return true;
     if (!yk_synthesis_goes_on(search->s, yk_path_batch_work(&search->batches))) return false;
     if (find_batch(search, batch)) finish(search, &search->batches.whole);
@@ -181,7 +194,7 @@ bool yk_synthesise_path(YkSynthesis *s, YkProblems *problems)
     YkDesignKind kind[YK_DESIGN_KINDS];
     size_t kinds = yk_path_kinds(s->task, kind), sought = 0;
     bool is_exact = yk_path_is_exact(s->task), is_whole = is_exact && yk_synthesise_exact_path(s, 0.5);
-    bool has_some = s->candidates.count > 0;
+    bool has_some = s->candidates.count > 0, has_exact = has_some;
     (void)problems;
     for (size_t i = 0; i < kinds; i++) {
         // Where no four-bar passes nine points without a defect, one that comes near them is better than none.
@@ -193,7 +206,7 @@ bool yk_synthesise_path(YkSynthesis *s, YkProblems *problems)
     for (size_t k = 0; k < YK_PATH_BATCHES && sought > 0; k++) {
         yk_pace_reach(&s->pace, (double)k / YK_PATH_BATCHES);
         for (size_t i = 0; i < sought; i++)
-            if (!go_on(search[i], k)) return true;
+            if (!go_on(search[i], k, &has_exact)) return true;
     }
     s->is_complete = is_whole && sought == 0;
     return true;

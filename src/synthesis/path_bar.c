@@ -172,12 +172,15 @@ static bool add_dyad(const YkBar *bar, double input, YkDesign *design)
     const double *v = bar->v;
     YkVec end[2], joint;
     if (!yk_chain_dyad(bar, input, end, &joint)) return false;
+    YkChainVariant variant = yk_chain_variant(bar->kind, bar->variant);
     design->variant = bar->variant;
     for (int k = 0; k < 2; k++) {
         YkVec along = yk_sub(joint, end[k]);
         design->dyad_angle[k] = yk_atan2(along.y, along.x);
         design->dyad_length[k] = v[k == 0 ? YK_BAR_LINK : YK_BAR_ARM];
         design->end[k] = k == 0 ? yk_vec(v[YK_BAR_CU], v[YK_BAR_CV]) : yk_vec(v[YK_BAR_DU], v[YK_BAR_DV]);
+        if ((k == 0 ? variant.link : variant.arm) == YK_CHAIN_GROUND)
+            design->end[k] = end[k]; // its axes are the world's
     }
     return true;
 }

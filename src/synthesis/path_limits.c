@@ -48,11 +48,12 @@ static void add_turning(Limits *l, const YkBar *bar)
 static void add_box(Limits *l, const YkPathProblem *problem, const YkBar *bar)
 {
     YkVec away = yk_unit(bar->v[YK_BAR_TURN]), turned = yk_quarter(away);
+    const YkBound *box = problem->task->pivots; // the pivot among the dimensions may be fixed
     double sign = bar->hangs_at_end ? -1 : 1, reach = sign * bar->v[YK_BAR_GROUND];
     for (int i = 0; i < 2; i++) {
         double at = bar->v[i] + reach * (i == 0 ? away.x : away.y);
         for (int end = 0; end < 2; end++) {
-            double side = end == 0 ? -1 : 1, limit = end == 0 ? problem->low[i] : problem->high[i];
+            double side = end == 0 ? -1 : 1, limit = end == 0 ? box[i].low : box[i].high;
             double *row = add(l, side * (at - limit));
             row[i] = side;
             row[YK_BAR_GROUND] = side * sign * (i == 0 ? away.x : away.y);

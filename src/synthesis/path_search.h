@@ -5,7 +5,7 @@
 #include "synthesis/synthesis.h"
 
 // The most batches that the search runs for one kind of bar, or of machine with a dyad, whose batches are larger.
-enum { YK_PATH_HOPEFUL = 6, YK_PATH_POOL = 400, YK_PATH_BATCHES = 600, YK_CHAIN_BATCHES = 150 };
+enum { YK_PATH_HOPEFUL = 6, YK_PATH_POOL = 400, YK_PATH_BATCHES = 600, YK_CHAIN_BATCHES = 60 };
 size_t yk_path_batch_count(YkDesignKind kind);
 // Lists the kinds that a task asks for. Returns their number.
 size_t yk_path_kinds(const YkTask *task, YkDesignKind kind[YK_DESIGN_KINDS]);

@@ -55,6 +55,8 @@ static void draw_shape(const YkPathProblem *problem, uint64_t *seed, YkBar *bar)
     if (problem->kind == YK_DESIGN_INVERTED) v[YK_BAR_OUTPUT] = between(seed, -1, 1) * fabs(v[YK_BAR_GROUND] - 1);
     if (problem->kind == YK_DESIGN_INVERTED) v[YK_BAR_COUPLER] = 1;
     bar->branch = yk_mix_next(seed) & 1 ? 1 : -1;
+    if (problem->kind == YK_DESIGN_INVERTED)
+        bar->branch = 1; // the other one is the same machine, its coupler's axes reversed
 }
 
 // Draws a place near a link of some length.

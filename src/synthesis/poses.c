@@ -14,6 +14,16 @@ static void fill_row(YkPose pose, double row[YK_MONOMIALS])
     row[6] = -u.y;
 }
 
+// The limit of the difference of two rows, over the time between them, made of the size of a row.
+static void fill_rate(YkPose pose, double row[YK_MONOMIALS])
+{
+    YkVec u = yk_unit(pose.angle), d = pose.at, v = pose.velocity, turned = yk_scale(pose.rate, yk_quarter(u));
+    YkVec own = yk_add(yk_mul(yk_conj(turned), d), yk_mul(yk_conj(u), v));
+    const double rate[YK_MONOMIALS] = {yk_dot(d, v), own.x, own.y, -v.x, -v.y, -turned.x, -turned.y};
+    double size = yk_norm(v) + fabs(pose.rate);
+    for (size_t i = 0; i < YK_MONOMIALS; i++) row[i] = size > 0 ? rate[i] / size : 0;
+}
+
 static void find_scale(const YkPose *pose, size_t count, YkPoseRows *rows)
 {
     rows->middle = yk_vec(0, 0);
@@ -29,11 +39,16 @@ void yk_pose_rows(const YkPose *pose, size_t count, YkPoseRows *rows)
     find_scale(pose, count, rows);
     rows->count = count - 1;
     for (size_t k = 0; k < count; k++) {
-        YkPose own = {yk_scale(1 / rows->scale, yk_sub(pose[k].at, rows->middle)), pose[k].angle};
-        fill_row(own, k == 0 ? first : rows->row[k - 1]);
+        YkPose own = pose[k];
+        own.at = yk_scale(1 / rows->scale, yk_sub(pose[k].at, rows->middle));
+        own.velocity = yk_scale(1 / rows->scale, pose[k].velocity);
+        if (own.is_rate)
+            fill_rate(own, rows->row[k - 1]);
+        else
+            fill_row(own, k == 0 ? first : rows->row[k - 1]);
     }
     for (size_t k = 0; k < rows->count; k++)
-        for (size_t i = 0; i < YK_MONOMIALS; i++) rows->row[k][i] -= first[i];
+        for (size_t i = 0; i < YK_MONOMIALS && !pose[k + 1].is_rate; i++) rows->row[k][i] -= first[i];
 }
 
 double yk_pose_row(const YkPoseRows *rows, size_t k, YkVec z, YkVec F)
@@ -106,5 +121,26 @@ bool yk_pose_slide(const YkPose *pose, size_t count, double direction, double al
     YkVec at = yk_pose_apply(pose[0], z),
           foot = yk_sub(at, yk_scale(yk_dot(at, yk_unit(direction)), yk_unit(direction)));
     *dyad = (YkDyad){.kind = YK_DYAD_PR, .fixed = {foot.x, foot.y}, .moving = {z.x, z.y}, .direction = direction};
+    return true;
+}
+
+bool yk_pose_block(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad)
+{
+    YkPose seen[YK_POSES_MAX]; // the ground, from the body
+    for (size_t k = 0; k < count; k++) {
+        YkVec back = yk_conj(yk_unit(pose[k].angle)), at = yk_mul(back, pose[k].at);
+        seen[k] = pose[k];
+        seen[k].at = yk_scale(-1, at);
+        seen[k].angle = -pose[k].angle;
+        seen[k].velocity = yk_sub(yk_scale(pose[k].rate, yk_quarter(at)), yk_mul(back, pose[k].velocity));
+        seen[k].rate = -pose[k].rate;
+    }
+    YkDyad slide;
+    if (!yk_pose_slide(seen, count, direction, along, &slide)) return false;
+    *dyad = (YkDyad){.kind = YK_DYAD_RP, .direction = direction};
+    for (size_t i = 0; i < 2; i++) {
+        dyad->fixed[i] = slide.moving[i];
+        dyad->moving[i] = slide.fixed[i];
+    }
     return true;
 }

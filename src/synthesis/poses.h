@@ -13,10 +13,15 @@
 
 enum { YK_MONOMIALS = 7, YK_POSES_MAX = 5 };
 
-// A position of the body: where its origin is, and how far it is turned, rad.
+// A position of the body: where its origin is, and how far it is turned, rad. With is_rate it is the limit of a second position beside
+// this one, in the direction of a velocity (m/s) and a rate of turning (rad/s), of which only the ratio counts: lists of positions may
+// end with such.
 typedef struct YkPose {
     YkVec at;
     double angle;
+    bool is_rate;
+    YkVec velocity;
+    double rate;
 } YkPose;
 
 // The rows of some positions, in units of their spread about their middle, so that all entries are near 1.
@@ -59,6 +64,9 @@ void yk_four_poses(const YkPose pose[4], YkFourPoses *four);
 size_t yk_four_poses_ray(const YkFourPoses *four, double angle, YkDyad dyad[2]);
 // The dyad whose moving pivot goes along a line of the ground through two or three positions; `along` as for a pivot.
 bool yk_pose_slide(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad);
+// The dyad whose line, fixed in the body at a direction in its axes, always goes through the same point of the ground, through two or
+// three positions: the one above, seen from the body. `along` tells a point of the ground on a line where two positions leave one.
+bool yk_pose_block(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad);
 // The dyads with a slide through four positions: at most one PR and one RP. Returns how many.
 size_t yk_four_poses_slides(const YkPose pose[4], YkDyad dyad[2]);
 

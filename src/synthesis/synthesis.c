@@ -74,7 +74,7 @@ static bool is_alike(const YkDesign *a, const YkDesign *b)
     double size = 0;
     for (size_t k = 0; k < 4; k++) {
         size = fmax(size, b->length[k]);
-        if (fabs(a->length[k] - b->length[k]) > near_to * b->length[k]) return false;
+        if (fabs(a->length[k] - b->length[k]) > near_to * fabs(b->length[k])) return false;
     }
     for (size_t k = 0; k < 2; k++) {
         size = fmax(size, b->dyad_length[k]);

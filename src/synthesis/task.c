@@ -11,7 +11,7 @@ typedef struct Kind {
 } Kind;
 
 static const Kind kinds[YK_TASK_KINDS] = {
-    {"motion", yk_task_read_motion, yk_task_check_motion, {"positions"}},
+    {"motion", yk_task_read_motion, yk_task_check_motion, {"positions", "rates"}},
     {"function",
      yk_task_read_function,
      yk_task_check_function,
@@ -24,7 +24,7 @@ static const char *const keys[] = {"name",       "synthesis", "units",   "parame
                                    "bounds",     "require",   "best",    "positions",  "of",         "x",
                                    "input",      "output",    "samples", "pairs",      "swing",      "stroke",
                                    "time_ratio", "points",    "closed",  "angles",     "evened",     "angles_from",
-                                   "machine",    "free",      "over",    "goals",      NULL};
+                                   "machine",    "free",      "over",    "goals",      "rates",      NULL};
 
 const char *yk_task_kind(const YkTask *task)
 {
@@ -125,7 +125,7 @@ static void read_require(YkTaskReader *reader)
 // Returns the kinds that a word of `mechanisms:` asks for, as bits: none if the task does not give them.
 static unsigned kinds_of(const YkTask *task, const char *word)
 {
-    size_t count = task->kind == YK_TASK_PATH ? YK_DESIGN_KINDS : task->kind == YK_TASK_MOTION ? 2 : 1;
+    size_t count = task->kind == YK_TASK_PATH ? YK_DESIGN_KINDS : task->kind == YK_TASK_MOTION ? 3 : 1;
     if (task->kind == YK_TASK_PATH && strcmp(word, "all") == 0) return (1u << YK_DESIGN_KINDS) - 1;
     for (size_t k = 0; k < count; k++)
         if (strcmp(word, yk_design_kind_name((YkDesignKind)k)) == 0) return 1u << k;
@@ -135,12 +135,12 @@ static unsigned kinds_of(const YkTask *task, const char *word)
 static void refuse_mechanism(const YkTaskReader *reader, const YkNode *item)
 {
     static const char *const found[YK_TASK_KINDS] = {
-        [YK_TASK_MOTION] = "four-bars and slider-cranks",
+        [YK_TASK_MOTION] = "four-bars, slider-cranks and inverted slider-cranks",
         [YK_TASK_PATH] = "four-bars, slider-cranks, inverted slider-cranks, geared five-bars and six-bars"};
-    static const char *const hint[YK_TASK_KINDS] = {[YK_TASK_MOTION] = "write [four-bar, slider-crank], or one of them",
-                                                    [YK_TASK_PATH] =
-                                                        "write some of [four-bar, slider-crank, inverted-slider-crank, "
-                                                        "geared-five-bar, watt, stephenson], or [all]"};
+    static const char *const hint[YK_TASK_KINDS] = {
+        [YK_TASK_MOTION] = "write some of [four-bar, slider-crank, inverted-slider-crank]",
+        [YK_TASK_PATH] = "write some of [four-bar, slider-crank, inverted-slider-crank, "
+                         "geared-five-bar, watt, stephenson], or [all]"};
     YkTaskKind kind = reader->task->kind;
     yk_problem(reader->loader->problems, YK_CODE_WRONG_WORD, item->place, "this version finds %s for a %s, no %q",
                found[kind] ? found[kind] : "four-bars", kinds[kind].name, item->text);

@@ -34,9 +34,10 @@ enum { YK_SIDES = 2, YK_PAIRS_MAX = 5 }; // input and output
 
 // `synthesis: motion`
 typedef struct YkMotionTask {
-    YkPose *pose; // [count]
+    YkPose *pose; // [conditions]: positions, and then rates
     YkPlace *place;
-    size_t count;
+    size_t count, conditions;     // of positions; with rates
+    size_t rate_of[YK_POSES_MAX]; // the position of rate k
     YkGivenPoint pivot[YK_SIDES];
 } YkMotionTask;
 

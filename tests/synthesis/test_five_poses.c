@@ -7,8 +7,11 @@
 static void the_published_five_positions_have_their_four_dyads(void **state)
 {
     (void)state;
-    static const YkPose pose[5] = {
-        {{0, 0}, 0}, {{.5, 1}, 20 * DEG}, {{1.5, 1.5}, 35 * DEG}, {{2.5, 1.25}, 40 * DEG}, {{3, .5}, 30 * DEG}};
+    static const YkPose pose[5] = {{.at = {0, 0}, .angle = 0},
+                                   {.at = {.5, 1}, .angle = 20 * DEG},
+                                   {.at = {1.5, 1.5}, .angle = 35 * DEG},
+                                   {.at = {2.5, 1.25}, .angle = 40 * DEG},
+                                   {.at = {3, .5}, .angle = 30 * DEG}};
     static const double published[4][5] = {{-3.7386221138, -5.4786830493, -2.8703249242, 1.0844317919, 6.6203033487},
                                            {-3.2563098637, 5.4744605353, -2.6385032210, 6.3798184430, 1.0960647740},
                                            {.8209033814, 6.8384267066, -.4048457180, 4.1219638916, 2.9802065499},
@@ -64,7 +67,7 @@ static void random_positions_have_none_two_or_four_dyads(void **state)
     uint64_t seed = 1;
     size_t seen[5] = {0};
     for (int round = 0; round < 2000; round++) {
-        YkPose pose[5];
+        YkPose pose[5] = {{.angle = 0}};
         YkFivePoses found;
         random_poses(pose, 5, &seed);
         yk_five_poses(pose, &found);
@@ -108,7 +111,7 @@ static void a_four_bar_is_found_again_from_five_of_its_positions(void **state)
     uint64_t seed = 7;
     int tried = 0;
     while (tried < 300) {
-        YkPose pose[5];
+        YkPose pose[5] = {{.angle = 0}};
         YkVec F[2], z[2];
         YkFivePoses found;
         if (!four_bar_poses(pose, 5, F, z, &seed)) continue;
@@ -129,7 +132,7 @@ static void a_body_moved_on_a_line_has_a_dyad_with_a_slide(void **state)
     (void)state;
     uint64_t seed = 3;
     for (int round = 0; round < 50; round++) {
-        YkPose pose[5];
+        YkPose pose[5] = {{.angle = 0}};
         YkVec z = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1)), along = yk_unit(.3 + round);
         for (size_t k = 0; k < 5; k++) { // z on a line, and turned at will
             YkVec on_line = yk_add(yk_vec(.2, .7), yk_scale(check_uniform(&seed, -2, 2), along));
@@ -156,7 +159,7 @@ static void a_fixed_point_in_a_line_of_the_body_is_a_dyad_with_a_slide(void **st
 {
     (void)state;
     uint64_t seed = 4;
-    YkPose pose[4];
+    YkPose pose[4] = {{.angle = 0}};
     YkVec F = yk_vec(.4, -.3), along = yk_unit(.8), foot = yk_scale(.6, yk_quarter(along));
     for (size_t k = 0; k < 4; k++) {
         YkVec z = yk_add(foot, yk_scale(check_uniform(&seed, -2, 2), along));
@@ -177,7 +180,7 @@ static void four_positions_have_dyads_on_every_ray_that_meets_the_curve(void **s
     uint64_t seed = 5;
     size_t dyads = 0;
     for (int round = 0; round < 200; round++) {
-        YkPose pose[4];
+        YkPose pose[4] = {{.angle = 0}};
         YkFourPoses four;
         YkDyad d[2];
         random_poses(pose, 4, &seed);
@@ -197,7 +200,7 @@ static void dyads_of_five_positions_are_on_the_curve_of_four(void **state)
     (void)state;
     uint64_t seed = 6;
     for (int round = 0; round < 300; round++) {
-        YkPose pose[5];
+        YkPose pose[5] = {{.angle = 0}};
         YkFivePoses five;
         YkFourPoses four;
         random_poses(pose, 5, &seed);
@@ -222,7 +225,7 @@ static void a_given_pivot_leaves_one_dyad_of_three_positions_and_a_line_of_two(v
     (void)state;
     uint64_t seed = 8;
     for (int round = 0; round < 300; round++) {
-        YkPose pose[3];
+        YkPose pose[3] = {{.angle = 0}};
         YkDyad d;
         YkVec F = yk_vec(check_uniform(&seed, -3, 3), check_uniform(&seed, -3, 3));
         random_poses(pose, 3, &seed);

@@ -45,11 +45,11 @@ static void check_passes(const char *model, const YkPose *pose, size_t count, bo
 static void the_published_positions_have_six_four_bars_and_three_pass(void **state)
 {
     (void)state;
-    static const YkPose pose[5] = {{{0, 0}, 0},
-                                   {{.5, 1}, 20 * YK_PI / 180},
-                                   {{1.5, 1.5}, 35 * YK_PI / 180},
-                                   {{2.5, 1.25}, 40 * YK_PI / 180},
-                                   {{3, .5}, 30 * YK_PI / 180}};
+    static const YkPose pose[5] = {{.at = {0, 0}, .angle = 0},
+                                   {.at = {.5, 1}, .angle = 20 * YK_PI / 180},
+                                   {.at = {1.5, 1.5}, .angle = 35 * YK_PI / 180},
+                                   {.at = {2.5, 1.25}, .angle = 40 * YK_PI / 180},
+                                   {.at = {3, .5}, .angle = 30 * YK_PI / 180}};
     Answer a = answer_to(five);
     size_t complex_count, real_count;
     assert_true(yk_synthesis_solutions(a.synthesis, &complex_count, &real_count));
@@ -96,7 +96,7 @@ static void a_crank_rocker_is_found_again_among_the_candidates(void **state)
     (void)state;
     uint64_t seed = 11;
     for (int round = 0; round < 20; round++) {
-        YkPose pose[5];
+        YkPose pose[5] = {{.angle = 0}};
         double lengths[4], nearest = INFINITY;
         char text[2000];
         crank_rocker_poses(pose, 5, lengths, &seed);
@@ -121,7 +121,7 @@ static void signs_agree_with_the_engine(uint64_t seed, int rounds, size_t count,
 {
     size_t tried = 0;
     for (int round = 0; round < rounds; round++) {
-        YkPose pose[5];
+        YkPose pose[5] = {{.angle = 0}};
         char text[2000];
         for (size_t k = 0; k < count; k++) {
             pose[k].at = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1));
@@ -160,12 +160,15 @@ static void what_the_signs_leave_out_the_engine_cannot_drive(void **state)
     (void)state;
     signs_agree_with_the_engine(12, 40, 5, "");
     signs_agree_with_the_engine(16, 2, 4, "mechanisms: [slider-crank]\n");
+    signs_agree_with_the_engine(21, 2, 4, "mechanisms: [inverted-slider-crank]\n");
 }
 
 static void three_positions_with_pivots_have_one_machine_or_a_reason(void **state)
 {
     (void)state;
-    static const YkPose pose[3] = {{{0, 0}, 0}, {{.5, 1}, 20 * YK_PI / 180}, {{1.5, 1.5}, 35 * YK_PI / 180}};
+    static const YkPose pose[3] = {{.at = {0, 0}, .angle = 0},
+                                   {.at = {.5, 1}, .angle = 20 * YK_PI / 180},
+                                   {.at = {1.5, 1.5}, .angle = 35 * YK_PI / 180}};
     Answer a = answer_to(
         "synthesis: motion\nfix: {input_pivot: [0, -1], output_pivot: [2, 0]}\npositions:\n"
         "  - {at: [0, 0], angle: 0}\n  - {at: [.5, 1], angle: 20 deg}\n  - {at: [1.5, 1.5], angle: 35 deg}\n");
@@ -183,7 +186,7 @@ static void two_and_four_positions_are_sampled_and_every_candidate_passes(void *
     (void)state;
     uint64_t seed = 13;
     for (size_t count = 2; count <= 4; count += 2) {
-        YkPose pose[5];
+        YkPose pose[5] = {{.angle = 0}};
         double lengths[4];
         char text[2000];
         crank_rocker_poses(pose, count, lengths, &seed);
@@ -227,7 +230,7 @@ static void four_positions_of_a_slider_crank_give_its_line(void **state)
     uint64_t seed = 14;
     size_t passed = 0;
     for (size_t round = 0; round < check_cases(12); round++) {
-        YkPose pose[4];
+        YkPose pose[4] = {{.angle = 0}};
         double line, nearest = INFINITY;
         char text[2000];
         slider_crank_poses(pose, 4, &line, &seed);
@@ -255,7 +258,7 @@ static void two_and_three_positions_have_slider_cranks_that_pass(void **state)
     (void)state;
     uint64_t seed = 15;
     for (size_t count = 2; count <= 3; count++) {
-        YkPose pose[4];
+        YkPose pose[4] = {{.angle = 0}};
         double line;
         char text[2000];
         slider_crank_poses(pose, count, &line, &seed);
@@ -270,6 +273,134 @@ static void two_and_three_positions_have_slider_cranks_that_pass(void **state)
             assert_string_equal(c.mechanism, "slider-crank");
             check_passes(c.model, pose, count, true);
         }
+        answer_free(&a);
+    }
+}
+
+// Positions of the coupler of an inverted slider-crank whose crank turns through; it slides through a block at (2, 0).
+static void inverted_poses(YkPose *pose, size_t count, uint64_t *seed)
+{
+    double a = check_uniform(seed, .4, .9), e = check_uniform(seed, -.3, .3), turn = check_uniform(seed, -3, 3);
+    double px = check_uniform(seed, -1, 2), py = check_uniform(seed, -1, 1);
+    YkVec P = yk_vec(px, py);
+    double from = check_uniform(seed, -3, 3), step = check_uniform(seed, .5, 1.2);
+    for (size_t k = 0; k < count; k++) {
+        YkVec A = yk_scale(a, yk_unit(from + step * (double)k)), D = yk_sub(yk_vec(2, 0), A);
+        double angle = yk_atan2(D.y, D.x) - yk_asin(e / yk_norm(D));
+        pose[k] = (YkPose){.at = yk_add(A, yk_mul(yk_unit(angle), P)), .angle = angle + turn};
+    }
+}
+
+static void four_positions_of_an_inverted_slider_crank_give_its_block(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    for (int round = 0; round < 6; round++) {
+        YkPose pose[4] = {{.angle = 0}};
+        char text[2000];
+        size_t blocks = 0;
+        inverted_poses(pose, 4, &seed);
+        write_task(text, sizeof text, pose, 4);
+        strcat(text, "mechanisms: [inverted-slider-crank]\n");
+        Answer a = answer_to(text);
+        for (size_t k = 0; k < yk_synthesis_dyad_count(a.synthesis); k++) {
+            YkDyad d = yk_synthesis_dyad(a.synthesis, k);
+            if (d.kind != YK_DYAD_RP) continue;
+            CHECK_NEAR(d.fixed[0], 2, 1e-7);
+            CHECK_NEAR(d.fixed[1], 0, 1e-7);
+            blocks++;
+        }
+        assert_int_equal(blocks, 1);
+        assert_true(yk_synthesis_count(a.synthesis) > 0);
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis) && k < 4; k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            assert_string_equal(c.mechanism, "inverted-slider-crank");
+            assert_true(c.error < 1e-16 && c.transmission[0] > 0);
+            check_passes(c.model, pose, 4, true);
+        }
+        answer_free(&a);
+    }
+}
+
+static void two_and_three_positions_have_inverted_slider_cranks_that_pass(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (size_t count = 2; count <= 3; count++) {
+        YkPose pose[3] = {{.angle = 0}};
+        char text[2000];
+        inverted_poses(pose, count, &seed);
+        write_task(text, sizeof text, pose, count);
+        strcat(text, "mechanisms: [inverted-slider-crank]\n");
+        Answer a = answer_to(text);
+        assert_true(yk_synthesis_count(a.synthesis) > 1);
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis) && k < 5; k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            assert_true(c.error < 1e-16);
+            check_passes(c.model, pose, count, true);
+        }
+        answer_free(&a);
+    }
+}
+
+// The coupler of a crank-rocker with ground 2, crank .4, coupler 1.9, output 1.5 at a crank's angle.
+static YkPose crank_rocker_at(YkVec P, double crank)
+{
+    YkVec A = yk_scale(.4, yk_unit(crank)), AF = yk_sub(yk_vec(2, 0), A);
+    double f = yk_norm(AF), angle = yk_atan2(AF.y, AF.x) + yk_acos((1.9 * 1.9 + f * f - 1.5 * 1.5) / (2 * 1.9 * f));
+    return (YkPose){.at = yk_add(A, yk_mul(yk_unit(angle), P)), .angle = angle + .3};
+}
+
+// Its velocity and rate there, from four neighbours.
+static YkPose crank_rocker_rate(YkVec P, double crank)
+{
+    static const double weight[] = {1.0 / 12, -8.0 / 12, 8.0 / 12, -1.0 / 12}, offset[] = {-2, -1, 1, 2};
+    YkPose rate = crank_rocker_at(P, crank);
+    rate.is_rate = true;
+    for (int i = 0; i < 4; i++) {
+        YkPose near = crank_rocker_at(P, crank + 1e-3 * offset[i]);
+        rate.velocity = yk_add(rate.velocity, yk_scale(weight[i] / 1e-3, near.at));
+        rate.rate += weight[i] / 1e-3 * near.angle;
+    }
+    return rate;
+}
+
+// Positions and rates of a crank-rocker give its two dyads again: two positions with a rate and given pivots, or three with two.
+static void rates_are_limits_of_positions(void **state)
+{
+    (void)state;
+    uint64_t seed = 31;
+    for (int round = 0; round < 8; round++) {
+        YkPose pose[3], rate[2];
+        char text[2000];
+        double from = check_uniform(&seed, -3, 3), step = check_uniform(&seed, .4, .9);
+        double px = check_uniform(&seed, -1, 2), py = check_uniform(&seed, -1, 1);
+        YkVec P = yk_vec(px, py);
+        bool has_pivots = round % 2;
+        size_t count = has_pivots ? 2 : 3, rates = has_pivots ? 1 : 2, hits = 0, good = 0;
+        for (size_t k = 0; k < count; k++) pose[k] = crank_rocker_at(P, from + step * (double)k);
+        for (size_t k = 0; k < rates; k++) rate[k] = crank_rocker_rate(P, from + step * (double)(k * (count - 1)));
+        write_task(text, sizeof text, pose, count);
+        strcat(text, has_pivots ? "fix: {input_pivot: [0, 0], output_pivot: [2, 0]}\nrates:\n" : "rates:\n");
+        for (size_t k = 0; k < rates; k++) { // up to a factor
+            size_t at = strlen(text);
+            snprintf(text + at, sizeof text - at, "  - {position: %d, velocity: [%.17g, %.17g], rate: %.17g}\n",
+                     (int)(1 + k * (count - 1)), 3 * rate[k].velocity.x, 3 * rate[k].velocity.y, 3 * rate[k].rate);
+        }
+        Answer a = answer_to(text);
+        for (size_t k = 0; k < yk_synthesis_dyad_count(a.synthesis); k++) {
+            YkDyad d = yk_synthesis_dyad(a.synthesis, k);
+            hits += d.kind == YK_DYAD_RR && hypot(d.fixed[0], d.fixed[1]) < 1e-6 && fabs(d.length - .4) < 1e-6;
+            hits += d.kind == YK_DYAD_RR && hypot(d.fixed[0] - 2, d.fixed[1]) < 1e-6 && fabs(d.length - 1.5) < 1e-6;
+        }
+        assert_int_equal(hits, 2);
+        for (size_t k = 0; k < yk_synthesis_count(a.synthesis); k++) {
+            YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+            good += fabs(c.lengths[0] - 2) < 1e-5 && fabs(c.lengths[2] - 1.9) < 1e-5;
+            check_passes(c.model, pose, count, true);
+        }
+        assert_true(good >= 1);
+        assert_true(yk_synthesis_is_complete(a.synthesis));
         answer_free(&a);
     }
 }
@@ -330,6 +461,9 @@ int main(void)
         cmocka_unit_test(two_and_four_positions_are_sampled_and_every_candidate_passes),
         cmocka_unit_test(four_positions_of_a_slider_crank_give_its_line),
         cmocka_unit_test(two_and_three_positions_have_slider_cranks_that_pass),
+        cmocka_unit_test(four_positions_of_an_inverted_slider_crank_give_its_block),
+        cmocka_unit_test(two_and_three_positions_have_inverted_slider_cranks_that_pass),
+        cmocka_unit_test(rates_are_limits_of_positions),
         cmocka_unit_test(bounds_and_requirements_leave_out_what_breaks_them),
         cmocka_unit_test(a_search_that_is_stopped_keeps_what_it_has),
     };

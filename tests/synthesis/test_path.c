@@ -250,10 +250,15 @@ static void what_is_fixed_and_required_holds(void **state)
     }
     answer_free(&a);
     a = answer_to("synthesis: path\npoints: [[0, 0], [10, 4], [20, 6], [30, 5], [40, 1]]\nbest: 2\n"
-                  "fix: {output_pivot: [50, -30]}\n");
-    assert_true(yk_synthesis_count(a.synthesis) > 0);
-    CHECK_NEAR(yk_synthesis_candidate(a.synthesis, 0).pivots[1][0], 50, 1e-9);
-    CHECK_NEAR(yk_synthesis_candidate(a.synthesis, 0).pivots[1][1], -30, 1e-9);
+                  "fix: {output_pivot: [50, -30]}\nbounds: {pivots: [[-60, -60], [60, 40]]}\n");
+    assert_true(yk_synthesis_count(a.synthesis) > 0); // the box is for the other pivot
+    for (size_t k = 0; k < yk_synthesis_count(a.synthesis); k++) {
+        YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+        CHECK_NEAR(c.pivots[1][0], 50, 1e-9);
+        CHECK_NEAR(c.pivots[1][1], -30, 1e-9);
+        CHECK_NEAR(c.pivots[0][0], 0, 60 + 1e-4);
+        CHECK_NEAR(c.pivots[0][1], -10, 50 + 1e-4);
+    }
     answer_free(&a);
 }
 

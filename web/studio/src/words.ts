@@ -120,7 +120,7 @@ export const words = {
   },
   design: {
     how: "Draw a curve, and the core looks for linkages whose point traces it. Or set two to five places of a body, and it looks for those that lead the body through them. Each is driven through the task before it is shown.",
-    draw: "Draw a curve", place: "Set places", dyads: (n: number) => (n === 1 ? "1 link reaches all places" : `${n} links reach all places`), clear: "Clear", mechanism: "Mechanism", mechanisms: [["four-bar", "Four-bars"], ["slider-crank", "Slider-cranks"], ["four-bar, slider-crank", "Both"]] as [string, string][],
+    draw: "Draw a curve", place: "Set places", dyads: (n: number) => (n === 1 ? "1 link reaches all places" : `${n} links reach all places`), clear: "Clear", mechanism: "Mechanism", mechanisms: [["four-bar", "Four-bars"], ["slider-crank", "Slider-cranks"], ["four-bar, slider-crank", "Both"], ["watt, stephenson", "Six-bars"], ["all", "All kinds"]] as [string, string][],
     task: "Task file", find: "Find linkages", others: "Find others", stop: "Stop", wait: "Searching …", progress: "Progress of the search", none: "Draw a curve first, or write a task.",
     soFar: (n: number) => (n === 0 ? "Searching …" : `Searching … ${n} so far; better ones come to the front. Click one to take it, or stop.`),
     stopped: (n: number) => (n === 0 ? "Stopped before any was found." : `Stopped: the best so far, not the best there are. Click one to take it into the file.`),

@@ -1,5 +1,6 @@
 // `yoke synthesize` for programs.
 #include <math.h>
+#include <string.h>
 #include "verbs/synthesize/synthesize.h"
 #include "write/json.h"
 
@@ -28,13 +29,14 @@ static void add_dyad(YkJson *json, YkDyad dyad)
 static void add_dimensions(YkJson *json, const YkCandidate *c)
 {
     static const char *const names[] = {"ground", "input", "coupler", "output"};
-    bool is_slider = c->mechanism[0] == 's';
+    bool is_slider = strcmp(c->mechanism, "slider-crank") == 0;
     yk_json_list(json, "pivots", YK_JSON_INLINE);
     add_two(json, NULL, c->pivots[0]);
     if (!is_slider) add_two(json, NULL, c->pivots[1]);
     yk_json_end(json);
     yk_json_object(json, "lengths", YK_JSON_INLINE);
-    for (size_t k = is_slider ? 1 : 0; k < (is_slider ? 3u : 4u); k++) yk_json_number(json, names[k], c->lengths[k]);
+    for (size_t k = 0; k < 4; k++) // of those that the machine has
+        if (c->lengths[k] > 0) yk_json_number(json, names[k], c->lengths[k]);
     yk_json_end(json);
     add_two(json, "point", c->point);
     if (c->dyads[0] < 0) return;

@@ -143,7 +143,12 @@ static void add_defects(YkText *out, const YkSynthesis *synthesis, const Units *
         yk_table_word(table, yk_defect_name(c.defect));
         yk_table_word(table, yk_text_get(&pair));
         yk_table_word(table, c.type);
-        for (size_t i = 0; i < 4; i++) yk_table_number(table, c.lengths[i] / u->length_size, DIGITS);
+        for (size_t i = 0; i < 4; i++) {
+            if (c.lengths[i] > 0)
+                yk_table_number(table, c.lengths[i] / u->length_size, DIGITS);
+            else
+                yk_table_word(table, "-");
+        }
         yk_text_free(&pair);
     }
     end_table(out, table);
