@@ -1,23 +1,29 @@
-// A group of loops of pinned links and one gear relation between its angles, at a pose.
+// A group of loops with gears, belts or racks between its links, at a pose.
 //
-// The relation says that sum p_j Phi_j + C = 0 for angles that count their turns. With whole p_j that have no common
-// divisor it can be met by adding turns exactly where the sum is a multiple of 2 pi: so poses are looked for modulo 2 pi.
+// Each relation says that sum p_j Phi_j + sum q_m d_m + C = 0 for angles that count their turns. With whole p_j it can be
+// met by adding turns exactly where the sum is a multiple of 2 pi, if adding turns to all angles gives every combination of
+// whole numbers for the relations: they are combined until it does. So poses are looked for modulo 2 pi.
 #ifndef CONFIGURATIONS_GEARED_H
 #define CONFIGURATIONS_GEARED_H
 #include "configurations/system.h"
 
-enum { YK_GEARED_MAX = 5 }; // unknowns
+enum { YK_GEARED_MAX = 6, YK_GEARED_RELATIONS = 3 }; // unknowns; relations
 
 typedef struct YkGeared {
-    YkShape shape; // angles alone; unknowns = 2 loops + 1
+    YkShape shape; // unknowns = 2 loops + relations
     YkVec coefficients[2 * YK_GEARED_MAX * (YK_GEARED_MAX + 1)];
-    int ratio[YK_GEARED_MAX]; // p
-    double phase;             // C, rad
+    size_t relations;
+    double factor[YK_GEARED_RELATIONS][YK_GEARED_MAX]; // p, whole numbers; q, rad over the machine's size
+    double phase[YK_GEARED_RELATIONS];                 // C, rad
+    double reach[YK_GEARED_MAX]; // of a distance: the loops allow no more, over the machine's size
+    double size;                 // of the machine, m
 } YkGeared;
 
-// Reads block `index` of a run whose earlier blocks are solved. Returns false unless it is a group of this kind.
+// Reads block `index` of a run whose earlier blocks are solved. Returns false unless it is a group of this kind, with
+// distances that its loops bound.
 bool yk_geared_read(YkGeared *geared, const YkRun *run, size_t index);
-// Adds whole turns to the angles of a pose until the relation is met, as few as possible. Returns false if it takes too many.
+// Adds whole turns to the angles of a pose until all relations are met, as few as possible. Returns false if it takes too
+// many.
 bool yk_geared_turn(const YkGeared *geared, double *x);
 
 #endif
