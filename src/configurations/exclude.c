@@ -84,21 +84,48 @@ static bool read_loop(Search *s, size_t loop, const Box *box)
     return fmax(fabs(over.at.x), fabs(over.at.y)) > over.radius;
 }
 
-// Reads a relation. Returns how far its sum can move over the box; *nearest: how far it is from a multiple of 2 pi.
+// Adds a law to a relation over the box, by the mean value theorem; *size: the scale of what is rounded. Returns how far
+// it can move.
+static double read_law(const Search *s, const YkGearedLaw *law, double share, const Box *box, Row *row, double *size)
+{
+    double x = law->offset, radius = 1e-15 * fabs(x), d[YK_LAW_ORDER + 1], gain = share * law->gain;
+    for (size_t k = 0; k < s->n; k++) {
+        x += law->factor[k] * box->at[k];
+        radius += fabs(law->factor[k]) * (box->half[k] + 4e-15 * fabs(box->at[k]));
+    }
+    yk_law_eval(law->law, x, d);
+    double off = law->bound.curvature * radius + 1e-14 * law->bound.slope;
+    bool is_near = off < law->bound.slope;
+    double middle = is_near ? d[1] : 0, most = is_near ? off : law->bound.slope;
+    for (size_t k = 0; k < s->n; k++) {
+        row->slope[k] += gain * law->factor[k] * middle;
+        row->slope_radius[k] = YK_BALL_OUT(row->slope_radius[k] + fabs(gain * law->factor[k]) * most);
+    }
+    row->miss += gain * d[0];
+    *size += fabs(gain) * (fabs(d[0]) + law->bound.slope * (1 + fabs(x)));
+    return YK_BALL_OUT(fabs(gain) * law->bound.slope * radius);
+}
+
+// Reads a relation. Returns how far its sum can move over the box; *nearest: how far it is from a multiple of 2 pi, or from
+// 0 if it is met exactly.
 static double read_relation(Search *s, size_t relation, const Box *box, double *nearest)
 {
     Row *row = &s->rows[2 * s->g->shape.loops + relation];
-    double sum = s->g->phase[relation], size = fabs(sum), moves = 0;
+    double size = fabs(s->g->phase[relation]), moves = 0;
+    row->miss = s->g->phase[relation];
     for (size_t k = 0; k < s->n; k++) {
         double p = s->g->factor[relation][k];
-        sum += p * box->at[k];
+        row->miss += p * box->at[k];
         size += fabs(p * box->at[k]);
         moves += fabs(p) * box->half[k];
         row->slope[k] = p;
         row->slope_radius[k] = 4e-15 * fabs(p);
     }
-    row->miss = sum - 2 * YK_PI * rint(sum / (2 * YK_PI));
-    row->miss_radius = 1e-13 + 4e-15 * size;
+    for (size_t r = 0; r < s->g->relations; r++)
+        if (s->g->laws[r].law && s->g->share[relation][r] != 0)
+            moves += read_law(s, &s->g->laws[r], s->g->share[relation][r], box, row, &size);
+    if (relation < s->g->turning) row->miss -= 2 * YK_PI * rint(row->miss / (2 * YK_PI));
+    row->miss_radius = 1e-13 + 1e-14 * size;
     *nearest = fabs(row->miss);
     return YK_BALL_OUT(moves * (1 + 1e-14) + row->miss_radius);
 }
@@ -151,7 +178,8 @@ static Verdict judge(Search *s, const Box *box)
     for (size_t r = 0; r < s->g->relations; r++) {
         double nearest, moves = read_relation(s, r, box, &nearest);
         if (nearest > moves) return EMPTY;
-        are_single &= moves < 2 * YK_PI - nearest - 1e-9; // otherwise several multiples of 2 pi may be met
+        are_single &=
+            r >= s->g->turning || moves < 2 * YK_PI - nearest - 1e-9; // otherwise several multiples of 2 pi may be met
     }
     if (!are_single || !invert(s)) return UNKNOWN;
     multiply(s);

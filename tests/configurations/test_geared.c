@@ -1,4 +1,4 @@
-// Groups with several gears, and with a rack: what exclusion finds is what Newton's method finds from a great many starts in
+// Groups with several gears, with a rack, with a law: what exclusion finds is what Newton's method finds from a great many starts in
 // fewer unknowns, and what a fine walk finds by closed form.
 #include <yoke/configurations.h>
 #include "configurations/exclude.h"
@@ -353,9 +353,17 @@ static YkVec guide_of(const Guide *g)
     return yk_add(from, yk_scale(g->s, way));
 }
 
-static Machine guide_machine(const Guide *g)
+// How far the slide stands by the law of b's angle, seen from a.
+static double lift_at(const Guide *g, double b)
 {
-    char text[1600];
+    double x = b - g->turn;
+    return 0.6 * (1 - cos(x)) + 0.25 * sin(2 * x);
+}
+
+// A machine with the gear, or with the law of b that moves the slide in its place.
+static Machine guide_machine(const Guide *g, bool has_law)
+{
+    char text[1800];
     YkVec E = guide_of(g);
     snprintf(text, sizeof text,
              "bodies:\n  ground: {points: {A: [0, 0], E: [%.17g, %.17g]}}\n  a: {points: {B: [0, 0], A: [-%.17g, 0]}}\n"
@@ -363,10 +371,49 @@ static Machine guide_machine(const Guide *g)
              "  d: {points: {E: [0, 0]}}\njoints:\n  A: {pin: [ground, a], angle: ta}\n"
              "  B: {pin: [a, b], angle: tb}\n  C: {pin: [b, c], angle: tc}\n  E: {pin: [ground, d]}\n"
              "  S: {slide: [c, d], along: %.17g rad, from: Q, to: E, distance: s}\n"
-             "gears: {g: {mesh: [a, c], teeth: [20, 20], carrier: b}}\ndrives: {ta: %.17g}\n"
-             "start: {tb: %.17g, tc: %.17g, s: %.17g}\n",
-             E.x, E.y, g->crank, g->link, g->off, g->along, g->turn, g->b - g->turn, g->c - g->b, g->s);
+             "%sta: %.17g}\nstart: {tb: %.17g, tc: %.17g, s: %.17g}\n",
+             E.x, E.y, g->crank, g->link, g->off, g->along,
+             has_law ? "laws: {lift: {period: 360 deg, segments: [{formula: {to: 360 deg, s: \"0.6 m * (1 - cos(x)) + "
+                       "0.25 m * sin(2*x)\"}}]}}\ndrives: {s: {law: lift, of: tb}, "
+                     : "gears: {g: {mesh: [a, c], teeth: [20, 20], carrier: b}}\ndrives: {",
+             g->turn, g->b - g->turn, g->c - g->b, g->s);
     return machine_parse_with(text, NULL, 0);
+}
+
+// Returns what vanishes where the guide is met: with the gear, how far it is from the line; with the law, by how much its
+// distance from the pin of c is off.
+static double guide_miss(const Guide *g, double b, bool has_law)
+{
+    YkVec way, E = guide_of(g), from = line_at(g, b, &way);
+    if (!has_law) return yk_cross(way, yk_sub(E, from));
+    YkVec C = yk_add(yk_scale(g->crank, yk_unit(g->turn)), yk_scale(g->link, yk_unit(b)));
+    YkVec arm = yk_add(yk_vec(0, g->off), yk_scale(lift_at(g, b), yk_unit(g->along)));
+    return yk_norm(yk_sub(E, C)) - yk_norm(arm);
+}
+
+static size_t check_guide(uint64_t *seed, bool has_law)
+{
+    Guide g = {.crank = check_uniform(seed, 0.5, 2), .turn = check_uniform(seed, -3, 3)};
+    g.link = check_uniform(seed, 0.5, 2), g.b = check_uniform(seed, -3, 3), g.c = check_uniform(seed, -3, 3);
+    g.along = check_uniform(seed, 0, 3), g.off = check_uniform(seed, -0.5, 0.5);
+    g.s = check_uniform(seed, -2, 2);
+    if (has_law) g.s = lift_at(&g, g.b);
+    Machine m = guide_machine(&g, has_law);
+    assert_true(yk_state_set_time(m.state, 0, m.problems) >= 0 && yk_state_assemble(m.state) >= 0);
+    YkConfigurations *all = yk_configurations_new(m.mech);
+    YkConfigurationsReport r;
+    size_t count = 0, walked = 0;
+    assert_int_equal(yk_configurations_each(all, m.state, NULL, count_one, &count, &r), YK_OK);
+    for (int j = 0; j < STEPS; j++)
+        walked += (guide_miss(&g, 2 * YK_PI * j / STEPS, has_law) > 0) !=
+                  (guide_miss(&g, 2 * YK_PI * (j + 1) / STEPS, has_law) > 0);
+    if (!r.complete || count != walked) print_error("%zu, walked %zu: %s\n", count, walked, r.message);
+    assert_true(r.complete);
+    assert_int_equal(r.reason, YK_COMPLETE_BY_EXCLUSION);
+    assert_int_equal(count, walked);
+    yk_configurations_free(all);
+    machine_free(&m);
+    return count;
 }
 
 static void test_a_slide_that_turns_with_a_wheel_is_excluded(void **unused)
@@ -375,28 +422,20 @@ static void test_a_slide_that_turns_with_a_wheel_is_excluded(void **unused)
     uint64_t seed = 51;
     size_t most = 0;
     for (size_t k = 0, cases = check_cases(20); k < cases; k++) {
-        Guide g = {.crank = check_uniform(&seed, 0.5, 2), .turn = check_uniform(&seed, -3, 3)};
-        g.link = check_uniform(&seed, 0.5, 2), g.b = check_uniform(&seed, -3, 3), g.c = check_uniform(&seed, -3, 3);
-        g.along = check_uniform(&seed, 0, 3), g.off = check_uniform(&seed, -0.5, 0.5);
-        g.s = check_uniform(&seed, -2, 2);
-        Machine m = guide_machine(&g);
-        assert_true(yk_state_set_time(m.state, 0, m.problems) >= 0 && yk_state_assemble(m.state) >= 0);
-        YkConfigurations *all = yk_configurations_new(m.mech);
-        YkConfigurationsReport r;
-        size_t count = 0, walked = 0;
-        assert_int_equal(yk_configurations_each(all, m.state, NULL, count_one, &count, &r), YK_OK);
-        for (int j = 0; j < STEPS; j++) {
-            YkVec way, next, E = guide_of(&g), from = line_at(&g, 2 * YK_PI * j / STEPS, &way);
-            YkVec then = line_at(&g, 2 * YK_PI * (j + 1) / STEPS, &next);
-            walked += (yk_cross(way, yk_sub(E, from)) > 0) != (yk_cross(next, yk_sub(E, then)) > 0);
-        }
-        if (!r.complete || count != walked) print_error("case %zu: %zu, walked %zu: %s\n", k, count, walked, r.message);
-        assert_true(r.complete);
-        assert_int_equal(r.reason, YK_COMPLETE_BY_EXCLUSION);
-        assert_int_equal(count, walked);
+        size_t count = check_guide(&seed, false);
         most = count > most ? count : most;
-        yk_configurations_free(all);
-        machine_free(&m);
+    }
+    assert_true(most >= 4);
+}
+
+static void test_a_law_that_a_link_moves_is_excluded(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 61;
+    size_t most = 0;
+    for (size_t k = 0, cases = check_cases(20); k < cases; k++) {
+        size_t count = check_guide(&seed, true);
+        most = count > most ? count : most;
     }
     assert_true(most >= 4);
 }
@@ -406,6 +445,7 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_all_poses_of_two_gears_in_a_loop_are_found),
                                        cmocka_unit_test(test_a_belt_and_a_gear_hold_three_links),
                                        cmocka_unit_test(test_a_slide_that_turns_with_a_wheel_is_excluded),
+                                       cmocka_unit_test(test_a_law_that_a_link_moves_is_excluded),
                                        cmocka_unit_test(test_all_poses_of_a_rack_in_loops_are_found)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
