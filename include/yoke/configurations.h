@@ -24,7 +24,7 @@ typedef enum YkCompleteReason {
     YK_INCOMPLETE,              // there may be others
     YK_COMPLETE_BY_CLOSED_FORM, // dyads only
     YK_COMPLETE_BY_COUNT,       // and groups with as many distinct proved complex solutions as their count
-    YK_COMPLETE_BY_EXCLUSION    // and groups with a gear: all else of the space of their angles is proved to be empty
+    YK_COMPLETE_BY_EXCLUSION    // and groups with gears: all else of the space of their angles is proved to be empty
 } YkCompleteReason;
 YK_API const char *yk_complete_reason_name(YkCompleteReason reason); // "none", "closed form", "counted", "excluded"
 
@@ -61,11 +61,11 @@ typedef struct YkConfigurationsOptions {
 YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 
 // Visits every configuration at the state's inputs, each as its pose. visit (may be NULL) returns false to stop; the
-// state returns to the configuration it had. options may be NULL. Of groups of up to two loops of pinned links with one
-// gear or belt the space of all angles is divided, until each box is proved to hold no pose or one. Groups that are no
-// such systems (with more gears, cams or constraints that repeat others, or of more than 7 loops) are searched as
-// yk_state_each does, and the report is not complete. Returns YK_OK, YK_NO_ASSEMBLY (with report->complete: proved),
-// YK_STOPPED, or YK_NO_MEMORY.
+// state returns to the configuration it had. options may be NULL. Of groups with up to three gears, belts, racks, cams or
+// laws and six unknowns the space of all angles and distances is divided, until each box is proved to hold no pose or one.
+// Groups that are no such systems (with more of these, with laws that are not smooth, with constraints that repeat others,
+// or of more than 7 loops) are searched as yk_state_each does, and the report is not complete. Returns YK_OK,
+// YK_NO_ASSEMBLY (with report->complete: proved), YK_STOPPED, or YK_NO_MEMORY.
 // Cost: an eigenvalue problem of size 6, 20, 70 for groups of 2, 3, 4 loops, beyond that the paths of all complex
 // solutions, of each group at each combination of earlier blocks.
 YK_API YkStatus yk_configurations_each(YkConfigurations *configurations, YkState *state,

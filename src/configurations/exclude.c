@@ -35,45 +35,99 @@ static YkBall coefficient(const YkGeared *g, size_t loop, size_t k)
     return yk_ball(a, is_absent ? 0 : YK_COEFFICIENT_ERROR);
 }
 
+// Adds a term of a loop to its derivative by an unknown.
+static void add_slope(Row *re, Row *im, size_t k, YkBall slope)
+{
+    re->slope[k] += slope.at.x;
+    im->slope[k] += slope.at.y;
+    re->slope_radius[k] = YK_BALL_OUT(re->slope_radius[k] + slope.radius + 0x1p-51 * fabs(re->slope[k]));
+    im->slope_radius[k] = YK_BALL_OUT(im->slope_radius[k] + slope.radius + 0x1p-51 * fabs(im->slope[k]));
+}
+
+// Returns e^(i angle), or a distance, over the box or in its middle.
+static YkBall value_of(const Search *s, const Box *box, size_t k, bool is_over)
+{
+    double radius = is_over ? box->half[k] : 0;
+    if (k >= s->g->shape.angles) return yk_ball(yk_vec(box->at[k], 0), radius);
+    return yk_ball(yk_unit(box->at[k]), YK_BALL_OUT(fmin(2.1, 1e-15 + radius)));
+}
+
+// Adds a term of a loop over the box: to the sum, and to the slopes unless they are NULL.
+static YkBall term_of(const Search *s, const Box *box, size_t loop, size_t k, bool is_over, Row *rows)
+{
+    const YkBall i = {{0, 1}, 0};
+    YkBall a = coefficient(s->g, loop, k), x = value_of(s, box, k, is_over);
+    int turning = s->g->shape.turning[k];
+    if (k >= s->g->shape.angles && turning >= 0) a = yk_ball_mul(a, value_of(s, box, (size_t)turning, is_over));
+    YkBall term = yk_ball_mul(a, x);
+    if (!rows) return term;
+    add_slope(rows, rows + 1, k, k < s->g->shape.angles ? yk_ball_mul(i, term) : a);
+    if (turning >= 0) add_slope(rows, rows + 1, (size_t)turning, yk_ball_mul(i, term));
+    return term;
+}
+
 // Reads a loop. Returns whether it certainly closes nowhere in the box.
 static bool read_loop(Search *s, size_t loop, const Box *box)
 {
-    Row *re = &s->rows[2 * loop], *im = re + 1;
+    Row *rows = &s->rows[2 * loop];
     YkBall sum = coefficient(s->g, loop, s->n), over = sum;
+    for (int r = 0; r < 2; r++)
+        for (size_t k = 0; k < s->n; k++) rows[r].slope[k] = rows[r].slope_radius[k] = 0;
     for (size_t k = 0; k < s->n; k++) {
-        YkBall a = coefficient(s->g, loop, k), e = yk_ball(yk_unit(box->at[k]), 1e-15);
-        YkBall point = yk_ball_mul(a, e);
-        YkBall whole = yk_ball_mul(a, yk_ball(e.at, YK_BALL_OUT(fmin(2.1, 1e-15 + box->half[k]))));
-        bool is_absent = a.radius == 0;
-        if (!is_absent) sum = yk_ball_add(sum, point);
-        if (!is_absent) over = yk_ball_add(over, whole);
-        re->slope[k] = is_absent ? 0 : -whole.at.y; // the derivative is i times the term
-        im->slope[k] = is_absent ? 0 : whole.at.x;
-        re->slope_radius[k] = im->slope_radius[k] = is_absent ? 0 : whole.radius;
+        if (coefficient(s->g, loop, k).radius == 0) continue; // absent
+        sum = yk_ball_add(sum, term_of(s, box, loop, k, false, NULL));
+        over = yk_ball_add(over, term_of(s, box, loop, k, true, rows));
     }
-    re->miss = sum.at.x;
-    im->miss = sum.at.y;
-    re->miss_radius = im->miss_radius = sum.radius;
+    rows[0].miss = sum.at.x;
+    rows[1].miss = sum.at.y;
+    rows[0].miss_radius = rows[1].miss_radius = sum.radius;
     return fmax(fabs(over.at.x), fabs(over.at.y)) > over.radius;
 }
 
-// Reads the relation. Returns how far its sum can move over the box; *nearest: how far it is from a multiple of 2 pi.
-static double read_relation(Search *s, const Box *box, double *nearest)
+// Adds a law to a relation over the box, by the mean value theorem; *size: the scale of what is rounded. Returns how far
+// it can move.
+static double read_law(const Search *s, const YkGearedLaw *law, double share, const Box *box, Row *row, double *size)
 {
-    Row *row = &s->rows[s->n - 1];
-    double sum = s->g->phase, size = fabs(sum), moves = 0;
+    double x = law->offset, radius = 1e-15 * fabs(x), d[YK_LAW_ORDER + 1], gain = share * law->gain;
     for (size_t k = 0; k < s->n; k++) {
-        double p = s->g->ratio[k];
-        sum += p * box->at[k];
+        x += law->factor[k] * box->at[k];
+        radius += fabs(law->factor[k]) * (box->half[k] + 4e-15 * fabs(box->at[k]));
+    }
+    yk_law_eval(law->law, x, d);
+    double off = law->bound.curvature * radius + 1e-14 * law->bound.slope;
+    bool is_near = off < law->bound.slope;
+    double middle = is_near ? d[1] : 0, most = is_near ? off : law->bound.slope;
+    for (size_t k = 0; k < s->n; k++) {
+        row->slope[k] += gain * law->factor[k] * middle;
+        row->slope_radius[k] = YK_BALL_OUT(row->slope_radius[k] + fabs(gain * law->factor[k]) * most);
+    }
+    row->miss += gain * d[0];
+    *size += fabs(gain) * (fabs(d[0]) + law->bound.slope * (1 + fabs(x)));
+    return YK_BALL_OUT(fabs(gain) * law->bound.slope * radius);
+}
+
+// Reads a relation. Returns how far its sum can move over the box; *nearest: how far it is from a multiple of 2 pi, or from
+// 0 if it is met exactly.
+static double read_relation(Search *s, size_t relation, const Box *box, double *nearest)
+{
+    Row *row = &s->rows[2 * s->g->shape.loops + relation];
+    double size = fabs(s->g->phase[relation]), moves = 0;
+    row->miss = s->g->phase[relation];
+    for (size_t k = 0; k < s->n; k++) {
+        double p = s->g->factor[relation][k];
+        row->miss += p * box->at[k];
         size += fabs(p * box->at[k]);
         moves += fabs(p) * box->half[k];
         row->slope[k] = p;
-        row->slope_radius[k] = 0;
+        row->slope_radius[k] = 4e-15 * fabs(p);
     }
-    row->miss = sum - 2 * YK_PI * rint(sum / (2 * YK_PI));
-    row->miss_radius = 1e-13 + 4e-15 * size;
+    for (size_t r = 0; r < s->g->relations; r++)
+        if (s->g->laws[r].law && s->g->share[relation][r] != 0)
+            moves += read_law(s, &s->g->laws[r], s->g->share[relation][r], box, row, &size);
+    if (relation < s->g->turning) row->miss -= 2 * YK_PI * rint(row->miss / (2 * YK_PI));
+    row->miss_radius = 1e-13 + 1e-14 * size;
     *nearest = fabs(row->miss);
-    return YK_BALL_OUT(moves + row->miss_radius);
+    return YK_BALL_OUT(moves * (1 + 1e-14) + row->miss_radius);
 }
 
 static bool invert(Search *s)
@@ -118,12 +172,16 @@ typedef enum Verdict { EMPTY, ALONE, UNKNOWN } Verdict;
 // Judges a box: no pose in it; exactly one; or unknown.
 static Verdict judge(Search *s, const Box *box)
 {
-    double nearest, moves;
+    bool are_single = true;
     for (size_t l = 0; l < s->g->shape.loops; l++)
         if (read_loop(s, l, box)) return EMPTY;
-    moves = read_relation(s, box, &nearest);
-    if (nearest > moves) return EMPTY;
-    if (moves > 2 * YK_PI - nearest - 1e-9 || !invert(s)) return UNKNOWN; // several multiples of 2 pi may be met
+    for (size_t r = 0; r < s->g->relations; r++) {
+        double nearest, moves = read_relation(s, r, box, &nearest);
+        if (nearest > moves) return EMPTY;
+        are_single &=
+            r >= s->g->turning || moves < 2 * YK_PI - nearest - 1e-9; // otherwise several multiples of 2 pi may be met
+    }
+    if (!are_single || !invert(s)) return UNKNOWN;
     multiply(s);
     bool is_alone = true;
     for (size_t r = 0; r < s->n; r++) {
@@ -146,7 +204,7 @@ static void polish(Search *s, const Box *box, double *x)
     for (int step = 0; step < 12; step++) {
         double nearest, most = 0;
         for (size_t l = 0; l < s->g->shape.loops; l++) read_loop(s, l, &point);
-        read_relation(s, &point, &nearest);
+        for (size_t r = 0; r < s->g->relations; r++) read_relation(s, r, &point, &nearest);
         if (!invert(s)) break;
         multiply(s);
         for (size_t k = 0; k < s->n; k++) {
@@ -158,17 +216,22 @@ static void polish(Search *s, const Box *box, double *x)
     memcpy(x, point.at, s->n * sizeof *x);
 }
 
-static bool is_within(size_t n, const double *x, const double *middle, const double *half)
+static double difference(const Search *s, size_t k, double x, double y)
 {
-    for (size_t k = 0; k < n; k++)
-        if (!(fabs(yk_nearest_turn(x[k] - middle[k], 0)) < half[k])) return false;
+    return fabs(k < s->g->shape.angles ? yk_nearest_turn(x - y, 0) : x - y);
+}
+
+static bool is_within(const Search *s, const double *x, const double *middle, const double *half)
+{
+    for (size_t k = 0; k < s->n; k++)
+        if (!(difference(s, k, x[k], middle[k]) < half[k])) return false;
     return true;
 }
 
-static double apart(size_t n, const double *x, const double *y)
+static double apart(const Search *s, const double *x, const double *y)
 {
     double most = 0;
-    for (size_t k = 0; k < n; k++) most = fmax(most, fabs(yk_nearest_turn(x[k] - y[k], 0)));
+    for (size_t k = 0; k < s->n; k++) most = fmax(most, difference(s, k, x[k], y[k]));
     return most;
 }
 
@@ -190,11 +253,11 @@ static bool keep(Search *s, const Box *box, YkExcluded *out)
     double x[N], *alone;
     size_t n = s->n;
     polish(s, box, x);
-    if (!is_within(n, x, box->at, box->half)) out->is_complete = false;
+    if (!is_within(s, x, box->at, box->half)) out->is_complete = false;
     for (size_t k = 0; k < out->count; k++) {
         alone = out->alone + 2 * n * k;
-        if (!(apart(n, x, out->poses + n * k) < 1e-7)) continue;
-        if (!is_within(n, x, alone, alone + n)) out->is_complete = false; // two that nothing tells apart
+        if (!(apart(s, x, out->poses + n * k) < 1e-7)) continue;
+        if (!is_within(s, x, alone, alone + n)) out->is_complete = false; // two that nothing tells apart
         return true;
     }
     if (!yk_geared_turn(s->g, x)) out->is_complete = false;
@@ -245,17 +308,28 @@ static bool search(Search *s, const Box *box, YkPace *pace, YkExcluded *out)
     return search(s, &low, pace, out) && search(s, &high, pace, out);
 }
 
+// Puts the unknowns of a pose into the order of the group's columns, distances in metres.
+static void order(const YkGeared *g, double *pose)
+{
+    double x[N];
+    memcpy(x, pose, g->shape.unknowns * sizeof *x);
+    for (size_t k = 0; k < g->shape.unknowns; k++)
+        pose[g->shape.column[k]] = k < g->shape.angles ? x[k] : g->size * x[k];
+}
+
 bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out)
 {
     Search s = {.g = geared, .n = geared->shape.unknowns};
-    Box all;
-    for (size_t k = 0; k < N; k++) {
+    Box all = {.half = {0}};
+    for (size_t k = 0; k < s.n; k++) {
         all.at[k] = 0.0123456789 * (double)(k + 1); // so that no box ends where machines are special
-        all.half[k] = YK_BALL_OUT(YK_PI + 1e-12);
+        all.half[k] = YK_BALL_OUT(geared->reach[k] + 1e-12 + (k < geared->shape.angles ? 0 : fabs(all.at[k])));
     }
     out->count = out->boxes = 0;
     out->is_complete = true;
-    return search(&s, &all, pace, out);
+    bool has_memory = search(&s, &all, pace, out);
+    for (size_t p = 0; p < out->count; p++) order(geared, out->poses + p * s.n);
+    return has_memory;
 }
 
 void yk_excluded_end(YkExcluded *excluded)

@@ -5,8 +5,8 @@
 #include "configurations/geared.h"
 
 typedef struct YkExcluded { // the array is kept and reused
-    double *poses;          // [count][unknowns]: angles, rad, with the turns that the relation wants
-    double *alone;          // [count][2 unknowns]: the middle and the half width of a box in which each is the only one
+    double *poses; // [count][columns of the group]: angles, rad, with the turns that the relations want; distances, m
+    double *alone; // [count][2 unknowns]: the middle and the half width of a box in which each is the only one
     size_t count, capacity, boxes;
     bool is_complete;
 } YkExcluded;

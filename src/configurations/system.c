@@ -41,6 +41,20 @@ static bool read_lines(YkShape *shape, const YkMechanism *mech, const YkBlock *b
     return true;
 }
 
+bool yk_shape_read_columns(YkShape *shape, const YkMechanism *mech, size_t index)
+{
+    const YkBlock *block = &mech->blocks[index];
+    size_t count = 0;
+    *shape = (YkShape){.loops = block->loop_count, .unknowns = block->column_count};
+    if (shape->unknowns > 2 * YK_SYSTEM_LOOPS_MAX) return false;
+    for (int slides = 0; slides < 2; slides++) {
+        for (size_t k = 0; k < shape->unknowns; k++)
+            if (mech->group_columns[block->first_column + k].is_distance == (slides == 1)) shape->column[count++] = k;
+        if (slides == 0) shape->angles = count;
+    }
+    return read_lines(shape, mech, block);
+}
+
 YkOutside yk_shape_read(YkShape *shape, const YkMechanism *mech, size_t index)
 {
     const YkBlock *block = &mech->blocks[index];
@@ -48,13 +62,7 @@ YkOutside yk_shape_read(YkShape *shape, const YkMechanism *mech, size_t index)
     if (block->relation_count > 0) return YK_OUTSIDE_RELATIONS;
     if (shape->unknowns != 2 * shape->loops) return YK_OUTSIDE_REDUNDANT;
     if (shape->loops > YK_SYSTEM_LOOPS_MAX) return YK_OUTSIDE_LARGE;
-    size_t count = 0;
-    for (int slides = 0; slides < 2; slides++) {
-        for (size_t k = 0; k < shape->unknowns; k++)
-            if (mech->group_columns[block->first_column + k].is_distance == (slides == 1)) shape->column[count++] = k;
-        if (slides == 0) shape->angles = count;
-    }
-    return read_lines(shape, mech, block) ? YK_OUTSIDE_NOT : YK_OUTSIDE_LINES;
+    return yk_shape_read_columns(shape, mech, index) ? YK_OUTSIDE_NOT : YK_OUTSIDE_LINES;
 }
 
 // Returns the known unit vector of a slot; of one that turns with an unknown, relative to it.

@@ -33,6 +33,9 @@ typedef enum YkOutside { // why a group is not such a system
 
 // Reads the structure of block `index`, a group.
 YkOutside yk_shape_read(YkShape *shape, const YkMechanism *mech, size_t index);
+// Reads the columns of the block and the lines of its slides alone, whatever its relations are and however many equations
+// it has. Returns false if there are too many, or a distance along more than one line.
+bool yk_shape_read_columns(YkShape *shape, const YkMechanism *mech, size_t index);
 // Reads the coefficients at the pose of `run`: [2][loops][unknowns + 1]. Earlier blocks must be solved.
 void yk_coefficients_read(const YkShape *shape, const YkRun *run, size_t index, YkVec *coefficients);
 static inline size_t yk_coefficient_count(const YkShape *shape) // of one of the two arrays

@@ -3,31 +3,6 @@
 #include "law/law.h"
 #include "map/piece.h"
 
-// Returns the lowest order at which a law is discontinuous: 0 for its value, 1 for its slope, 2 for its curvature; 3 if none of
-// them jumps. A law with too many jumps to read them all is taken to jump in its value.
-static int first_jump(const YkLaw *law)
-{
-    enum { JUMPS_MAX = 64 };
-    YkLawJump jumps[JUMPS_MAX];
-    int order = 3;
-    size_t count = yk_law_jumps(law, jumps, JUMPS_MAX);
-    for (size_t k = 0; k < count && k < JUMPS_MAX; k++) order = jumps[k].order < order ? jumps[k].order : order;
-    return count > JUMPS_MAX ? 0 : order;
-}
-
-// Bounds the laws of relations. A law without a period stands still outside of its range, so that its slope may jump there.
-static void bound_laws(YkDiscs *discs)
-{
-    const double out = 1 + 1e-6; // peaks are exact up to rounding
-    for (size_t k = 0; k < discs->mech->relation_count; k++) {
-        const YkLaw *law = discs->mech->relations[k].law;
-        if (!law) continue;
-        bool is_smooth = yk_law_range(law).period > 0 && first_jump(law) > 1;
-        YkLawPeak slope = yk_law_peak(law, 1), curvature = yk_law_peak(law, 2);
-        discs->laws[k] = (YkLawBound){out * fabs(slope.value), is_smooth ? out * fabs(curvature.value) : INFINITY};
-    }
-}
-
 bool yk_discs_start(YkDiscs *discs, const YkMechanism *mech)
 {
     *discs = (YkDiscs){.mech = mech, .second = YK_NONE};
@@ -36,7 +11,8 @@ bool yk_discs_start(YkDiscs *discs, const YkMechanism *mech)
     discs->nodes = calloc(mech->node_count + 1, sizeof *discs->nodes);
     discs->laws = calloc(mech->relation_count + 1, sizeof *discs->laws);
     if (!discs->slots || !discs->distances || !discs->nodes || !discs->laws) return false;
-    bound_laws(discs);
+    for (size_t k = 0; k < mech->relation_count; k++)
+        if (mech->relations[k].law) discs->laws[k] = yk_law_bound(mech->relations[k].law);
     discs->slots[0].at = yk_ball(yk_vec(1, 0), 0);
     return true;
 }
@@ -61,7 +37,7 @@ static bool can_take_law(const YkMechanism *mech, const YkRelation *r)
 {
     for (uint32_t k = r->first_argument_source; k < r->first_argument_source + r->argument_source_count; k++)
         if (mech->sources[k].kind != YK_SOURCE_INPUT) return false;
-    return first_jump(r->law) > 0;
+    return yk_law_bound(r->law).is_continuous;
 }
 
 bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step)

@@ -2,6 +2,7 @@
 #ifndef MAP_PIECE_H
 #define MAP_PIECE_H
 #include "configurations/system.h"
+#include "law/law.h"
 #include "map/dual.h"
 
 enum { YK_PIECE_UNKNOWNS = 2 * YK_SYSTEM_LOOPS_MAX, YK_PIECE_NUMBERS = YK_PIECE_UNKNOWNS * (YK_PIECE_UNKNOWNS + 1) };
@@ -10,11 +11,6 @@ typedef struct YkPiece {
     size_t block, step; // the step that solves it
     YkShape shape;
 } YkPiece;
-
-// Of the law of a relation, by its argument: no slope and no curvature is larger. Where its slope jumps, curvature is infinite.
-typedef struct YkLawBound {
-    double slope, curvature;
-} YkLawBound;
 
 // What is known of a pose, or of all poses of an interval: [slot], [distance], [node].
 typedef struct YkDiscs {

@@ -125,6 +125,7 @@ YkRelationPose yk_relation_pose(const YkRun *run, size_t index, const double *x,
     YkMotion a = sum_of(run, r->first_argument_source, r->argument_source_count, r->argument_offset, x, rate, &turned);
     yk_law_eval(r->law, a.position, d);
     pose.slope = r->gain * d[1];
+    pose.argument = a.position;
     pose.scale += fabs(r->gain * d[0]) + fabs(pose.slope) * turned;
     pose.value.position += r->gain * d[0];
     pose.value.velocity += pose.slope * a.velocity;

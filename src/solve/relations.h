@@ -9,10 +9,10 @@ void yk_run_relation(const YkRun *run, size_t relation);
 void yk_run_relation_check(const YkRun *run, size_t relation);
 
 // A relation of a group in lane 0: its residual (m), with the rates that its known parts and rate[] (NULL: 0) give it;
-// the law's slope times its gain; the scale of the parts of its value, m.
+// the law's slope times its gain, and its argument; the scale of the parts of its value, m.
 typedef struct YkRelationPose {
     YkMotion value;
-    double slope, scale;
+    double slope, argument, scale;
 } YkRelationPose;
 YkRelationPose yk_relation_pose(const YkRun *run, size_t relation, const double *x, const double *rate);
 // Adds its derivatives by the group's unknowns to row[].
