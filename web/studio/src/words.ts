@@ -126,7 +126,8 @@ export const words = {
     stopped: (n: number) => (n === 0 ? "Stopped before any was found." : `Stopped: the best so far, not the best there are. Click one to take it into the file.`),
     found: (n: number) => (n === 1 ? "1 linkage. Click it to take it into the file." : `${n} linkages. Click one to take it into the file.`),
     nothing: (why: string) => `Nothing new was found${why ? ` (left out: ${why})` : ""}. A smoother curve, other bounds or a smaller transmission angle in the task may help.`,
-    about: (worst: string, angle: string | null) => `off by ${worst} at most${angle === null ? "" : `, transmission from ${angle}°`}`, take: "Take it into the file", taken: "Taken into the file; undo brings back what was there.",
+    nothingThere: (why: string) => `No linkage leads the body through them${why ? ` (left out: ${why})` : ""}. Move or turn a place a little, or leave one out.`,
+    about: (worst: string | null, angle: string | null) => `${worst === null ? "exact" : `off by ${worst} at most`}${angle === null ? "" : `, transmission from ${angle}°`}`, take: "Take it into the file", taken: "Taken into the file; undo brings back what was there.",
   },
   command: {
     hint: "Any command, with this machine as FILE", run: "Run", wait: "Running …", stopped: "Stopped: this answer is not complete.", label: "Command line", out: "Answer", list: [

@@ -13,7 +13,7 @@ type Worker = Core & { close(): void };
 interface Found { candidates: Candidate[]; left_out: Record<string, number>; dyads: { fixed: [number, number]; moving: [number, number] }[] }
 
 const WITHIN = "30s", MODEL = "machine.yaml", PICTURE = "moving.svg";
-const DEGREES = 180 / Math.PI;
+const DEGREES = 180 / Math.PI, EXACT = 1e-9; // m: what is left of rounding
 
 export class Design {
   onDraw: () => void = () => {}; // the person wants to draw a curve
@@ -124,7 +124,7 @@ export class Design {
     const count = this.finds.settle(found.candidates), { session } = this, dyads = session.poses.length && found.dyads?.length ? words.design.dyads(found.dyads.length) + ". " : "";
     session.dyads = session.poses.length ? found.dyads ?? [] : [];
     session.emit("posed", false);
-    this.tell(dyads + (count ? words.design.found(count) : words.design.nothing(Object.entries(found.left_out).map(([why, times]) => `${times} ${why}`).join(", "))));
+    this.tell(dyads + (count ? words.design.found(count) : words.design[session.poses.length ? "nothingThere" : "nothing"](Object.entries(found.left_out).map(([why, times]) => `${times} ${why}`).join(", "))));
   }
 
   // Has the command draw the linkage with its curve: moving, unless the person wants pages to be still.
@@ -138,7 +138,7 @@ export class Design {
 
   private card(one: Candidate): HTMLElement {
     const name = one.type ?? one.mechanism, transmission = one.transmission ? (one.transmission[0] * DEGREES).toFixed(0) : null;
-    const picture = el("span", { class: "card-picture" }), about = words.design.about(inUnits(one.worst, this.canvas.units), transmission);
+    const picture = el("span", { class: "card-picture" }), about = words.design.about(one.worst < EXACT ? null : inUnits(one.worst, this.canvas.units), transmission);
     const card = el("button", { class: "card", title: words.design.take, onclick: () => this.take(one) }, picture, el("b", {}, name), el("span", { class: "about" }, about));
     this.painted = this.painted.then(async () => {
       const drawing = card.isConnected ? await this.picture(one.model).catch(() => null) : null; // a better one may have taken its place
