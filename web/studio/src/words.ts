@@ -3,7 +3,6 @@ export const words = {
   title: "Yoke Studio",
   coreLost: "The core stopped and was started again. Nothing of your file is lost.",
   coreFails: "This browser cannot run the core (it needs WebAssembly). You can still read and edit the file.",
-  coreStarts: "Starting the core …",
   mendFirst: "Mend the marked lines of the file first; then you can draw again.",
   untitled: "machine",
   embed: "Open in Studio",
