@@ -115,6 +115,16 @@ const tests = {
     await until(page, () => document.querySelector(".cm-content").textContent.includes("# other"));
     await browser.close();
   },
+  async "a browser without WebAssembly says so and shows the text"() {
+    const page = await open(world), file = "name: plain\nbodies: {}\n";
+    await page.addInitScript(() => { delete globalThis.WebAssembly; });
+    await page.reload();
+    await until(page, () => !document.body.inert);
+    assert.match(await page.textContent("#question"), /needs WebAssembly/);
+    await page.setInputFiles("#file", { name: "plain.yaml", mimeType: "text/yaml", buffer: Buffer.from(file) });
+    await until(page, () => document.querySelector(".cm-content").textContent.includes("name: plain"));
+    await close(page);
+  },
   async "a reload amid a drag keeps the machine"() {
     const page = await open(world);
     await chooseExample(page, "four-bar");

@@ -1,7 +1,11 @@
 // What Studio shows beside its page: machines of very many links, machines inside other pages, films; and commands that are stopped.
 // node test_show.mjs BUNDLED PAGE [PART OF A NAME]
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 import { deflateRawSync } from "node:zlib";
 import { bodies, close, moves, open, runTests, start, turn, until } from "./browser.mjs";
 import { rowOf } from "./crowds.mjs";
@@ -136,6 +140,31 @@ const tests = {
 };
 
 const full = {
+  // YOKE=build/release/apps/cli/yoke, which this build has not.
+  async "the page in one file opens from disk, plays, plots, derives and makes a film"() {
+    if (!process.env.YOKE) return console.log("skipped: no YOKE");
+    const folder = mkdtempSync(join(tmpdir(), "yoke-page-")), file = join(folder, "page.html"), machine = join(folder, "bar.yaml");
+    writeFileSync(machine, FOUR_BAR);
+    execFileSync(process.env.YOKE, ["studio", machine, "-o", file], { env: { ...process.env, YOKE_STUDIO: process.argv[3] } });
+    const context = await world.browser.newContext({ viewport: { width: 1280, height: 800 }, offline: true }), page = await context.newPage(), faults = [];
+    page.setDefaultTimeout(150_000);
+    page.on("pageerror", (error) => faults.push(error.message));
+    page.on("console", (line) => line.type() === "error" && faults.push(line.text()));
+    await page.goto(pathToFileURL(file).href);
+    await bodies(page, 3);
+    await page.locator("#canvas").focus();
+    await page.keyboard.press("Space");
+    await moves(page, "crank", 0);
+    await page.click("#tab-diagrams");
+    await page.locator(".plot canvas").first().waitFor();
+    await page.click("#tab-equations");
+    await page.locator(".formulas math").first().waitFor();
+    await page.click("#export");
+    assert.equal((await take(page, "gif")).subarray(0, 6).toString(), "GIF89a");
+    assert.deepEqual(faults, []);
+    await context.close();
+    rmSync(folder, { recursive: true });
+  },
   async "a film of one turn as the browser records it plays"() {
     const page = await open(world);
     await chooseExample(page, "four-bar");

@@ -206,6 +206,7 @@ async function begin(): Promise<void> {
   build();
   listen();
   tabs.show("text");
+  if (typeof WebAssembly === "undefined") status.ask(words.coreFails, []);
   const ready = isEmbedded ? embed(() => motion.toggle()) : null;
   autosave.isOff = isEmbedded;
   if (ready) {

@@ -18,7 +18,8 @@ interface Events {
   pose: Pose;
   scene: null; // it was drawn again, for another view
   selection: Selection;
-  posed: boolean; // places for a body, or links for them, were set; true: by a hand that has done
+  posed: boolean; // places for a body were set; true: by a hand that has done
+  linked: null; // links that reach them were found
   wanted: Wanted | null; // the curve that a linkage is to draw
   said: string; // a sentence for the person
   lost: string; // the core died and was started anew
@@ -94,11 +95,16 @@ export class Session {
     this.emit("wanted", wanted);
   }
 
-  // Sets the places that a body is to pass; the links found for others go.
+  // Sets the places that a body is to pass. Links found for the places before stay in sight until there are others.
   place(poses: Placed[], isDone: boolean): void {
-    if (poses !== this.poses) this.dyads = [];
+    if (poses.length !== this.poses.length) this.dyads = [];
     this.poses = poses;
     this.emit("posed", isDone);
+  }
+
+  link(dyads: Dyad[]): void {
+    this.dyads = dyads;
+    this.emit("linked", null);
   }
 
   // Shows a slider's value before it is written.

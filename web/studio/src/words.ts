@@ -3,7 +3,6 @@ export const words = {
   title: "Yoke Studio",
   coreLost: "The core stopped and was started again. Nothing of your file is lost.",
   coreFails: "This browser cannot run the core (it needs WebAssembly). You can still read and edit the file.",
-  coreStarts: "Starting the core …",
   mendFirst: "Mend the marked lines of the file first; then you can draw again.",
   untitled: "machine",
   embed: "Open in Studio",
@@ -126,7 +125,8 @@ export const words = {
     stopped: (n: number) => (n === 0 ? "Stopped before any was found." : `Stopped: the best so far, not the best there are. Click one to take it into the file.`),
     found: (n: number) => (n === 1 ? "1 linkage. Click it to take it into the file." : `${n} linkages. Click one to take it into the file.`),
     nothing: (why: string) => `Nothing new was found${why ? ` (left out: ${why})` : ""}. A smoother curve, other bounds or a smaller transmission angle in the task may help.`,
-    about: (worst: string, angle: string | null) => `off by ${worst} at most${angle === null ? "" : `, transmission from ${angle}°`}`, take: "Take it into the file", taken: "Taken into the file; undo brings back what was there.",
+    nothingThere: (why: string) => `No linkage leads the body through them${why ? ` (left out: ${why})` : ""}. Move or turn a place a little, or leave one out.`,
+    about: (worst: string | null, angle: string | null) => `${worst === null ? "exact" : `off by ${worst} at most`}${angle === null ? "" : `, transmission from ${angle}°`}`, take: "Take it into the file", taken: "Taken into the file; undo brings back what was there.",
   },
   command: {
     hint: "Any command, with this machine as FILE", run: "Run", wait: "Running …", stopped: "Stopped: this answer is not complete.", label: "Command line", out: "Answer", list: [

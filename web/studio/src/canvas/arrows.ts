@@ -123,7 +123,10 @@ export class Arrows {
   // A bar of a round value.
   private legend(kind: "velocity" | "acceleration" | "force"): void {
     const most = BAR / this.scale, power = Math.pow(10, Math.floor(Math.log10(most))), value = [5, 2, 1].map((step) => step * power).find((one) => one <= most) ?? power;
-    if (!(this.scale > 0 && Number.isFinite(value))) return fill(this.amount, words.arrows[kind][1]);
+    if (!(this.scale > 0 && Number.isFinite(value))) {
+      this.bar.setAttribute("x2", "1");
+      return fill(this.amount, words.arrows[kind][1]);
+    }
     this.bar.setAttribute("x2", String(1 + value * this.scale));
     fill(this.amount, words.arrows.scale(value >= 1e5 || value < 1e-4 ? value.toExponential(0) : decimal(value, power), words.arrows[kind][1]));
   }

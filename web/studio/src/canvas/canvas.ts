@@ -52,6 +52,7 @@ export class Canvas {
     session.on("selection", () => this.redraw());
     session.on("wanted", () => this.redraw());
     session.on("posed", () => this.redraw());
+    session.on("linked", () => this.redraw());
   }
 
   // Shows another machine: it is fitted into the canvas once it is there.

@@ -32,13 +32,14 @@ units: {length: ${units.length}}
 `;
 }
 
-// Five places leave nothing to choose; four and fewer do, and then links are asked to be of the size of the task.
-export function placesTask(poses: Placed[], mechanism: string, units: Units, resolution: number): string {
+// Five places leave nothing to choose; four and fewer do, and then links are asked to be of the size of the task, and linkages are judged unless
+// the links alone are wanted.
+export function placesTask(poses: Placed[], mechanism: string, units: Units, resolution: number, isJudged = true): string {
   const lines = poses.map((one) => `  - {at: ${point(one.at, units, resolution)}, angle: ${angle(one.angle, units)}}`);
   return `synthesis: motion
 positions:
 ${lines.join("\n")}
-${poses.length < MOST_EXACT ? `mechanisms: [${mechanism}]\nrequire: {size_ratio: 6}\n` : ""}best: 6
+${poses.length < MOST_EXACT ? `mechanisms: [${mechanism}]\nrequire: {size_ratio: 6}\n` : ""}best: ${isJudged ? 6 : 1}
 units: {length: ${units.length}, angle: ${units.angle}}
 `;
 }

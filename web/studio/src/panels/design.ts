@@ -13,7 +13,7 @@ type Worker = Core & { close(): void };
 interface Found { candidates: Candidate[]; left_out: Record<string, number>; dyads: { fixed: [number, number]; moving: [number, number] }[] }
 
 const WITHIN = "30s", MODEL = "machine.yaml", PICTURE = "moving.svg";
-const DEGREES = 180 / Math.PI;
+const DEGREES = 180 / Math.PI, EXACT = 1e-9; // m: what is left of rounding
 
 export class Design {
   onDraw: () => void = () => {}; // the person wants to draw a curve
@@ -21,6 +21,8 @@ export class Design {
   onTake: () => void = () => {}; // a linkage comes into the document: `coupler.P` draws the curve
   private finder: Worker | null = null;
   private painter: Worker | null = null;
+  private follower: Worker | null = null; // finds links while a place is dragged
+  private isFollowing = false;
   private painted: Promise<unknown> = Promise.resolve(); // one picture after the other
   private seed = 0;
   private pictures: string[] = [];
@@ -39,7 +41,7 @@ export class Design {
       el("div", { class: "row wrap" }, el("button", { class: "strong", onclick: () => this.onDraw() }, words.design.draw), el("button", { class: "strong", onclick: () => this.onPlace() }, words.design.place), this.mechanism, el("button", { class: "quiet", onclick: () => { session.want(null); session.place([], true); } }, words.design.clear)),
       el("details", {}, el("summary", {}, words.design.task), this.task), el("div", { class: "row wrap" }, this.find, this.others, this.end, this.part), this.note, this.cards);
     this.mechanism.addEventListener("change", () => this.write());
-    session.on("posed", (isDone) => { if (isDone) this.placed(); });
+    session.on("posed", (isDone) => { if (isDone) this.placed(); else void this.follow(); });
     session.on("wanted", (wanted) => {
       if (wanted && !wanted.isDone) return;
       this.write();
@@ -55,6 +57,19 @@ export class Design {
     if (session.wanted) session.want(null);
     this.write();
     if (session.poses.length > 1) void this.search(true);
+  }
+
+  // A place is dragged: the links for it are found meanwhile, one search after the other, as fast as the core can. Linkages wait for the end.
+  private async follow(): Promise<void> {
+    const { session } = this, { poses } = session;
+    if (this.isFollowing || poses.length < 2) return;
+    this.isFollowing = true;
+    this.follower ??= this.start();
+    const task = placesTask(poses, this.mechanism.value, this.canvas.units, this.canvas.resolution, false);
+    const reply = await this.follower.run(["synthesize", FILE, "--format", "json", "--quiet"], { [FILE]: task }).catch(() => null);
+    this.isFollowing = false;
+    if (reply?.out.startsWith("{") && session.poses.length === poses.length) session.link((JSON.parse(reply.out) as Found).dyads ?? []);
+    if (session.poses !== poses) void this.follow();
   }
 
   // Writes the task of the curve, or of the places; without one the task that stands there stays.
@@ -122,9 +137,8 @@ export class Design {
 
   private show(found: Found): void {
     const count = this.finds.settle(found.candidates), { session } = this, dyads = session.poses.length && found.dyads?.length ? words.design.dyads(found.dyads.length) + ". " : "";
-    session.dyads = session.poses.length ? found.dyads ?? [] : [];
-    session.emit("posed", false);
-    this.tell(dyads + (count ? words.design.found(count) : words.design.nothing(Object.entries(found.left_out).map(([why, times]) => `${times} ${why}`).join(", "))));
+    if (session.poses.length) session.link(found.dyads ?? []);
+    this.tell(dyads + (count ? words.design.found(count) : words.design[session.poses.length ? "nothingThere" : "nothing"](Object.entries(found.left_out).map(([why, times]) => `${times} ${why}`).join(", "))));
   }
 
   // Has the command draw the linkage with its curve: moving, unless the person wants pages to be still.
@@ -138,7 +152,7 @@ export class Design {
 
   private card(one: Candidate): HTMLElement {
     const name = one.type ?? one.mechanism, transmission = one.transmission ? (one.transmission[0] * DEGREES).toFixed(0) : null;
-    const picture = el("span", { class: "card-picture" }), about = words.design.about(inUnits(one.worst, this.canvas.units), transmission);
+    const picture = el("span", { class: "card-picture" }), about = words.design.about(one.worst < EXACT ? null : inUnits(one.worst, this.canvas.units), transmission);
     const card = el("button", { class: "card", title: words.design.take, onclick: () => this.take(one) }, picture, el("b", {}, name), el("span", { class: "about" }, about));
     this.painted = this.painted.then(async () => {
       const drawing = card.isConnected ? await this.picture(one.model).catch(() => null) : null; // a better one may have taken its place

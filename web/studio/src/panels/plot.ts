@@ -19,7 +19,7 @@ export class Plot {
     this.plot = new uPlot({
       width: Math.max(200, box.clientWidth), height: 190, scales: { x: { time: false } },
       axes: [axis(bracket(curves.axis, curves.axisUnit), 32), axis(curves.unit ? `[${curves.unit}]` : "", 58)],
-      series: [{ label: curves.axis }, ...curves.names.map((label, k): uPlot.Series => ({ label, stroke: colours[k % colours.length], width: 2, points: { show: false }, dash: k >= colours.length ? [6, 4] : undefined }))],
+      series: [{ label: curves.axis, value: (_plot, value) => (value == null ? "–" : String(Number(value.toPrecision(5)))) }, ...curves.names.map((label, k): uPlot.Series => ({ label, stroke: colours[k % colours.length], width: 2, points: { show: false }, value: (_plot, value) => (value == null ? "–" : String(Number(value.toPrecision(5)))), dash: k >= colours.length ? [6, 4] : undefined }))],
       cursor: { drag: { x: false, y: false }, points: { size: 6 } }, legend: { live: true },
       hooks: { init: [(plot) => { plot.over.append(this.mark); }] },
     }, [Array.from(curves.x), ...curves.values.map((values) => Array.from(values, (value) => (Number.isFinite(value) ? value : null)))] as uPlot.AlignedData, box);
