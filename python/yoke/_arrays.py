@@ -25,7 +25,7 @@ def doubles(value: Any, name: str, shape: Optional[tuple[int, ...]] = None) -> "
     Arrays of other real numbers, and those that are not contiguous, are copied.
     """
     dimensions(value, name)
-    if np.ma.is_masked(value):
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise refusal(RequestError, "E0806", f"`{name}` takes an array without masked entries", "fill them, or leave them out")
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
