@@ -19,6 +19,7 @@ static int number_of(const char *name, int fallback)
     return !text || end == text || *end || value < 0 || value > 100000000 ? fallback : (int)value;
 }
 
+#ifdef YOKE_HAS_RANKS
 int yk_ranks_count(void)
 {
     int count = number_of("OMPI_COMM_WORLD_SIZE", 1);
@@ -29,6 +30,7 @@ int yk_ranks_rank(void)
 {
     return yk_ranks_count() > 1 ? number_of("OMPI_COMM_WORLD_RANK", 0) : 0;
 }
+#endif
 
 size_t yk_ranks_share(size_t processors)
 {
@@ -84,10 +86,12 @@ bool yk_ranks_begin(YkSession *session)
     return true;
 }
 
+#ifdef YOKE_HAS_RANKS
 const YkRanks *yk_ranks(void)
 {
     return table;
 }
+#endif
 
 void yk_ranks_end(void)
 {

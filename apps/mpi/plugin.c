@@ -1,6 +1,7 @@
 // The plugin yoke-mpi: messages between the ranks of Open MPI, for the command (apps/cli/ranks_table.h).
 #include <limits.h>
 #include <mpi.h>
+#include <stdlib.h>
 #include <string.h>
 #include <yoke/version.h>
 #include "ranks_table.h"
@@ -43,15 +44,58 @@ static int length_of(size_t bytes)
     return (int)bytes;
 }
 
+// --- messages on their way: MPI_Send would wait for the receiver, and keep a processor busy meanwhile
+
+enum { SMALL = 1024, PENDING_MOST = 8 };
+
+static struct {
+    MPI_Request request;
+    void *data;
+} pending[PENDING_MOST];
+static int pending_count;
+
+static void forget(int index)
+{
+    free(pending[index].data);
+    pending[index] = pending[--pending_count];
+}
+
+// Frees the messages that have arrived.
+static void tidy_up(void)
+{
+    for (int k = pending_count - 1; k >= 0; k--) {
+        int is_done = 0;
+        MPI_Test(&pending[k].request, &is_done, MPI_STATUS_IGNORE);
+        if (is_done) forget(k);
+    }
+}
+
+static void wait_for_one(void)
+{
+    MPI_Wait(&pending[0].request, MPI_STATUS_IGNORE);
+    forget(0);
+}
+
 static void send(int to, int tag, const void *data, size_t bytes)
 {
-    MPI_Send(data, length_of(bytes), MPI_BYTE, to, tag, MPI_COMM_WORLD);
+    int length = length_of(bytes);
+    tidy_up();
+    if (pending_count == PENDING_MOST) wait_for_one();
+    void *copy = bytes > SMALL ? malloc(bytes) : NULL;
+    if (!copy) {
+        MPI_Send(data, length, MPI_BYTE, to, tag, MPI_COMM_WORLD);
+        return;
+    }
+    memcpy(copy, data, bytes);
+    pending[pending_count].data = copy;
+    MPI_Isend(copy, length, MPI_BYTE, to, tag, MPI_COMM_WORLD, &pending[pending_count++].request);
 }
 
 static bool poll(int *from, int *tag, size_t *bytes)
 {
     int is_there = 0, length = 0;
     MPI_Status status;
+    tidy_up();
     MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &status);
     if (!is_there) return false;
     MPI_Get_count(&status, MPI_BYTE, &length);
@@ -68,6 +112,7 @@ static void receive(int from, int tag, void *data, size_t bytes)
 
 static void end(void)
 {
+    while (pending_count > 0) wait_for_one();
     MPI_Finalize();
 }
 

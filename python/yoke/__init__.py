@@ -17,6 +17,7 @@ from ._equations import Equations, Verdict, sections
 from ._machine import Machine, load, parse
 from ._many import Simulations
 from ._map import Branch, Circuit, Map, MapEvent, Way
+from ._regions import Bound, Region, Regions
 from ._native import ffi as _ffi
 from ._native import lib as _lib
 from ._pose import Pose, Svg
@@ -35,9 +36,9 @@ if __version__ != _ffi.string(_lib.YOKE_VERSION_STRING).decode():
                       f"and {__version__} is installed: build it again")
 
 __all__ = [
-    "Branch", "Candidate", "Circuit", "ClosedError", "Column", "Columns", "Configurations", "Distribution", "Dyad",
+    "Bound", "Branch", "Candidate", "Circuit", "ClosedError", "Column", "Columns", "Configurations", "Distribution", "Dyad",
     "Effort", "Energy", "Environment", "Equations", "Error", "Event", "Machine", "Map", "MapEvent", "ModelError",
-    "Motion", "PointMotion", "Pose", "PoseError", "Problem", "Reaction", "RequestError", "Sensitivities",
+    "Motion", "PointMotion", "Pose", "PoseError", "Problem", "Reaction", "Region", "Regions", "RequestError", "Sensitivities",
     "Simulation", "Simulations", "Summary", "Svg", "Synthesis", "Table", "TaskError", "UnknownName", "Verdict",
     "Way", "YokeWarning", "explain", "load", "normal", "parse", "sections", "synthesize", "tolerance", "triangular",
     "uniform",

@@ -25,6 +25,8 @@ def doubles(value: Any, name: str, shape: Optional[tuple[int, ...]] = None) -> "
     Arrays of other real numbers, and those that are not contiguous, are copied.
     """
     dimensions(value, name)
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
+        raise refusal(RequestError, "E0806", f"`{name}` takes an array without masked entries", "fill them, or leave them out")
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
         raise refusal(RequestError, "E0806", f"`{name}` takes an array of real numbers, not of {array.dtype}")

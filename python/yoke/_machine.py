@@ -5,7 +5,7 @@ import os
 from pathlib import Path
 from typing import Any, Mapping, Optional, Sequence, Union
 
-from . import _batch, _configurations, _designs, _equations, _many, _map, _output, _study, _sweep
+from . import _batch, _configurations, _designs, _equations, _many, _map, _output, _regions, _study, _sweep
 from ._core import Core
 from ._identity import Identity, PathLike, Values
 from ._native import lib
@@ -121,6 +121,15 @@ class Machine(Identity):
         """
         with self._lock, Watch(progress, "map"):
             return _map.Map(self, self._ready(), over, time, named(at, "at", coordinates))
+
+    def regions(self, over: Any = None, *, tolerance: float = 1e-3, time: Value = 0.0, at: Values = None, progress: Progress = None,
+                **coordinates: Value) -> _regions.Regions:
+        """Maps two freedoms: the regions of their plane in which the machine has equally many configurations.
+
+        over   two coordinates, as "theta1,theta2" or a list; the inputs that `at` does not hold where none are named
+        """
+        with self._lock, Watch(progress, "regions"):
+            return _regions.Regions(self, self._ready(), over, tolerance, time, named(at, "at", coordinates))
 
     # --- many poses
 

@@ -64,6 +64,7 @@ class Efforts(MutableMapping[str, float]):
             self._set[name] = effort
 
     def __getitem__(self, name: str) -> float:
+        self._simulation._use()
         return self._set[name]
 
     def __delitem__(self, name: str) -> None:

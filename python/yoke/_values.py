@@ -34,6 +34,9 @@ def named(values: Any, name: str, more: Mapping[str, Any] = MappingProxyType({})
         return dict(more)
     if not isinstance(values, Mapping) or not all(isinstance(key, str) for key in values):
         raise refusal(RequestError, "E0806", f"`{name}` takes values by name, as {{'theta': 1.0}}, not {values!r}")
+    twice = [key for key in values if key in more]
+    if twice:
+        raise refusal(RequestError, "E0806", f"`{twice[0]}` stands in `{name}` and beside it")
     return {**values, **more}
 
 

@@ -15,7 +15,7 @@ JUNK = [
     np.float32(2), np.array(["a"]), lambda *a: 1, object(), complex(1, 2), yoke.normal(0.05, 0.001),
     {"r": yoke.normal(0.05, 0.001)}, "nearest", "B+", 2, range(3),
 ]
-QUESTIONS = ["solve", "configurations", "sweep", "batch", "study", "sensitivities", "simulate", "simulation",
+QUESTIONS = ["solve", "configurations", "regions", "sweep", "batch", "study", "sensitivities", "simulate", "simulation",
              "simulations", "derive", "check", "code", "svg", "replace", "value", "parameter_value",
              "set", "body", "pin", "remove",
              "spring", "drive", "start", "units", "free", "gear", "stop"]

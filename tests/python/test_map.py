@@ -76,3 +76,50 @@ def test_what_cannot_be_mapped_is_refused():
         m.map("theta4").reach({"theta2": 1.0})
     with pytest.raises(yoke.UnknownName):
         m.map("theta4").svg(trace=["coupler.nothing"])
+
+
+# --- two freedoms
+
+def test_regions_are_the_commands():
+    told = answer("map", example("five-bar"), "--tol", "0.01")
+    for over in None, "theta1,theta2", ["theta1", "theta2"]:
+        found = yoke.load(example("five-bar")).regions(over, tolerance=0.01)
+        assert (list(found.coordinates), [list(d) for d in found.domain]) == (told["coordinates"], told["domain"])
+        assert (found.complete, found.because, list(found.tolerance)) == (told["complete"], told["reason"], told["tolerance"])
+        assert found.proved == told["proved"] and len(found) == len(told["regions"]) > 0
+        for mine, one in zip(found.regions, told["regions"]):
+            assert (mine.configurations, mine.contains_start, mine.area) == (one["configurations"], one["contains_start"], one["area"])
+            assert [b._asdict() for b in mine.bounds] == one["bounds"]
+            assert [o.tolist() for o in mine.outlines] == [one["polygon"], *one.get("holes", [])]
+
+
+def test_regions_count_configurations():
+    m = yoke.load(example("five-bar"))
+    found = m.regions()
+    rng, checked = np.random.default_rng(5), 0
+    for first, second in rng.uniform(-3, 3, (20, 2)):
+        count, proved = found.at(first, second)
+        if proved:
+            checked += 1
+            try:
+                assert len(m.configurations(theta1=first, theta2=second)) == count
+            except yoke.PoseError:
+                assert count == 0
+    assert checked > 10
+    assert "<svg" in found._repr_svg_() and "five-bar" in repr(found).lower()
+    again = pickle.loads(pickle.dumps(found))
+    assert again.because == found.because and np.array_equal(again.regions[0].outlines[0], found.regions[0].outlines[0])
+
+
+def test_what_has_no_regions_is_refused():
+    five, four = yoke.load(example("five-bar")), yoke.load(example("four-bar"))
+    for ask in (lambda: five.regions("theta1"), lambda: five.regions("theta1,theta2", at={"theta1": 1.0}),
+                lambda: five.regions(tolerance=1.0), lambda: five.regions().at(100.0, 0.0), lambda: five.regions(["theta1", "theta1"])):
+        with pytest.raises(yoke.RequestError):
+            ask()
+    with pytest.raises(yoke.UnknownName):
+        five.regions("theta1,nothing")
+    with pytest.raises(yoke.PoseError, match="two freedoms"):
+        four.regions()
+    with pytest.raises(yoke.PoseError, match="two freedoms"):
+        five.regions(theta1=1.0)

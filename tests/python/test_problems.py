@@ -244,3 +244,13 @@ def test_what_the_machine_passed_on_its_way_is_noted():
 def test_a_pose_of_another_machine_has_no_place_in_equations(crank):
     refused(yoke.RequestError, lambda: crank.derive("loops", pose=yoke.load(example("four-bar")).solve()))
     assert "0.2" in str(crank.derive("loops", pose=crank.solve(theta=0.0)))
+
+
+def test_what_is_said_twice_or_hidden_is_refused(crank):
+    refused(yoke.RequestError, lambda: crank.solve(theta=1, at={"theta": 2}), "`theta` stands in `at` and beside it")
+    refused(yoke.RequestError, lambda: crank.batch(["s"], theta=np.ma.array([1.0, 2.0], mask=[False, True])), "without masked entries")
+    assert len(crank.batch(["s"], theta=np.ma.array([1.0, 2.0]))) > 0
+    with crank.simulation() as sim:
+        pass
+    with pytest.raises(yoke.ClosedError):
+        sim.effort["theta"]

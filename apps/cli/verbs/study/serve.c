@@ -13,7 +13,7 @@ static bool compute(void *context, YkSpreadWork work)
     const YkDesigns designs = yk_study_designs(a);
     const YkRowCase asked = yk_study_case(a, &designs);
     size_t count = (size_t)work.count, bytes = count * a->width * sizeof(double);
-    char *message = calloc(1, sizeof(YkSpreadRows) + bytes);
+    char *message = malloc(sizeof(YkSpreadRows) + bytes);
     YkSpreadRows head = {work.from, work.count, yk_stop_now()};
     YkStatus status = YK_NO_MEMORY;
     if (message) status = yk_study_rows(a->study, &asked, work.from, count, (double *)(void *)(message + sizeof head));

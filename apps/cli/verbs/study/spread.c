@@ -6,17 +6,20 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include "session.h"
 #include "spread.h"
 #include "stop.h"
 #include "verbs/study/study.h"
 
 static const double block_seconds = 0.2, seconds_per_rank = 5e-4; // s
+static const double shortest_pause = 2e-5, longest_pause = 1e-2;  // s
 enum { FIRST_BLOCK = 64, BLOCK_BYTES = 1 << 23, SMALLEST_BYTES = 1 << 16, HELD_BYTES = 1 << 28 };
 
 typedef struct Early { // rows that have come, in the order of their designs
     uint64_t from, count;
-    double *rows;
+    const double *rows;
+    void *memory; // in which they are
     struct Early *next;
 } Early;
 
@@ -29,7 +32,7 @@ typedef struct Peer {
 typedef struct Own { // rank 0's own block, computed beside
     pthread_t thread;
     pthread_mutex_t lock;
-    pthread_cond_t sign;
+    pthread_cond_t sign, news; // to the thread; from it
     bool is_running, is_due, is_done, ends;
     YkSpreadWork work;
     double *rows, seconds;
@@ -73,16 +76,16 @@ static bool hear_hello(Spread *s, int rank)
 
 // --- rows
 
-// Keeps rows until their turn. Takes the rows over.
-static bool keep(Spread *s, uint64_t from, uint64_t count, double *rows)
+// Keeps rows until their turn. Takes their memory over.
+static bool keep(Spread *s, uint64_t from, uint64_t count, const double *rows, void *memory)
 {
     Early *early = malloc(sizeof *early), **at = &s->early;
     if (!early) {
-        free(rows);
+        free(memory);
         return run_out(s);
     }
     while (*at && (*at)->from < from) at = &(*at)->next;
-    *early = (Early){from, count, rows, *at};
+    *early = (Early){from, count, rows, memory, *at};
     *at = early;
     return true;
 }
@@ -96,7 +99,7 @@ static bool write_rows(Spread *s)
         s->early = early->next;
         s->out--;
         good = yk_study_take(s->a, early->rows, (size_t)early->count);
-        free(early->rows);
+        free(early->memory);
         free(early);
     }
     return good;
@@ -136,19 +139,13 @@ static bool take_rows(Spread *s, int rank, size_t bytes)
 {
     YkSpreadRows head;
     char *message = malloc(bytes + 1);
-    double *rows = bytes > sizeof head ? malloc(bytes - sizeof head) : NULL;
-    if (!message || !rows) {
-        free(message);
-        free(rows);
-        return run_out(s);
-    }
+    if (!message) return run_out(s);
+    if (bytes < sizeof head) yk_ranks()->abort(YK_EXIT_WRONG);
     yk_ranks()->receive(rank, YK_SPREAD_ROWS, message, bytes);
     memcpy(&head, message, sizeof head);
-    memcpy(rows, message + sizeof head, bytes - sizeof head);
-    free(message);
     s->peers[rank].wants++;
     if (head.count > 0) s->peers[rank].seconds = (head.seconds + 1e-7) / (double)head.count;
-    return keep(s, head.from, head.count, rows);
+    return keep(s, head.from, head.count, (const double *)(const void *)(message + sizeof head), message);
 }
 
 // Takes one message. Returns false with a problem added, or stopped.
@@ -182,6 +179,7 @@ static void *work_beside(void *context)
         own->status = status;
         own->seconds = yk_stop_now() - start;
         own->is_done = true;
+        pthread_cond_signal(&own->news);
     }
     pthread_mutex_unlock(&own->lock);
     return NULL;
@@ -194,6 +192,7 @@ static void begin_own(Spread *s)
     own->answer = s->a;
     pthread_mutex_init(&own->lock, NULL);
     pthread_cond_init(&own->sign, NULL);
+    pthread_cond_init(&own->news, NULL);
     own->is_running = pthread_create(&own->thread, NULL, work_beside, own) == 0;
     s->peers[0].wants = own->is_running ? 1 : 0;
 }
@@ -207,8 +206,24 @@ static void end_own(Spread *s)
     pthread_mutex_unlock(&own->lock);
     if (own->is_running) pthread_join(own->thread, NULL);
     pthread_cond_destroy(&own->sign);
+    pthread_cond_destroy(&own->news);
     pthread_mutex_destroy(&own->lock);
     free(own->rows);
+}
+
+// Waits for rank 0's own block or for a while, longer from call to call: messages of others can wait, since each rank has
+// a block ahead.
+static void wait_for_news(Spread *s, double *pause)
+{
+    struct timespec until;
+    *pause = *pause == 0 ? shortest_pause : *pause < longest_pause / 2 ? *pause * 2 : longest_pause;
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_nsec += (long)(*pause * 1e9);
+    until.tv_sec += until.tv_nsec / 1000000000;
+    until.tv_nsec %= 1000000000;
+    pthread_mutex_lock(&s->own.lock);
+    if (!s->own.is_done) pthread_cond_timedwait(&s->own.news, &s->own.lock, &until);
+    pthread_mutex_unlock(&s->own.lock);
 }
 
 static bool take_own(Spread *s)
@@ -226,7 +241,7 @@ static bool take_own(Spread *s)
     s->peers[0].seconds = (own->seconds + 1e-7) / (double)own->work.count;
     double *rows = own->rows;
     own->rows = NULL;
-    return keep(s, own->work.from, own->work.count, rows);
+    return keep(s, own->work.from, own->work.count, rows, rows);
 }
 
 static bool give_own(Spread *s)
@@ -278,7 +293,7 @@ static bool conduct(Spread *s)
         if (has_news)
             pause = 0;
         else
-            yk_spread_wait(&pause);
+            wait_for_news(s, &pause);
     }
     yk_study_show(a, true);
     return good;
@@ -307,7 +322,7 @@ bool yk_study_spread(YkStudyAnswer *a)
     yk_spread_dismiss();
     while (s.early) {
         Early *next = s.early->next;
-        free(s.early->rows);
+        free(s.early->memory);
         free(s.early);
         s.early = next;
     }
