@@ -231,6 +231,18 @@ static bool is_touch(YkWalk *w, size_t block, double *at, double least)
     return least <= 1e-11 || yk_walk_turns_at_limit(w, block, at);
 }
 
+// Looks for change points of blocks that are as close to theirs as the one that touches: later links may come into line with it,
+// and their margins in the interval were those of its other branch.
+static void meet_others(YkWalk *w, double a, double b, size_t depth)
+{
+    const double CLOSE = 1e-8; // sin^2
+    const double *ma = yk_walk_margins(w, depth, 0), *mb = yk_walk_margins(w, depth, 2);
+    for (size_t k = 0; k < w->path.meeting_count; k++)
+        if (yk_walk_has_margin(w, k) && fmin(ma[k], mb[k]) < CLOSE && !yk_walk_is_at_meeting(w, k, a, b) &&
+            !yk_walk_was_flipped_near(w, k, b))
+            yk_walk_meets(w, k, b, a, b - a);
+}
+
 // Judges [a, b] from the margins at both ends and in the middle; in the narrowest intervals a touch is a change point.
 static Verdict look(YkWalk *w, double a, double b, size_t depth)
 {
@@ -257,6 +269,7 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
         flip_between(w, k, touch, a, b);
         touched = true;
     }
+    if (touched) meet_others(w, a, b, depth);
     return touched ? TOUCHED : CLEAR;
 }
 
