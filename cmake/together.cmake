@@ -5,7 +5,7 @@ set(YOKE_TOGETHER_MOST 12) # files at most
 
 # Sets NAMES to the names that a file defines for itself alone, and MACROS to its macros; ANY among them: text that is included or inlined.
 function(yoke_own_names source names macros)
-  file(STRINGS ${source} lines REGEX "^(static|enum|typedef|struct|union|}) ?|^    [A-Z][A-Z0-9_]+( =.*)?,|^#define|^YK_INLINE|^#include \"[^\"]*\\.(c|def)\"")
+  file(STRINGS ${source} lines REGEX "^(static|enum|typedef|struct|union|}) ?|^    [A-Z][A-Z0-9_]*( =.*)?,|^#define|^YK_INLINE|^#include \"[^\"]*\\.(c|def)\"")
   set(found "")
   set(defined "")
   foreach(line IN LISTS lines)

@@ -214,7 +214,7 @@ double yk_distance_unit(const YkMechanism *mech)
     double least = mech->size, none = YK_CLOSURE_ROUNDING * mech->size;
     for (size_t b = 0; b < mech->block_count; b++)
         for (size_t k = 0; k < 2 && mech->blocks[b].kind <= YK_BLOCK_RPR; k++) {
-            double arm = mech->blocks[b].arm_is_constant[k] ? yk_norm(mech->blocks[b].arm[k].constant) : 0;
+            double arm = mech->blocks[b].arm_is_constant[k] ? yk_norm(mech->blocks[b].aside->arm[k].constant) : 0;
             if (arm > none) least = fmin(least, arm);
         }
     for (size_t k = 0; k < mech->model->rack_count; k++) least = fmin(least, fabs(mech->model->racks[k].radius));

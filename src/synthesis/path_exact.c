@@ -113,12 +113,12 @@ static YkDyad dyad_of(const Exact *exact, const YkVec *x)
 static void judge(Exact *exact, const YkVec *x)
 {
     YkSynthesis *s = exact->s;
-    YkPose pose[YK_ALT_POINTS] = {{s->task->path.point[0], 0}};
+    YkPose pose[YK_ALT_POINTS] = {{.at = s->task->path.point[0]}};
     YkPair pair = {.pose = pose, .count = YK_ALT_POINTS, .turns = s->task->path.is_closed, .index = {-1, -1}};
     for (size_t j = 0; j < YK_ALT_SIZE; j++) {
         YkVec turn;
         if (!yk_alt_turn(exact->task.places, x, j, &turn)) turn = yk_vec(1, 0); // the engine then finds it elsewhere
-        pose[j + 1] = (YkPose){s->task->path.point[j + 1], yk_atan2(turn.y, turn.x)};
+        pose[j + 1] = (YkPose){.at = s->task->path.point[j + 1], .angle = yk_atan2(turn.y, turn.x)};
     }
     for (size_t side = 0; side < YK_SIDES; side++) {
         pair.dyad[side] = dyad_of(exact, x + side * YK_ALT_DYAD);

@@ -39,7 +39,7 @@ export function placesTask(poses: Placed[], mechanism: string, units: Units, res
   return `synthesis: motion
 positions:
 ${lines.join("\n")}
-${poses.length < MOST_EXACT ? `mechanisms: [${mechanism}]\nrequire: {size_ratio: 6}\n` : ""}best: ${isJudged ? 6 : 1}
+${poses.length < MOST_EXACT ? `mechanisms: [${mechanism.startsWith("watt") ? "four-bar, slider-crank" : mechanism}]\nrequire: {size_ratio: 6}\n` : ""}best: ${isJudged ? 6 : 1}
 units: {length: ${units.length}, angle: ${units.angle}}
 `;
 }
