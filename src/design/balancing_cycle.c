@@ -175,16 +175,42 @@ YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPea
     return status;
 }
 
+// Returns what the integral over a step has gained where its integrand, `here` at the start, `next` at the end and `gain` / step
+// on average, passes through zero within the step: the parabola through these three gives the place.
+static double gain_at_turn(double here, double next, double gain, double step)
+{
+    double mean = gain / step, b = 6 * mean - 4 * here - 2 * next, c = 3 * (here + next) - 6 * mean;
+    double root = sqrt(fmax(0, b * b - 4 * c * here)), s = 2 * here / (here > 0 ? root - b : -root - b);
+    return step * s * (here + s * (b / 2 + s * c / 3));
+}
+
+// Returns the integral from at[1] to at[2], a step apart between at[0] and at[3]: of fourth order where the integrand bends
+// alike at both ends, else the trapezoid, which is right beside a jump or a corner of a drawn torque.
+static double gain_over_step(const double at[4], double step)
+{
+    double bend = at[0] - 2 * at[1] + at[2], next = at[1] - 2 * at[2] + at[3];
+    bool is_smooth = bend * next > 0 && fabs(bend) < 4 * fabs(next) && fabs(next) < 4 * fabs(bend);
+    return step * ((at[1] + at[2]) / 2 - (is_smooth ? (bend + next) / 24 : 0));
+}
+
+// Finds the swing of the integral once round. Its extremes lie between the poses.
 double yk_cycle_swing(const YkCycle *cycle, const double *torques)
 {
+    size_t n = cycle->count;
     double mean = 0, energy = 0, low = 0, high = 0;
-    for (size_t k = 0; k < cycle->count; k++) mean += torques[k] / (double)cycle->count;
-    for (size_t k = 0; k < cycle->count; k++) { // trapezoids, round; extremes lie where the torque passes its mean
-        double here = torques[k] - mean, next = torques[(k + 1) % cycle->count] - mean;
-        double extreme = here * next < 0 ? energy + here * here / (here - next) / 2 * cycle->step : energy;
-        energy += (here + next) / 2 * cycle->step;
-        low = fmin(low, fmin(energy, extreme));
-        high = fmax(high, fmax(energy, extreme));
+    for (size_t k = 0; k < n; k++) mean += torques[k] / (double)n;
+    for (size_t k = 0; k < n; k++) {
+        const double at[] = {torques[(k + n - 1) % n] - mean, torques[k] - mean, torques[(k + 1) % n] - mean,
+                             torques[(k + 2) % n] - mean};
+        double gain = gain_over_step(at, cycle->step);
+        if (at[1] * at[2] < 0) {
+            double turn = energy + gain_at_turn(at[1], at[2], gain, cycle->step);
+            low = fmin(low, turn);
+            high = fmax(high, turn);
+        }
+        energy += gain;
+        low = fmin(low, energy);
+        high = fmax(high, energy);
     }
     return high - low;
 }

@@ -68,9 +68,13 @@ static void report(YkSimulation *sim, const YkStartRate *given, const double *wa
     for (size_t k = 0; k < m; k++) {
         double scale = scale_of(sim, given[k].coordinate);
         if (fabs(wanted[k] - found[k]) <= 1e-9 * (fabs(wanted[k]) + fabs(found[k]))) continue;
+        const YkTreeCoordinate *c = &sim->mech->coordinates[given[k].coordinate];
+        double size = 1;
+        const char *unit =
+            yk_model_unit(sim->mech->model, c->is_distance ? YK_QUANTITY_SPEED : YK_QUANTITY_ANGLE_RATE, &size);
         yk_problem(problems, YK_CODE_RATES_PROJECTED, (YkPlace){0},
-                   "the loops do not allow %q the rate %g together with the others: it starts with %g (SI)",
-                   sim->mech->coordinates[given[k].coordinate].name, wanted[k] * scale, found[k] * scale);
+                   "the loops do not allow %q the rate %e %s together with the others: it starts with %e %s", c->name,
+                   wanted[k] * scale / size, unit, found[k] * scale / size, unit);
     }
 }
 

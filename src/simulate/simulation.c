@@ -52,9 +52,12 @@ static bool check_stops(YkSimulation *sim, YkProblems *problems)
         double value = yk_loads_coordinate(sim->state, &sim->state->space, item->coordinate).position;
         double off = fmax(item->stop->low - value, value - item->stop->high);
         if (off <= 1e-9 * (item->is_distance ? sim->mech->size : 1)) continue;
+        double size = 1;
+        const char *unit =
+            yk_model_unit(sim->mech->model, item->is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE, &size);
         yk_problem(problems, YK_CODE_STOP_EXCLUDES_START, item->stop->place,
-                   "%q starts at %g, outside its stops (%g to %g, SI)", item->name, value, item->stop->low,
-                   item->stop->high);
+                   "%q starts at %e %s, outside its stops (%e to %e %s)", item->name, value / size, unit,
+                   item->stop->low / size, item->stop->high / size, unit);
         ok = false;
     }
     return ok;

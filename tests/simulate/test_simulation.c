@@ -214,6 +214,8 @@ static void bad_starts_are_refused(void **unused)
 {
     (void)unused;
     refuses(PENDULUM "start: {a: 180 deg}\nstops: {a: [0, 90 deg]}\n", "outside its stops");
+    refuses("units: {angle: deg}\n" PENDULUM "start: {a: 180}\nstops: {a: [0, 90]}\n",
+            "starts at 180 deg, outside its stops (0 to 90 deg)"); // in the file's units
     refuses("bodies:\n  ground: {points: {O: [0, 0]}}\n  bob: {points: {O: [0, 0]}}\njoints:\n  O: {pin: [ground, "
             "bob], angle: a}\n",
             "no body has mass");

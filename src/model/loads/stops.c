@@ -52,10 +52,15 @@ void yk_load_stops(YkLoader *loader)
 
 static void check_stop(YkLoader *loader, const YkStop *stop)
 {
-    const char *name = loader->model->coordinates[stop->coordinate].name;
+    const YkCoordinate *coordinate = &loader->model->coordinates[stop->coordinate];
+    const char *name = coordinate->name;
     if (stop->low_expr && stop->high_expr && stop->low >= stop->high) {
+        YkQuantity quantity = coordinate->is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE;
+        double size = 1;
+        const char *unit = yk_model_unit(loader->model, quantity, &size);
         yk_problem(loader->problems, YK_CODE_BAD_STOP, stop->low_expr->place,
-                   "the stop of %q reaches from %g to %g; the lowest value comes first", name, stop->low, stop->high);
+                   "the stop of %q reaches from %e to %e %s; the lowest value comes first", name, stop->low / size,
+                   stop->high / size, unit);
     }
     if (stop->restitution_expr && (stop->restitution < 0 || stop->restitution > 1)) {
         yk_problem(loader->problems, YK_CODE_BAD_RESTITUTION, stop->restitution_expr->place,
