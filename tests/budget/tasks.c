@@ -25,21 +25,34 @@ static void die(const char *what)
     exit(1);
 }
 
-static void run_batch(Machine *m)
+enum { CHANNELS = 6 };
+static void run_channels(Machine *m, const char *const names[CHANNELS])
 {
-    static const char *const names[] = {"theta2", "d3", "theta4", "d5", "d5.rate", "d5.accel"};
-    static double angle[POSES], out[6][POSES];
-    double *outputs[6];
-    YkChannel channels[6];
+    static double angle[POSES], out[CHANNELS][POSES];
+    double *outputs[CHANNELS];
+    YkChannel channels[CHANNELS];
     const double *inputs[] = {angle, NULL, NULL};
-    for (size_t c = 0; c < 6; c++) {
+    for (size_t c = 0; c < CHANNELS; c++) {
         outputs[c] = out[c];
         if (yk_channel_parse(m->mech, names[c], &channels[c], m->problems) != YK_OK) die("no channel");
     }
     for (size_t k = 0; k < POSES; k++) angle[k] = 3 * (double)k / POSES;
-    YkBatch *batch = yk_batch_new(m->state, channels, 6);
+    YkBatch *batch = yk_batch_new(m->state, channels, CHANNELS);
     if (!batch || yk_batch_run(batch, inputs, outputs, NULL, POSES) != YK_OK) die("no batch");
     yk_batch_free(batch);
+}
+
+static void run_batch(Machine *m)
+{
+    static const char *const names[CHANNELS] = {"theta2", "d3", "theta4", "d5", "d5.rate", "d5.accel"};
+    run_channels(m, names);
+}
+
+static void run_forces(Machine *m)
+{
+    static const char *const names[CHANNELS] = {"O.force.x",  "B.force.y",  "G.force.x",
+                                                "E4.force.y", "E6.force.x", "beta.effort"};
+    run_channels(m, names);
 }
 
 static void run_pose(Machine *m)
@@ -107,6 +120,7 @@ static void run_check(Machine *m)
 
 static const Task tasks[] = {
     {"quick-return-batch", "quick-return", NULL, 0, run_batch},
+    {"andrews-forces-batch", "andrews", NULL, 0, run_forces},
     {"quick-return-pose", "quick-return", NULL, 0, run_pose},
     {"double-pendulum-rhs", "double-pendulum", NULL, 0, run_accelerate},
     {"n-four-bar-rhs", NULL, n_four_bar_text, LOOPS, run_accelerate},
