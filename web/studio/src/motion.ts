@@ -242,16 +242,19 @@ export class Motion {
     const shown = this.state === "free" && pose ? pose.time : this.time, text = decimal(shown, 0.001);
     this.slider.value = String(Math.min(1, this.time / this.period) * STEPS);
     this.slider.setAttribute("aria-valuetext", words.motion.seconds(text));
-    this.now.textContent = words.motion.seconds(shown.toFixed(this.period < 0.5 ? 3 : 2));
+    const now = words.motion.seconds(shown.toFixed(this.period < 0.5 ? 3 : 2));
+    if (this.now.textContent !== now) this.now.textContent = now;
     const name = this.state === "playing" ? words.motion.pause : words.motion.play;
     if (this.play.getAttribute("aria-label") !== name) {
       this.play.setAttribute("aria-label", name);
       this.play.title = `${name} (Space)`;
       fill(this.play, icon(this.state === "playing" ? "pause" : "play"));
     }
-    const isFree = this.state === "free";
-    this.free.setAttribute("aria-pressed", String(isFree));
-    this.free.textContent = isFree ? words.motion.hold : words.motion.release;
-    byId("motion").toggleAttribute("hidden", !machine);
+    const isFree = this.state === "free", word = isFree ? words.motion.hold : words.motion.release;
+    if (this.free.textContent !== word) { // nothing is written that stays as it is: each frame would lay the bar out anew
+      this.free.setAttribute("aria-pressed", String(isFree));
+      this.free.textContent = word;
+    }
+    if (byId("motion").hidden !== !machine) byId("motion").hidden = !machine;
   }
 }
