@@ -242,8 +242,7 @@ export class Motion {
     const shown = this.state === "free" && pose ? pose.time : this.time, text = decimal(shown, 0.001);
     this.slider.value = String(Math.min(1, this.time / this.period) * STEPS);
     this.slider.setAttribute("aria-valuetext", words.motion.seconds(text));
-    const now = words.motion.seconds(shown.toFixed(this.period < 0.5 ? 3 : 2));
-    if (this.now.textContent !== now) this.now.textContent = now;
+    this.now.textContent = words.motion.seconds(shown.toFixed(this.period < 0.5 ? 3 : 2));
     const name = this.state === "playing" ? words.motion.pause : words.motion.play;
     if (this.play.getAttribute("aria-label") !== name) {
       this.play.setAttribute("aria-label", name);
