@@ -30,7 +30,7 @@ INDEX = """<!DOCTYPE html>
 </html>
 """
 SCRIPT = 'window.x = "</script><!--"; if (1 < 2) window.y = 1;\n'
-PAGE = {"index.html": INDEX, "studio.css": "p { color: red }\n", "studio.js": SCRIPT, "worker.js": "self.postMessage(1)\n", "plot.js": "window.yokePlot = 1;\n",
+PAGE = {"index.html": INDEX, "studio.css": "p { color: red }\n", "studio.js": SCRIPT, "worker.js": "self.postMessage(1)\n", "plot.js": "window.yokePlot = 1;\n", "film.js": "window.yokeFilm = 1;\n",
         "core.wasm": "\0asm core", "yoke.wasm": "\0asm yoke", "gallery/a.yaml": "name: </script>\n"}
 
 
@@ -322,7 +322,8 @@ class OnePage(Folder):
         self.assertEqual(data["files"], {"gallery/a.yaml": PAGE["gallery/a.yaml"]})
         self.assertIn("<style>\np { color: red }", html)
         self.assertIn('"<\\/script><\\!--"; if (1 < 2)', html)
-        self.assertLess(html.index("window.yokePlot = 1;"), html.index("window.x = "))
+        for later in ("window.yokePlot = 1;", "window.yokeFilm = 1;"):
+            self.assertLess(html.index(later), html.index("window.x = "))
         nonces = set(re.findall(r"nonce[=-][\"]?([0-9a-f]{32})", html))
         self.assertEqual(len(nonces), 1)
         self.assertNotIn("script-src 'self'", html)

@@ -110,6 +110,17 @@ const tests = {
     await page.click("#undo");
     await until(page, (old) => document.querySelector(".cm-content").textContent.includes(old), "P: [b/2, b/4]");
     assert.equal(await text(page), before);
+    // Esc gives a point back that is held.
+    await page.waitForTimeout(300);
+    const still = await trace(page);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 30, y - 30, { steps: 2 });
+    await until(page, (old) => document.querySelector(".trace").getAttribute("points") !== old, still);
+    await page.keyboard.press("Escape");
+    await until(page, (old) => document.querySelector(".trace").getAttribute("points") === old, still);
+    await page.mouse.up();
+    assert.equal(await text(page), before);
     await close(page);
   },
   async "places of a body are set by hand: links of one length reach them all, follow a place that is dragged, and a linkage is taken"() {

@@ -293,6 +293,36 @@ const tests = {
 };
 
 const full = {
+  async "axe finds nothing in dialogs, beside places set by hand, arrows and other assemblies"() {
+    for (const kind of [{}, { colorScheme: "dark", viewport: { width: 390, height: 844 } }]) {
+      const page = await open(world, kind), look = async (view) => {
+        await page.waitForTimeout(300);
+        await page.evaluate(world.axe);
+        const found = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
+        assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`), [], `${view} ${JSON.stringify(kind)}`);
+      };
+      await chooseExample(page, "four-bar");
+      for (const id of ["examples", "export", "help", "share"]) {
+        await page.click(`#${id}`);
+        await page.locator("dialog").waitFor();
+        await look(id);
+        await page.keyboard.press("Escape");
+        await page.locator("dialog").waitFor({ state: "detached" });
+      }
+      await page.locator("#canvas").focus();
+      await page.keyboard.press("a");
+      await page.keyboard.press("o");
+      await look("arrows and assemblies");
+      await page.keyboard.press("i");
+      for (const key of ["ArrowRight", "Enter", "ArrowUp", "Enter"]) await page.keyboard.press(key); // a place by keys alone
+      for (let k = 0; k < 6; k++) await page.keyboard.press("ArrowLeft");
+      for (const key of ["Enter", "ArrowRight", "Enter"]) await page.keyboard.press(key);
+      await until(page, () => document.querySelectorAll(".pose-at").length === 2);
+      await page.locator("#panel-design .cards[aria-busy=false]").waitFor({ state: "attached" });
+      await look("places");
+      await close(page);
+    }
+  },
   async "by touch on a phone: drags, pinches, draws"() {
     const page = await open(world, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
     await page.tap("#invite .strong");

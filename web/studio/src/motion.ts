@@ -249,9 +249,11 @@ export class Motion {
       this.play.title = `${name} (Space)`;
       fill(this.play, icon(this.state === "playing" ? "pause" : "play"));
     }
-    const isFree = this.state === "free";
-    this.free.setAttribute("aria-pressed", String(isFree));
-    this.free.textContent = isFree ? words.motion.hold : words.motion.release;
-    byId("motion").toggleAttribute("hidden", !machine);
+    const isFree = this.state === "free", word = isFree ? words.motion.hold : words.motion.release;
+    if (this.free.textContent !== word) { // nothing is written that stays as it is: each frame would lay the bar out anew
+      this.free.setAttribute("aria-pressed", String(isFree));
+      this.free.textContent = word;
+    }
+    if (byId("motion").hidden !== !machine) byId("motion").hidden = !machine;
   }
 }

@@ -60,7 +60,9 @@ export class Hand {
   }
 
   cancel(): boolean {
-    const had = this.spots.length > 0;
+    const shaped = this.drag?.kind === "shape" ? this.drag : null, had = this.spots.length > 0 || shaped !== null;
+    if (shaped) [this.drag, this.hasMoved] = [{ kind: "pan" }, true];
+    if (shaped) void this.shape.end(shaped.trial, false);
     this.spots = [];
     this.canvas.shown.sketching = null;
     if (this.session.wanted?.isDone === false) this.session.want(null);
@@ -173,11 +175,10 @@ export class Hand {
   }
 
   private lost(event: PointerEvent): void {
-    if (this.drag?.kind === "shape") void this.shape.end(this.drag.trial, false);
     this.fingers.delete(event.pointerId);
-    this.drag = null;
     this.endPull();
     this.cancel();
+    this.drag = null;
   }
 
   select(spot: Spot): void {

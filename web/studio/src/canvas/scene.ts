@@ -25,6 +25,7 @@ export class Scene {
   private groups: Group[] = [];
   private painter: Painter | null = null; // of a machine of very many parts
   private axes = new Float64Array();
+  private told = ""; // the machine of which it was said that it has very many parts
   private painted = ""; // the view that the sheet shows
   private probe = svg("circle", { visibility: "hidden" }); // tells which colour the page gives to one of the core's
   private perMetre = 1; // px of the drawing
@@ -72,7 +73,9 @@ export class Scene {
     });
     fill(this.bodies);
     this.sheets(false);
-    this.session.emit("said", words.say.many);
+    const key = `${this.session.name} ${machine.bodies.length}`;
+    if (key !== this.told) this.session.emit("said", words.say.many);
+    this.told = key;
   }
 
   private sheets(areHidden: boolean): void {
