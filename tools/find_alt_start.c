@@ -173,8 +173,7 @@ static void print_table(const YkVec *places)
            "// clang-format off\n"
            "const YkVec yk_alt_start_at[YK_ALT_PLACES] = {\n");
     for (size_t k = 0; k < P; k++) printf("    {%.3f, %.3f},\n", places[k].x, places[k].y);
-    printf("};\n\nconst size_t yk_alt_start_count = YK_ALT_TRIPLES;\n"
-           "const char yk_alt_start_text[][YK_ALT_START_LENGTH + 1] = {\n");
+    printf("};\n\nconst char yk_alt_start_text[YK_ALT_TRIPLES][YK_ALT_START_LENGTH + 1] = {\n");
     for (size_t i = 0; i < count; i++) print_solution(solutions[i].x);
     printf("};\n");
 }

@@ -55,9 +55,9 @@ void yk_alt_cognate(const YkVec *x, YkVec *cognate);
 void yk_alt_name(size_t name, const YkVec *x, YkVec *named);
 
 // alt_start.c: finds start solution `index` of YK_ALT_TRIPLES, improved to rounding, and the places that all of them
-// share. Returns false where the build has no start solutions.
+// share. Returns false past the last one.
 bool yk_alt_start(size_t index, YkVec *x);
-const YkVec *yk_alt_start_places(void); // [16], or NULL
+const YkVec *yk_alt_start_places(void); // [16]
 
 // Nine points as seen from the first, over their size.
 typedef struct YkAltTask {

@@ -21,13 +21,13 @@ static uint32_t read_bits(const char *text, size_t from)
 
 const YkVec *yk_alt_start_places(void)
 {
-    return yk_alt_start_count > 0 ? yk_alt_start_at : NULL;
+    return yk_alt_start_at;
 }
 
 bool yk_alt_start(size_t index, YkVec *x)
 {
     const YkVec *places = yk_alt_start_places();
-    if (!places || index >= yk_alt_start_count) return false;
+    if (index >= YK_ALT_TRIPLES) return false;
     for (size_t k = 0; k < 2 * YK_ALT_SIZE; k++) {
         uint32_t bits = read_bits(yk_alt_start_text[index], 32 * k);
         float value;

@@ -8,7 +8,6 @@
 enum { YK_ALT_START_LENGTH = 86 };
 
 extern const YkVec yk_alt_start_at[YK_ALT_PLACES];
-extern const size_t yk_alt_start_count; // YK_ALT_TRIPLES, or 0 where the build leaves them out
-extern const char yk_alt_start_text[][YK_ALT_START_LENGTH + 1];
+extern const char yk_alt_start_text[YK_ALT_TRIPLES][YK_ALT_START_LENGTH + 1];
 
 #endif

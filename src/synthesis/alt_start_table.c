@@ -21,8 +21,7 @@ const YkVec yk_alt_start_at[YK_ALT_PLACES] = {
     {0.390, 0.582},
 };
 
-const size_t yk_alt_start_count = YK_ALT_TRIPLES;
-const char yk_alt_start_text[][YK_ALT_START_LENGTH + 1] = {
+const char yk_alt_start_text[YK_ALT_TRIPLES][YK_ALT_START_LENGTH + 1] = {
     "veC1Gj/xuBC8xc5FP4nfer4sG5w9sniXv04Dyz8lFPK+lB/vQESXBb+q0kc/sBupPyHmlj8VRMm/P5Q0P+kcSg",
     "v9rLqkBLNQS/lHqkQB0GO8AuIoxAt6ezwIbDzkAgjRc/V8diQDeUrD+WzzBAQN8Sv5nmuT9/VMO/uwWsP3Rf0g",
     "PvghUj8dVP6+h2vrvQRSajpv8QU9fxAWvpXk6b89ZWnAXwyJQD69W772l8a/gO7nO5ccbD1qsfU9/as4PxLmew",

@@ -19,8 +19,7 @@ bool yk_path_is_exact(const YkTask *task)
 {
     const YkPathTask *path = &task->path;
     bool is_fixed = path->pivot[0].is_given || path->pivot[1].is_given || path->ground_angle.is_given;
-    return task->has_four_bar && path->count == YK_ALT_POINTS && path->timing == YK_TIMING_ANY && !is_fixed &&
-           yk_alt_start_places();
+    return task->has_four_bar && path->count == YK_ALT_POINTS && path->timing == YK_TIMING_ANY && !is_fixed;
 }
 
 size_t yk_path_exact_pieces(const YkTask *task)
