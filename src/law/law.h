@@ -13,6 +13,8 @@ typedef struct YkLaw YkLaw;
 // without keeps its end values outside its range (derivatives 0). At a joint of segments, gives the values just after
 // it. Cost O(log segments).
 void yk_law_eval(const YkLaw *law, double x, double d[YK_LAW_ORDER + 1]);
+// Computes d[0], d[1], d[2] at n places with the same bits: many at a time where they lie in one polynomial.
+void yk_law_eval_lanes(const YkLaw *law, const double *x, double *const d[3], size_t n);
 
 // The range of x over which the law is defined; period 0 if it has none.
 typedef struct YkLawRange {

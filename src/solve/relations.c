@@ -37,13 +37,18 @@ static void add_sources(const YkRun *run, uint32_t first, uint32_t count, double
 // Adds gain * law(argument) to out, with the rates by the chain rule.
 static void add_law(const YkRun *run, const YkRelation *r, YkPlane argument, YkPlane out, double *slope)
 {
-    for (size_t k = 0; k < run->lanes; k++) {
-        double d[YK_LAW_ORDER + 1], w = argument.vx[k];
-        yk_law_eval(r->law, argument.x[k], d);
-        out.x[k] += r->gain * d[0];
-        out.vx[k] += r->gain * d[1] * w;
-        out.ax[k] += r->gain * (d[1] * argument.ax[k] + d[2] * w * w);
-        slope[k] = r->gain * d[1];
+    enum { SOME = 96 };
+    double value[SOME], first[SOME], second[SOME], *const d[] = {value, first, second};
+    for (size_t at = 0; at < run->lanes; at += SOME) {
+        size_t n = run->lanes - at < SOME ? run->lanes - at : SOME;
+        yk_law_eval_lanes(r->law, argument.x + at, d, n);
+        for (size_t k = at; k < at + n; k++) {
+            double w = argument.vx[k];
+            out.x[k] += r->gain * value[k - at];
+            out.vx[k] += r->gain * first[k - at] * w;
+            out.ax[k] += r->gain * (first[k - at] * argument.ax[k] + second[k - at] * w * w);
+            slope[k] = r->gain * first[k - at];
+        }
     }
 }
 

@@ -33,6 +33,32 @@ static void a_law_with_a_period_repeats_itself(void **state)
     }
 }
 
+// Across pieces, in other periods, outside the range.
+static void many_places_have_the_bits_of_one(void **state)
+{
+    (void)state;
+    enum { PLACES = 200 };
+    for (int periodic = 0; periodic < 2; periodic++) {
+        const YkRise polynomial = {.law = YK_RISE_4_5_6_7}, parabolas = {.law = YK_RISE_PARABOLIC},
+                     sine = {.law = YK_RISE_MODIFIED_SINE};
+        Bench bench = bench_new(-1, 5);
+        assert_int_equal(yk_law_add_rise(bench.builder, 1, 20, &polynomial), YK_LAW_OK);
+        assert_int_equal(yk_law_add_fall(bench.builder, 3, 15, &sine), YK_LAW_OK);
+        assert_int_equal(yk_law_add_fall(bench.builder, 5, 5, &parabolas), YK_LAW_OK);
+        assert_int_equal(yk_law_add_dwell(bench.builder, 2 * YK_PI - 1), YK_LAW_OK);
+        const YkLaw *law = bench_finish(&bench, periodic * 2 * YK_PI);
+        double x[PLACES], value[PLACES], first[PLACES], second[PLACES], *const d[] = {value, first, second};
+        for (int k = 0; k < PLACES; k++) x[k] = -2 + 0.06 * k;
+        yk_law_eval_lanes(law, x, d, PLACES);
+        for (int k = 0; k < PLACES; k++)
+            for (int m = 0; m < 3; m++) {
+                double one = law_value(law, x[k], m);
+                assert_memory_equal(&d[m][k], &one, sizeof one);
+            }
+        bench_free(&bench);
+    }
+}
+
 static void just_below_its_start_a_periodic_law_is_at_its_end(void **state)
 {
     (void)state;
@@ -119,6 +145,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_law_with_a_period_repeats_itself),
+        cmocka_unit_test(many_places_have_the_bits_of_one),
         cmocka_unit_test(just_below_its_start_a_periodic_law_is_at_its_end),
         cmocka_unit_test(outside_its_range_a_law_without_a_period_stands_still),
         cmocka_unit_test(at_a_joint_holds_what_follows),
