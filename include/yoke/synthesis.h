@@ -152,6 +152,9 @@ YK_API const double *yk_synthesis_angles(const YkSynthesis *synthesis, size_t ca
 // Returns the largest error of the function generator that meets five points, from which the candidate was evened out, rad;
 // NaN for a candidate that was not.
 YK_API double yk_synthesis_interpolating(const YkSynthesis *synthesis, size_t candidate);
+// Returns whether a function generator's input, or output, begins its range half a turn from the angle that the task fixes.
+// A textbook writes its length as negative.
+YK_API bool yk_synthesis_is_reversed(const YkSynthesis *synthesis, size_t candidate, bool output);
 // The path of the coupler point over the motion, xy[2 * count] in m; functions: input angle and error, rad. Returns
 // the count; the array belongs to the synthesis.
 YK_API size_t yk_synthesis_curve(const YkSynthesis *synthesis, size_t candidate, const double **xy);

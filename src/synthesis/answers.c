@@ -1,6 +1,7 @@
 // What a synthesis answers to its caller.
 #include <math.h>
 #include <string.h>
+#include "elementary/elementary.h"
 #include "synthesis/path_bar.h"
 #include "synthesis/synthesis.h"
 
@@ -140,6 +141,14 @@ const double *yk_synthesis_angles(const YkSynthesis *s, size_t candidate, size_t
 double yk_synthesis_interpolating(const YkSynthesis *s, size_t candidate)
 {
     return candidate < yk_synthesis_count(s) ? s->candidates.items[candidate].interpolating : NAN;
+}
+
+bool yk_synthesis_is_reversed(const YkSynthesis *s, size_t candidate, bool output)
+{
+    if (candidate >= yk_synthesis_count(s) || s->task->kind != YK_TASK_FUNCTION) return false;
+    const YkGiven *phase = &s->task->function.phase[output];
+    double begins = s->candidates.items[candidate].design.angle[output ? 2 : 0];
+    return phase->is_given && yk_cos(begins - phase->value) < 0;
 }
 
 size_t yk_synthesis_curve(const YkSynthesis *s, size_t candidate, const double **xy)

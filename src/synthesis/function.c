@@ -191,10 +191,7 @@ static void take_four(YkSynthesis *s)
     for (size_t k = 0; k < (phase->is_given ? 1 : RAYS); k++) {
         double angle = phase->is_given ? phase->value : YK_PI * ((double)k + from) / RAYS;
         size_t count = yk_four_poses_ray(&four, angle, dyad);
-        for (size_t i = 0; i < count; i++) {
-            bool is_ahead = yk_dot(yk_vec(dyad[i].moving[0], dyad[i].moving[1]), yk_unit(angle)) > 0;
-            if (!phase->is_given || is_ahead) take_dyad(s, &dyad[i], held);
-        }
+        for (size_t i = 0; i < count; i++) take_dyad(s, &dyad[i], held);
         yk_pace_reach(&s->pace, (double)k / RAYS);
         if (!yk_synthesis_goes_on(s, 20)) return;
     }
@@ -219,9 +216,9 @@ static void take_phases(YkSynthesis *s, double phi, double psi)
     yk_lu_solve(3, A, pivot, K);
     if (fabs(K[0]) < 1e-6 || fabs(K[1]) < 1e-6) return; // a link without end
     double a = 1 / K[0], c = 1 / K[1], b2 = a * a + c * c + 1 - 2 * a * c * K[2];
-    bool is_turned = (f->phase[0].is_given && a < 0) || (f->phase[1].is_given && c < 0);
+    // A negative length is a link half a turn ahead.
     YkDesign design = make(f, yk_scale(a, yk_unit(phi)), yk_scale(c, yk_unit(psi)), sqrt(fmax(b2, 0)));
-    if (is_turned || !(b2 > 1e-12)) // a negative length is a link half a turn ahead
+    if (!(b2 > 1e-12))
         yk_synthesis_leave(s, &design, YK_DEFECT_ASSEMBLY, &(YkVerdict){.defect = YK_DEFECT_ASSEMBLY});
     else
         take(s, f, &design);

@@ -126,24 +126,34 @@ static void read_require(YkTaskReader *reader)
 static unsigned kinds_of(const YkTask *task, const char *word)
 {
     size_t count = task->kind == YK_TASK_PATH ? YK_DESIGN_KINDS : task->kind == YK_TASK_MOTION ? 3 : 1;
-    if (task->kind == YK_TASK_PATH && strcmp(word, "all") == 0) return (1u << YK_DESIGN_KINDS) - 1;
+    if (strcmp(word, "all") == 0) return (1u << count) - 1;
     for (size_t k = 0; k < count; k++)
         if (strcmp(word, yk_design_kind_name((YkDesignKind)k)) == 0) return 1u << k;
     return 0;
 }
 
+static bool is_kind(const char *word)
+{
+    for (int k = 0; k < YK_DESIGN_KINDS; k++)
+        if (strcmp(word, yk_design_kind_name((YkDesignKind)k)) == 0) return true;
+    return false;
+}
+
+// Reports a word of `mechanisms:` that gives the task nothing: a warning where it is a machine, and others are left.
 static void refuse_mechanism(const YkTaskReader *reader, const YkNode *item)
 {
     static const char *const found[YK_TASK_KINDS] = {
         [YK_TASK_MOTION] = "four-bars, slider-cranks and inverted slider-cranks",
         [YK_TASK_PATH] = "four-bars, slider-cranks, inverted slider-cranks, geared five-bars and six-bars"};
     static const char *const hint[YK_TASK_KINDS] = {
-        [YK_TASK_MOTION] = "write some of [four-bar, slider-crank, inverted-slider-crank]",
+        [YK_TASK_MOTION] = "write some of [four-bar, slider-crank, inverted-slider-crank], or [all]",
         [YK_TASK_PATH] = "write some of [four-bar, slider-crank, inverted-slider-crank, "
                          "geared-five-bar, watt, stephenson], or [all]"};
     YkTaskKind kind = reader->task->kind;
-    yk_problem(reader->loader->problems, YK_CODE_WRONG_WORD, item->place, "this version finds %s for a %s, no %q",
-               found[kind] ? found[kind] : "four-bars", kinds[kind].name, item->text);
+    bool is_passed_over = reader->task->kinds != 0 && is_kind(item->text);
+    yk_problem(reader->loader->problems, is_passed_over ? YK_CODE_TASK_MECHANISM : YK_CODE_WRONG_WORD, item->place,
+               "this version finds %s for a %s, but not %q", found[kind] ? found[kind] : "four-bars", kinds[kind].name,
+               item->text);
     yk_problem_hint(reader->loader->problems, "%s",
                     hint[kind] ? hint[kind] : "write [four-bar], or leave `mechanisms` out");
 }
@@ -160,9 +170,11 @@ static void read_mechanisms(YkTaskReader *reader)
             const YkNode *item = list->items[k];
             if (!yk_load_expect(loader, item, YK_NODE_SCALAR, &(YkSubject){.noun = "entry", .owner = "mechanisms"}))
                 continue;
-            unsigned asked = kinds_of(task, item->text);
-            task->kinds |= asked;
-            if (!asked) refuse_mechanism(reader, item);
+            task->kinds |= kinds_of(task, item->text);
+        }
+        for (size_t k = 0; k < list->count; k++) {
+            const YkNode *item = list->items[k];
+            if (item->kind == YK_NODE_SCALAR && kinds_of(task, item->text) == 0) refuse_mechanism(reader, item);
         }
         if (list->count == 0) {
             yk_problem(loader->problems, YK_CODE_WRONG_WORD, list->place, "`mechanisms` names no machine");

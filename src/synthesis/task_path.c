@@ -142,9 +142,13 @@ static void check_fix(YkTaskReader *reader)
     bool has_both = path->pivot[0].is_given && path->pivot[1].is_given;
     if (has_both && yk_norm(yk_sub(path->pivot[1].at, path->pivot[0].at)) == 0)
         yk_problem(problems, YK_CODE_TASK_BOUNDS, fix->place, "both pivots are at the same point");
-    if (has_both && path->ground_angle.is_given) {
+    YkVec ground = yk_sub(path->pivot[1].at, path->pivot[0].at);
+    double off = has_both && path->ground_angle.is_given
+                     ? yk_remainder(yk_atan2(ground.y, ground.x) - path->ground_angle.value, 2 * YK_PI)
+                     : 0;
+    if (fabs(off) > 1e-9) {
         yk_problem(problems, YK_CODE_RIVAL_KEYS, fix->place,
-                   "two pivots determine the ground's angle: `ground_angle` is given twice");
+                   "the two pivots give the ground another angle than `ground_angle`");
         yk_problem_hint(problems, "leave `ground_angle` or one of the pivots out");
     }
     if (reader->task->has_slider && path->pivot[1].is_given)

@@ -234,11 +234,37 @@ static void a_four_bar_is_found_again_from_its_pairs(void **state)
     assert_true(found >= 5);
 }
 
+// Freudenstein's equation for theta4 = 65 deg + 0.43 theta2 at Chebyshev's three places of 15 to 165 deg has negative lengths
+// (classical exercise): both links begin half a turn from there. With the angles of what is there nothing is reversed.
+static void negative_lengths_are_links_that_begin_half_a_turn_away(void **state)
+{
+    (void)state;
+    static const double wanted[] = {1, 0.14083845569327505, 1.0791445269931796, 0.29333640485337126};
+    for (int turned = 0; turned < 2; turned++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "synthesis: function\npairs: [[0, 0], [64.9519052838329 deg, 27.92931927204819 deg], "
+                 "[129.9038105676658 deg, 55.85863854409638 deg]]\n"
+                 "fix: {input_start: %.17g deg, output_start: %.17g deg, ground: 1}\n",
+                 25.0480947161671 + 180 * turned, 75.77068072795186 - 180 * turned);
+        Answer a = answer_to(text);
+        assert_true(yk_synthesis_is_complete(a.synthesis));
+        assert_int_equal(yk_synthesis_count(a.synthesis), 1);
+        YkCandidate c = yk_synthesis_candidate(a.synthesis, 0);
+        for (int k = 0; k < 4; k++) CHECK_NEAR(c.lengths[k], wanted[k], 1e-10);
+        assert_int_equal(yk_synthesis_is_reversed(a.synthesis, 0, false), !turned);
+        assert_int_equal(yk_synthesis_is_reversed(a.synthesis, 0, true), !turned);
+        assert_false(yk_synthesis_is_reversed(a.synthesis, 1, true));
+        answer_free(&a);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_published_four_bars_for_a_power_are_found),
         cmocka_unit_test(errors_over_the_range_are_those_of_the_closed_form),
+        cmocka_unit_test(negative_lengths_are_links_that_begin_half_a_turn_away),
         cmocka_unit_test(errors_that_are_evened_out_are_the_least_nearby),
         cmocka_unit_test(pairs_and_phases_that_are_given_are_kept),
         cmocka_unit_test(a_four_bar_is_found_again_from_its_pairs),

@@ -1,6 +1,7 @@
 // Task files that are wrong: each gets its code, its place, and all problems at once.
 #include "synthesis/answer.h"
 #include "base/codes.h"
+#include "synthesis/design.h"
 #include "synthesis/task.h"
 
 #define PATH "points: [[0, 0], [1, 1]]\n"
@@ -19,6 +20,21 @@ static void refuse(const char *text, int code, unsigned line)
     if (task || !has) print_error("%s\nwants E%04d in line %u:\n%s", text, code, line, yk_problems_text(problems, 0));
     assert_null(task);
     assert_true(has);
+    yk_problems_free(problems);
+}
+
+static void machines_that_a_task_cannot_have_are_passed_over_where_others_are_left(void **state)
+{
+    (void)state;
+    static const char text[] = "synthesis: function\nof: log10(x)\nx: [1, 2]\ninput: 60 deg\noutput: 90 deg\n"
+                               "mechanisms: [four-bar, slider-crank]\n";
+    YkProblems *problems = yk_problems_new();
+    YkTask *task = yk_task_parse(text, strlen(text), "task.yaml", problems);
+    assert_non_null(task);
+    assert_int_equal(yk_problems_count(problems), 1);
+    assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_TASK_MECHANISM);
+    assert_int_equal(task->kinds, 1u << YK_DESIGN_FOUR_BAR);
+    yk_task_free(task);
     yk_problems_free(problems);
 }
 
@@ -180,6 +196,7 @@ static void nothing_is_asked_of_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(machines_that_a_task_cannot_have_are_passed_over_where_others_are_left),
         cmocka_unit_test(every_mistake_has_its_code_and_place),
         cmocka_unit_test(all_mistakes_are_told_at_once),
         cmocka_unit_test(values_have_units_and_parameters),

@@ -71,6 +71,14 @@ static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t ind
     yk_json_number(json, "worst", c.worst);
     double interpolating = yk_synthesis_interpolating(synthesis, index);
     if (!isnan(interpolating)) yk_json_number(json, "interpolating", interpolating);
+    bool is_reversed[] = {yk_synthesis_is_reversed(synthesis, index, false),
+                          yk_synthesis_is_reversed(synthesis, index, true)};
+    if (is_reversed[0] || is_reversed[1]) {
+        yk_json_list(json, "reversed", YK_JSON_INLINE);
+        if (is_reversed[0]) yk_json_string(json, NULL, "input");
+        if (is_reversed[1]) yk_json_string(json, NULL, "output");
+        yk_json_end(json);
+    }
     bool has_dimensions = c.circuits > 0; // a machine that is there has parameters alone
     if (has_dimensions) {
         add_two(json, "transmission", c.transmission);

@@ -91,6 +91,22 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
     end_table(out, table);
 }
 
+// Tells which links begin half a turn from the angles that the task fixes.
+static void add_reversed(YkText *out, const YkSynthesis *synthesis)
+{
+    for (size_t k = 0; k < yk_synthesis_count(synthesis); k++) {
+        bool input = yk_synthesis_is_reversed(synthesis, k, false),
+             output = yk_synthesis_is_reversed(synthesis, k, true);
+        if (!input && !output) continue;
+        yk_text_format(
+            out, "\n%z: the %s half a turn from the angle in `fix`: written with a negative length, %s there.\n", k + 1,
+            input && output ? "input and the output begin"
+            : input         ? "input begins"
+                            : "output begins",
+            input && output ? "they begin" : "it begins");
+    }
+}
+
 // Parameters of a machine, each in the unit of its file.
 static void add_machines(YkText *out, const YkSynthesisAnswer *answer)
 {
@@ -200,6 +216,7 @@ void yk_synthesis_text(const YkSynthesisAnswer *answer)
     }
     add_candidates(out, synthesis, &u,
                    kind[0] == 'f' || (kind[0] == 's' && yk_synthesis_candidate(synthesis, 0).lengths[3] > 0));
+    add_reversed(out, synthesis);
     add_left_out(out, synthesis);
     if (answer->session->request->defects) add_defects(out, synthesis, &u);
 }
