@@ -22,7 +22,7 @@ target_compile_options(yaml PRIVATE -w)
 
 file(GLOB YOKE_SOURCES CONFIGURE_DEPENDS src/*/*.c src/*/*/*.c)
 list(REMOVE_ITEM YOKE_SOURCES ${CMAKE_SOURCE_DIR}/src/write/process.c)
-list(FILTER YOKE_SOURCES EXCLUDE REGEX "/synthesis/(alt_.*|path_exact)[.]c$") # small/no_exact_path.c
+list(FILTER YOKE_SOURCES EXCLUDE REGEX "/synthesis/(nine_points/alt_.*|paths/path_exact)[.]c$") # small/no_exact_path.c
 add_library(yoke_core STATIC ${YOKE_SOURCES} ${YOKE_WASI}/process.c ${YOKE_WASI}/posix.c web/core/small/no_exact_path.c)
 target_include_directories(yoke_core PUBLIC ${YOKE_WASI} include src)
 target_compile_definitions(yoke_core PUBLIC _POSIX_C_SOURCE=200809L _WASI_EMULATED_GETPID _WASI_EMULATED_SIGNAL)

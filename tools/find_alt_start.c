@@ -1,4 +1,4 @@
-// Finds the start system of Alt's problem by monodromy, and writes src/synthesis/alt_start_table.c. See tools/find-alt-start.
+// Finds the start system of Alt's problem by monodromy, and writes src/synthesis/nine_points/alt_start_table.c. See tools/find-alt-start.
 //
 // A random complex linkage is turned to eight random places, which makes it a solution of the nine-point problem there. It is
 // led to places with few digits, and then round random triangles of places: the solutions permute, and every round shows
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/mix.h"
-#include "synthesis/alt_start.h"
+#include "synthesis/nine_points/alt_start.h"
 
 enum { N = YK_ALT_SIZE, P = YK_ALT_PLACES, MOST = 2 * YK_ALT_TRIPLES, ROUNDS_MAX = 60, THREADS = 2 };
 
@@ -169,7 +169,7 @@ static void print_solution(const YkVec *x)
 static void print_table(const YkVec *places)
 {
     printf("// Start solutions of Alt's problem. Written by tools/find-alt-start: change that.\n"
-           "#include \"synthesis/alt_start.h\"\n\n"
+           "#include \"synthesis/nine_points/alt_start.h\"\n\n"
            "// clang-format off\n"
            "const YkVec yk_alt_start_at[YK_ALT_PLACES] = {\n");
     for (size_t k = 0; k < P; k++) printf("    {%.3f, %.3f},\n", places[k].x, places[k].y);

@@ -4,7 +4,7 @@
 #define BENCH_DOP853_H
 #include <math.h>
 #include <string.h>
-#include "num/ode_dop853_tableau.h"
+#include "num/ode/ode_dop853_tableau.h"
 
 enum { DOP853_MOST = 16 };
 

@@ -1,6 +1,6 @@
 // Section: velocity and acceleration polygons, step by step as they are drawn by hand, and the force polygon of every
-// body. The order of the construction is that of design/polygon_plan.c, which fills it with numbers elsewhere.
-#include "design/polygon_plan.h"
+// body. The order of the construction is that of design/polygons/polygon_plan.c, which fills it with numbers elsewhere.
+#include "design/polygons/polygon_plan.h"
 #include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 

@@ -1,7 +1,7 @@
 // Joins the segments of a block to strands, and tells what happens where they meet.
 #include <stdlib.h>
 #include <string.h>
-#include "map/dyad.h"
+#include "map/workspace/dyad.h"
 #include "map/segments.h"
 #include "num/complex.h"
 

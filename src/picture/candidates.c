@@ -1,7 +1,7 @@
 // The candidates of a synthesis side by side: each at its first position, with the task and its curve.
 #include <math.h>
 #include "picture/svg.h"
-#include "synthesis/path_chain.h"
+#include "synthesis/paths/path_chain.h"
 #include "synthesis/synthesis.h"
 #include "base/number.h"
 

@@ -1,7 +1,7 @@
 // Draws force polygons, each body's in a cell with its own scale, with the words below.
 #include <math.h>
 #include "base/escape.h"
-#include "design/force_polygon.h"
+#include "design/polygons/force_polygon.h"
 #include "picture/polygon_sheet.h"
 #include "picture/svg.h"
 

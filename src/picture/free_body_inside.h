@@ -2,7 +2,7 @@
 #ifndef PICTURE_FREE_BODY_INSIDE_H
 #define PICTURE_FREE_BODY_INSIDE_H
 #include "base/names.h"
-#include "picture/drawing.h"
+#include "picture/drawing/drawing.h"
 #include "picture/free_body.h"
 #include "picture/svg.h"
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
-#include "picture/drawing.h"
+#include "picture/drawing/drawing.h"
 #include "write/process.h"
 
 typedef struct Kind {

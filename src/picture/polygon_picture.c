@@ -1,6 +1,6 @@
 // Draws a polygon of velocities or accelerations to scale, with the steps of its construction below.
 #include <math.h>
-#include "design/polygon.h"
+#include "design/polygons/polygon.h"
 #include "picture/polygon_sheet.h"
 #include "picture/svg.h"
 

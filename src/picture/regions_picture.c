@@ -1,7 +1,7 @@
 // Draws a map over two freedoms: regions in colours, and the curves between them.
 #include <math.h>
 #include <stdlib.h>
-#include "map/regions.h"
+#include "map/workspace/regions.h"
 #include "picture/axes.h"
 #include "picture/svg.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 #include "base/vec.h"
 #include "model/model.h"
-#include "picture/drawing.h"
+#include "picture/drawing/drawing.h"
 #include "picture/svg.h"
 #include "write/table.h"
 

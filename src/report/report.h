@@ -12,7 +12,7 @@
 #include "base/pace.h"
 #include "base/text.h"
 #include "model/model.h"
-#include "picture/drawing.h"
+#include "picture/drawing/drawing.h"
 
 typedef enum YkReportMotionKind {
     YK_REPORT_STILL,     // nothing moves: no freedom, or no pose

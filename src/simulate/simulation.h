@@ -6,7 +6,7 @@
 #include "dynamics/dynamics.h"
 #include "dynamics/law_uses.h"
 #include "num/bounded.h"
-#include "num/ode.h"
+#include "num/ode/ode.h"
 
 // A block near a singular position: the last known angle between its two columns, and how it continues.
 typedef struct YkNear {

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "elementary/elementary.h"
-#include "synthesis/path_bar.h"
+#include "synthesis/paths/path_bar.h"
 #include "synthesis/synthesis.h"
 
 bool yk_synthesis_was_stopped(const YkSynthesis *s)

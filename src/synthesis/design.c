@@ -1,5 +1,5 @@
 // Dimensions, type and defects of a four-bar from two dyads.
-#include "synthesis/path_chain.h"
+#include "synthesis/paths/path_chain.h"
 #include <math.h>
 
 static YkVec vector(const double v[2])

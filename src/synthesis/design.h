@@ -1,7 +1,7 @@
 // A machine that synthesis proposes: its dimensions, its model file, and what the engine says of it.
 #ifndef SYNTHESIS_DESIGN_H
 #define SYNTHESIS_DESIGN_H
-#include "synthesis/task.h"
+#include "synthesis/tasks/task.h"
 
 typedef enum YkDesignKind {
     YK_DESIGN_FOUR_BAR,

@@ -2,7 +2,7 @@
 #include <math.h>
 #include "base/number.h"
 #include "synthesis/design_text.h"
-#include "synthesis/path_chain.h"
+#include "synthesis/paths/path_chain.h"
 
 enum { DIGITS = 12, PATH_DIGITS = 15, ALL_DIGITS = 17 }; // of lengths and angles: of a search, of a path; of a formula
 

@@ -1,7 +1,7 @@
 // Evens out the structural error of a function generator.
 #ifndef SYNTHESIS_EVEN_H
 #define SYNTHESIS_EVEN_H
-#include "synthesis/task.h"
+#include "synthesis/tasks/task.h"
 
 // A four-bar on a ground of 1: its links, and the angles of input and output where the range begins.
 typedef struct YkGenerator {

@@ -1,6 +1,6 @@
 // Judges a design by its model file: the ordinary loader reads it, the ordinary engine assembles and drives it.
 #include <math.h>
-#include "synthesis/path_bar.h"
+#include "synthesis/paths/path_bar.h"
 #include <yoke/move.h>
 
 typedef struct Trial {

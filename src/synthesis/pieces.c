@@ -1,8 +1,8 @@
 // The pieces of a search, computed one by one for whoever distributes them.
 #include <stdlib.h>
 #include <string.h>
-#include "synthesis/machine_fit.h"
-#include "synthesis/path_search.h"
+#include "synthesis/machines/machine_fit.h"
+#include "synthesis/paths/path_search.h"
 #include <yoke/version.h>
 
 struct YkPieces {

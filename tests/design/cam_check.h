@@ -2,7 +2,7 @@
 #ifndef TESTS_DESIGN_CAM_CHECK_H
 #define TESTS_DESIGN_CAM_CHECK_H
 #include "model/fixture.h"
-#include "design/cam.h"
+#include "design/cams/cam.h"
 
 #define DEG (YK_PI / 180)
 #define SLIDE                                                                                                          \

@@ -7,14 +7,14 @@
 #define realloc try_realloc
 #define free count_free
 #include "../../src/base/memory.c"
-#include "../../src/design/cam_design.c"
-#include "../../src/design/cam_samples.c"
+#include "../../src/design/cams/cam_design.c"
+#include "../../src/design/cams/cam_samples.c"
 #define JUMPS_MAX LAW_JUMPS_MAX
 #define lift_at lift_of_law
-#include "../../src/design/cam_law.c"
+#include "../../src/design/cams/cam_law.c"
 #undef lift_at
 #define DEPTH_MAX PROFILE_DEPTH_MAX
-#include "../../src/design/cam_profile.c"
+#include "../../src/design/cams/cam_profile.c"
 #undef malloc
 #undef realloc
 #undef free

@@ -1,5 +1,5 @@
 // Gaps of dyads: their sign tells how many solutions there are, and their slope is that of differences.
-#include "map/dyad.h"
+#include "map/workspace/dyad.h"
 #include "check.h"
 
 static const YkShape shapes[] = {

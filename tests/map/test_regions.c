@@ -3,7 +3,7 @@
 #include <yoke/configurations.h>
 #include <yoke/regions.h>
 #include "configurations/truss.h"
-#include "map/box.h"
+#include "map/workspace/box.h"
 
 // A five-bar: motors at (-w, 0) and (w, 0), cranks, couplers.
 typedef struct FiveBar {

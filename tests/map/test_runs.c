@@ -1,7 +1,7 @@
 // Regions of a field's cells, against a flood fill; and the table of crossings, against an array.
 #include "check.h"
 #include "base/mix.h"
-#include "map/runs.h"
+#include "map/workspace/runs.h"
 
 enum { N = 24 };
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_NUM_ODE_PROBLEMS_H
 #define TESTS_NUM_ODE_PROBLEMS_H
 #include "check.h"
-#include "num/ode.h"
+#include "num/ode/ode.h"
 
 #define PI 3.14159265358979323846
 

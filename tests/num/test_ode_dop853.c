@@ -1,6 +1,6 @@
 // DOP853: its numbers by the conditions they must satisfy, its orders by halving the step, its cost by counting.
 #include "ode_problems.h"
-#include "num/ode_dop853_tableau.h"
+#include "num/ode/ode_dop853_tableau.h"
 #include <stdlib.h>
 
 static double node_of(size_t stage)

@@ -2,7 +2,7 @@
 #include "check.h"
 #include <stdlib.h>
 #include <yoke/yoke.h>
-#include "picture/drawing.h"
+#include "picture/drawing/drawing.h"
 
 typedef struct Machine {
     YkModel *model;

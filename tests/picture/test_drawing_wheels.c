@@ -2,7 +2,7 @@
 #include "check.h"
 #include <stdlib.h>
 #include <yoke/yoke.h>
-#include "picture/drawing.h"
+#include "picture/drawing/drawing.h"
 
 static YkGear gear(int64_t a, int64_t b, bool is_internal, double distance, double module)
 {

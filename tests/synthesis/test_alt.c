@@ -1,9 +1,9 @@
 // Alt's problem: the stored start solutions, the equations against four-bars, and paths in both directions.
 #include "synthesis/answer.h"
 #include <stdlib.h>
-#include "synthesis/alt_certify.h"
-#include "synthesis/path_bar.h"
-#include "synthesis/path_search.h"
+#include "synthesis/nine_points/alt_certify.h"
+#include "synthesis/paths/path_bar.h"
+#include "synthesis/paths/path_search.h"
 
 enum { N = YK_ALT_SIZE, P = YK_ALT_PLACES, TRIPLES = YK_ALT_TRIPLES, NAMES = YK_ALT_NAMES };
 

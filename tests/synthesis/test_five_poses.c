@@ -1,6 +1,6 @@
 // Dyads through five and four positions against published ones, and against dyads whose positions were made.
 #include "check.h"
-#include "synthesis/poses.h"
+#include "synthesis/motions/poses.h"
 
 #define DEG (YK_PI / 180)
 

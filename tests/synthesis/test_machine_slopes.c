@@ -1,5 +1,5 @@
 // Derivatives of the misses of a machine task: against complex steps and motions beside it, and what they cost.
-#include "synthesis/machine_fit.h"
+#include "synthesis/machines/machine_fit.h"
 #include <complex.h>
 #include "synthesis/answer.h"
 

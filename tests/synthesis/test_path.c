@@ -2,8 +2,8 @@
 #include "synthesis/answer.h"
 #include "base/codes.h"
 #include "base/mix.h"
-#include "synthesis/path_chain.h"
-#include "synthesis/path_fit.h"
+#include "synthesis/paths/path_chain.h"
+#include "synthesis/paths/path_fit.h"
 #include "synthesis/synthesis.h"
 
 // Measures a candidate by its file alone: drives it to the told angles, in small steps that jump nowhere, and returns the

@@ -3,7 +3,7 @@
 #include "synthesis/answer.h"
 #include <complex.h>
 #include "base/mix.h"
-#include "synthesis/path_search.h"
+#include "synthesis/paths/path_search.h"
 
 enum { POINTS = 60, FINE = 360 };
 typedef double complex Complex;

@@ -2,7 +2,7 @@
 #include "synthesis/answer.h"
 #include "base/codes.h"
 #include "synthesis/design.h"
-#include "synthesis/task.h"
+#include "synthesis/tasks/task.h"
 
 #define PATH "points: [[0, 0], [1, 1]]\n"
 #define THREE "points: [[0, 0], [1, 1], [2, 0]]\n"

@@ -10,10 +10,10 @@
 #define free count_free
 #include "../../src/base/memory.c"
 #include "../../src/base/text.c"
-#include "../../src/picture/drawing.c"
-#include "../../src/picture/drawing_labels.c"
-#include "../../src/picture/drawing_outline.c"
-#include "../../src/picture/drawing_traces.c"
+#include "../../src/picture/drawing/drawing.c"
+#include "../../src/picture/drawing/drawing_labels.c"
+#include "../../src/picture/drawing/drawing_outline.c"
+#include "../../src/picture/drawing/drawing_traces.c"
 #include "../../src/write/table.c"
 #undef malloc
 #undef calloc

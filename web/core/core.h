@@ -5,7 +5,7 @@
 #include <yoke/yoke.h>
 #include "base/archive.h"
 #include "base/text.h"
-#include "picture/drawing.h"
+#include "picture/drawing/drawing.h"
 
 enum { YK_GHOSTS = 16, YK_OVERRIDES = 64 };
 

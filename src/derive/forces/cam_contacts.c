@@ -1,5 +1,5 @@
 // Cams: where the follower is touched, and the common normal along which it is pushed. The geometry is that of
-// design/cam_point.c, with the law's value and slope as symbols. Source: Norton 2009, Cam Design and Manufacturing
+// design/cams/cam_point.c, with the law's value and slope as symbols. Source: Norton 2009, Cam Design and Manufacturing
 // Handbook, ch. 7 (pressure angle).
 #include <math.h>
 #include "derive/forces/meshes.h"

@@ -3,7 +3,7 @@
 #ifndef DERIVE_GEARS_GEARS_H
 #define DERIVE_GEARS_GEARS_H
 #include "derive/derive.h"
-#include "design/train.h"
+#include "design/trains/train.h"
 
 typedef struct YkDeriveTrain {
     YkTrain *train;            // as in `yoke gears`

@@ -1,5 +1,5 @@
 // The modules leave Alt's problem out, whose start solutions alone are 100 KB: nine points are sought in them, not solved.
-#include "synthesis/path_search.h"
+#include "synthesis/paths/path_search.h"
 
 bool yk_path_is_exact(const YkTask *task)
 {

@@ -1,0 +1,27 @@
+// The inside of a polygon.
+#ifndef DESIGN_POLYGON_H
+#define DESIGN_POLYGON_H
+#include <yoke/polygon.h>
+#include "base/memory.h"
+#include "base/text.h"
+#include "design/polygons/polygon_plan.h"
+#include "model/model.h"
+
+struct YkPolygon {
+    YkArena *arena;
+    const YkModel *model;
+    YkPolygonKind kind;
+    YkPolygonVector *vector;
+    YkPolygonImage *image;
+    size_t vector_count, image_count;
+    const char **step;
+    size_t step_count;
+    YkText svg;
+    bool failed; // out of memory
+};
+
+// polygon_text.c: adds the words of a step whose vectors begin at `first` and are complete. rate[body]: rad/s or rad/s^2.
+void yk_polygon_tell(YkPolygon *polygon, const YkPolygonPlan *plan, const YkPolygonStep *step, size_t first,
+                     const double *rate);
+
+#endif
