@@ -287,6 +287,27 @@ static void test_both_passages_are_told(void **unused)
     }
 }
 
+// Excursions as high as the narrowest intervals are wide: an interval may begin before the change point and end beyond it, with no
+// pose in it where the margin is much smaller than at its ends.
+static void test_excursions_as_high_as_an_interval_is_wide(void **unused)
+{
+    (void)unused;
+    static const int cases[] = {352, 1150, 1351, 2144, 2164, 3150};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        const Linkage *l = &linkages[cases[k] % LINKAGES];
+        double small = 1e-9 * pow(10, 3.0 * (cases[k] % 200) / 200), far = 0.1 + 0.002 * (cases[k] / 200);
+        char law[256];
+        snprintf(law, sizeof law, "%.17g - (t/(1 s) - 0.5)^2", small);
+        Machine m = make(l, law, small - 0.25);
+        for (int way = 1; way >= -1; way -= 2) {
+            double t = 0.5 + way * far;
+            check_pose(&m, l, "interval", law, t, yk_state_move_time(m.state, t, NULL, NULL, m.problems));
+        }
+        machine_free(&m);
+    }
+    assert_int_equal(wrong, 0);
+}
+
 // Two parallelograms in series come into line together: the second passes its change point each time that the first does.
 static void test_links_behind_it_pass_with_it(void **unused)
 {
@@ -324,8 +345,8 @@ static void test_links_behind_it_pass_with_it(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_excursion_is_missed),
-                                       cmocka_unit_test(test_both_passages_are_told),
-                                       cmocka_unit_test(test_links_behind_it_pass_with_it)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_no_excursion_is_missed), cmocka_unit_test(test_excursions_as_high_as_an_interval_is_wide),
+        cmocka_unit_test(test_both_passages_are_told), cmocka_unit_test(test_links_behind_it_pass_with_it)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
