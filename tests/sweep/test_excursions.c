@@ -292,15 +292,31 @@ static void test_both_passages_are_told(void **unused)
 static void test_excursions_as_high_as_an_interval_is_wide(void **unused)
 {
     (void)unused;
-    static const int cases[] = {352, 1150, 1351, 2144, 2164, 3150};
-    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        const Linkage *l = &linkages[cases[k] % LINKAGES];
-        double small = 1e-9 * pow(10, 3.0 * (cases[k] % 200) / 200), far = 0.1 + 0.002 * (cases[k] / 200);
+    static const struct {
+        int linkage;
+        double sign, small, factor, middle, times[2];
+    } cases[] = {
+        {3,
+         -1,
+         1.4332879049631806e-07,
+         1.4172918290142111,
+         0.52618182888871989,
+         {0.6697110544397864, 0.031642233617636628}},
+        {6,
+         1,
+         1.2406222943937171e-07,
+         0.55319214284403206,
+         0.78157204590026619,
+         {1.206544758130204, 0.764137403043332}},
+    };
+    for (size_t k = 0; k < 2; k++) {
+        const Linkage *l = &linkages[cases[k].linkage];
+        double small = cases[k].small, factor = cases[k].factor, z = cases[k].middle;
         char law[256];
-        snprintf(law, sizeof law, "%.17g - (t/(1 s) - 0.5)^2", small);
-        Machine m = make(l, law, small - 0.25);
-        for (int way = 1; way >= -1; way -= 2) {
-            double t = 0.5 + way * far;
+        snprintf(law, sizeof law, "%g*(%.17g - %.17g*(t/(1 s) - %.17g)^2)", cases[k].sign, small, factor, z);
+        Machine m = make(l, law, cases[k].sign * (small - factor * z * z));
+        for (int i = 0; i < 4; i++) {
+            double t = cases[k].times[i % 2];
             check_pose(&m, l, "interval", law, t, yk_state_move_time(m.state, t, NULL, NULL, m.problems));
         }
         machine_free(&m);
