@@ -215,6 +215,20 @@ static void walk_near(YkSimulation *sim, YkArchive *a)
     }
 }
 
+// The guide stands where the last evaluation was, which may be ahead of the simulation, and knows from where it came there.
+static void walk_guide(YkSimulation *sim, YkArchive *a)
+{
+    bool has_guide = sim->guide != NULL;
+    yk_archive_flags(a, &has_guide, 1);
+    if (has_guide && (sim->free_count > 0 || sim->mech->block_count == 0)) a->failed = true;
+    if (!has_guide || a->failed) return;
+    if (!sim->guide) sim->guide = yk_state_new(sim->mech);
+    if (sim->guide)
+        yk_state_archive(sim->guide, a);
+    else
+        yk_arena_fail(sim->arena);
+}
+
 // --- the rest -------------------------------------------------------------------------------------
 
 static void walk_scalars(YkSimulation *sim, YkArchive *a)
@@ -245,6 +259,7 @@ void yk_simulation_archive_rest(YkSimulation *sim, YkArchive *a)
     size_t all = 2 * sim->free_count + sim->work_count;
     walk_scalars(sim, a);
     yk_state_archive(sim->state, a);
+    walk_guide(sim, a);
     yk_ode_archive(sim->ode, a);
     yk_archive_numbers(a, sim->y, 7 * (all + 1));
     yk_archive_numbers(a, sim->dynamics->q, 5 * (sim->mech->input_count + 1));

@@ -24,6 +24,10 @@ static void walk_inputs(YkState *s, YkArchive *a)
     yk_archive_numbers(a, s->valid_input, 3 * n);
     yk_archive_numbers(a, s->held, 3 * n);
     yk_archive_flags(a, s->is_held, 3 * n);
+    yk_archive_numbers(a, s->arrival, n); // exactly at a change point they tell which way the machine goes on
+    yk_archive_numbers(a, s->heading, n);
+    yk_archive_numbers(a, &s->arrival_time, 1);
+    yk_archive_numbers(a, &s->time_heading, 1);
     for (size_t i = 0; i < n; i++) {
         yk_archive_numbers(a, &s->phases[i].value, 1);
         yk_archive_numbers(a, &s->phases[i].angle, 1);

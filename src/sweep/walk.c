@@ -182,6 +182,13 @@ static bool stop_or_pass(YkWalk *w, double good, double bad, size_t depth)
     return false;
 }
 
+// Puts the state at the end of an interval again, reached from its beginning.
+static void return_to(YkWalk *w, double a, double b)
+{
+    w->path.last = a;
+    yk_path_try(&w->path, b, true);
+}
+
 // Returns whether an interval that ends almost at a change point has passed it. The state is at b again.
 static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
 {
@@ -189,8 +196,7 @@ static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
     if (w->margin_count != w->path.state->mech->block_count || is_decided(w, block, b)) return false;
     bool has_passed = yk_walk_has_just_passed(w, block, b, way, &at);
     has_passed = has_passed && flip(w, block, at, way);
-    w->path.last = a; // it is reached from there
-    yk_path_try(&w->path, b, true);
+    return_to(w, a, b);
     return has_passed;
 }
 
@@ -243,6 +249,17 @@ static void meet_others(YkWalk *w, double a, double b, size_t depth)
             yk_walk_meets(w, k, b, a, b - a);
 }
 
+// Returns whether a block has passed a change point in an interval at whose ends and in whose middle its margin does not seem to
+// vanish: near the end, or, where a drive turns back, anywhere.
+static bool has_passed_unseen(YkWalk *w, size_t block, double a, double b, double least, double last)
+{
+    bool is_at_end = last <= YK_SINGULAR_MARGIN;
+    if (!is_at_end && (is_decided(w, block, b) || !is_within_reach(w, least, a, b))) return false;
+    if (yk_walk_meets(w, block, b, a, b - a) || (is_at_end && flip_at_end(w, block, a, b))) return true;
+    return_to(w, a, b);
+    return false;
+}
+
 // Judges [a, b] from the margins at both ends and in the middle; in the narrowest intervals a touch is a change point.
 static Verdict look(YkWalk *w, double a, double b, size_t depth)
 {
@@ -251,9 +268,10 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
     bool narrow = yk_path_way(&w->path, a, b) < 4e-7 || depth + 1 >= WALK_DEPTH_MAX, touched = false;
     for (size_t k = 0; k < w->margin_count; k++) {
         if (!yk_walk_has_margin(w, k) || yk_walk_is_at_meeting(w, k, a, b)) continue;
-        if (!narrow && !is_decided(w, k, b) && is_within_reach(w, fmin(ma[k], fmin(mm[k], mb[k])), a, b)) return FINER;
+        double least = fmin(ma[k], fmin(mm[k], mb[k]));
+        if (!narrow && !is_decided(w, k, b) && is_within_reach(w, least, a, b)) return FINER;
         if (!yk_margin_may_vanish(ma[k], mm[k], mb[k])) {
-            touched |= mb[k] <= YK_SINGULAR_MARGIN && (yk_walk_meets(w, k, b, a, b - a) || flip_at_end(w, k, a, b));
+            touched |= has_passed_unseen(w, k, a, b, least, mb[k]);
             continue;
         }
         if (is_decided(w, k, b)) continue;
@@ -263,9 +281,10 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
             touched = true;
             continue;
         }
-        if (w->margin_count != w->path.state->mech->block_count ||
-            !is_touch(w, k, &touch, fmin(ma[k], fmin(mm[k], mb[k]))))
+        if (w->margin_count != w->path.state->mech->block_count || !is_touch(w, k, &touch, least)) {
+            return_to(w, a, b);
             continue;
+        }
         flip_between(w, k, touch, a, b);
         touched = true;
     }

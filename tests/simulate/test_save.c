@@ -1,6 +1,7 @@
 // Simulations saved and restored at random instants go on with the same bits as if they had never been saved; bytes
 // that are not a simulation of this machine are refused.
 #include "base/archive.h"
+#include "../parallelogram.h"
 #include "run.h"
 
 #define SLIDE_FIRST                                                                                                    \
@@ -173,6 +174,39 @@ static void change_points_are_passed_after_a_restore(void **unused)
     }
 }
 
+// Exactly there only the motion that led to it tells on which branch the machine goes on.
+static void a_driven_machine_saved_at_a_change_point_goes_on(void **unused)
+{
+    (void)unused;
+    static const char *const laws[] = {"1 - t/(1 s)", "(1 - t/(1 s))^2", "(1 - t/(1 s))^3",
+                                       "(1 - t/(1 s))*(t/(1 s) - 2)"};
+    static const double times[] = {0.75, 1, 1.5, 2, 2.25, 3};
+    for (size_t k = 0; k < sizeof laws / sizeof *laws; k++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "bodies:\n"
+                 "  ground:  {points: {O2: [0, 0], O4: [4, 0]}}\n"
+                 "  crank:   {points: {O2: [0, 0], A: [2, 0]}, mass: 1, inertia: 1, center: [0, 0]}\n"
+                 "  coupler: {points: {A: [0, 0], B: [4, 0]}}\n"
+                 "  rocker:  {points: {O4: [0, 0], B: [2, 0]}}\n" PARALLELOGRAM_JOINTS
+                 "drives: {theta2: '1 rad*(%s)'}\nstart: {theta3: %d rad, theta4: %d rad}\n",
+                 laws[k], k == 3 ? 2 : -1, k == 3 ? -2 : 1);
+        Run run = run_of_text(text, run_options(1e-9));
+        YkSimulation *clone = yk_simulation_clone(run.sim);
+        for (size_t row = 0; row < sizeof times / sizeof *times; row++) {
+            assert_int_equal(yk_simulation_advance(run.sim, times[row]), YK_OK);
+            assert_int_equal(yk_simulation_advance(clone, times[row]), YK_OK);
+            check_same(run.sim, clone);
+            CHECK_NEAR(run_value(&run, "theta4"), run_value(&run, "theta2"), 1e-7);
+            yk_simulation_free(clone);
+            clone = yk_simulation_clone(run.sim);
+            assert_non_null(clone);
+        }
+        yk_simulation_free(clone);
+        run_free(&run);
+    }
+}
+
 static bool brake(void *context, YkSimulation *sim, double time)
 {
     (void)time;
@@ -315,6 +349,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_restored_goes_on_with_the_same_bits),
         cmocka_unit_test(change_points_are_passed_after_a_restore),
+        cmocka_unit_test(a_driven_machine_saved_at_a_change_point_goes_on),
         cmocka_unit_test(a_control_goes_on_after_a_restore),
         cmocka_unit_test(damaged_bytes_are_refused),
         cmocka_unit_test(forged_bytes_do_no_harm),

@@ -287,6 +287,43 @@ static void test_both_passages_are_told(void **unused)
     }
 }
 
+// Excursions as high as the narrowest intervals are wide: an interval may begin before the change point and end beyond it, with no
+// pose in it where the margin is much smaller than at its ends.
+static void test_excursions_as_high_as_an_interval_is_wide(void **unused)
+{
+    (void)unused;
+    static const struct {
+        int linkage;
+        double sign, small, factor, middle, times[2];
+    } cases[] = {
+        {3,
+         -1,
+         1.4332879049631806e-07,
+         1.4172918290142111,
+         0.52618182888871989,
+         {0.6697110544397864, 0.031642233617636628}},
+        {6,
+         1,
+         1.2406222943937171e-07,
+         0.55319214284403206,
+         0.78157204590026619,
+         {1.206544758130204, 0.764137403043332}},
+    };
+    for (size_t k = 0; k < 2; k++) {
+        const Linkage *l = &linkages[cases[k].linkage];
+        double small = cases[k].small, factor = cases[k].factor, z = cases[k].middle;
+        char law[256];
+        snprintf(law, sizeof law, "%g*(%.17g - %.17g*(t/(1 s) - %.17g)^2)", cases[k].sign, small, factor, z);
+        Machine m = make(l, law, cases[k].sign * (small - factor * z * z));
+        for (int i = 0; i < 4; i++) {
+            double t = cases[k].times[i % 2];
+            check_pose(&m, l, "interval", law, t, yk_state_move_time(m.state, t, NULL, NULL, m.problems));
+        }
+        machine_free(&m);
+    }
+    assert_int_equal(wrong, 0);
+}
+
 // Two parallelograms in series come into line together: the second passes its change point each time that the first does.
 static void test_links_behind_it_pass_with_it(void **unused)
 {
@@ -324,8 +361,8 @@ static void test_links_behind_it_pass_with_it(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_excursion_is_missed),
-                                       cmocka_unit_test(test_both_passages_are_told),
-                                       cmocka_unit_test(test_links_behind_it_pass_with_it)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_no_excursion_is_missed), cmocka_unit_test(test_excursions_as_high_as_an_interval_is_wide),
+        cmocka_unit_test(test_both_passages_are_told), cmocka_unit_test(test_links_behind_it_pass_with_it)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
