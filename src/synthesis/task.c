@@ -142,7 +142,7 @@ static void refuse_mechanism(const YkTaskReader *reader, const YkNode *item)
         [YK_TASK_PATH] = "write some of [four-bar, slider-crank, inverted-slider-crank, "
                          "geared-five-bar, watt, stephenson], or [all]"};
     YkTaskKind kind = reader->task->kind;
-    yk_problem(reader->loader->problems, YK_CODE_WRONG_WORD, item->place, "this version finds %s for a %s, no %q",
+    yk_problem(reader->loader->problems, YK_CODE_WRONG_WORD, item->place, "this version finds %s for a %s, not %q",
                found[kind] ? found[kind] : "four-bars", kinds[kind].name, item->text);
     yk_problem_hint(reader->loader->problems, "%s",
                     hint[kind] ? hint[kind] : "write [four-bar], or leave `mechanisms` out");
