@@ -254,11 +254,11 @@ typedef struct OnePath {
     size_t wanted, width;
 } OnePath;
 
-// Computes one path of the exact search alone, as if all others had got lost.
+// Computes one path of the exact search alone, in the place of the first, as if all others had got lost.
 static YkStatus get_one(void *context, size_t piece, double *numbers)
 {
     OnePath *one = context;
-    if (piece == one->wanted) return yk_pieces_compute(one->pieces, piece, numbers);
+    if (piece == 0) return yk_pieces_compute(one->pieces, one->wanted, numbers);
     for (size_t k = 0; k < one->width; k++) numbers[k] = 0;
     return YK_OK;
 }
