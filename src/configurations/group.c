@@ -25,7 +25,7 @@ void yk_group_solutions_end(YkGroupSolutions *solutions)
     *solutions = (YkGroupSolutions){0};
 }
 
-// Makes `to` a copy of so many bytes. Returns false when out of memory.
+// Makes `to` a copy of `from`. Returns false when out of memory.
 static bool copy_bytes(void **to, const void *from, size_t bytes)
 {
     void *copy = realloc(*to, bytes + 1);

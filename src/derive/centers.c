@@ -250,9 +250,9 @@ static bool put_all(Centers *c)
     c->of = YK_NEW(c->d->arena, const YkCenter *, c->bodies * c->bodies);
     if (!center || !c->of || !enter_symbols(c)) return false;
     yk_page_words(c->page,
-                  "%z bodies have %z centres. Those at joints are known; the centres of three bodies lie on one "
+                  "%z bodies have %z centre%s. Those at joints are known; the centres of three bodies lie on one "
                   "line (Aronhold, Kennedy), so that each of the others is where two lines meet.",
-                  c->bodies, count);
+                  c->bodies, count, count == 1 ? "" : "s");
     yk_derive_put_angles(c->d, c->page);
     for (size_t k = 0; k < count; k++) {
         center[k] = yk_centers_at(c->found, k);
@@ -262,6 +262,13 @@ static bool put_all(Centers *c)
     }
     put_rates(c);
     return true;
+}
+
+// Writes the reason why there are no centres, as a sentence.
+static void put_why(YkPage *page, const char *message)
+{
+    const char first[] = {message[0] >= 'a' && message[0] <= 'z' ? (char)(message[0] - 'a' + 'A') : message[0], '\0'};
+    yk_page_words(page, "%s%s.", first, message + 1);
 }
 
 bool yk_derive_section_centers(YkDerivation *d, YkPage *page)
@@ -284,7 +291,7 @@ bool yk_derive_section_centers(YkDerivation *d, YkPage *page)
     else if (status == YK_NO_MEMORY || (why && why->code == YK_CODE_OUT_OF_MEMORY))
         good = false;
     else
-        yk_page_words(page, "%s.", why ? why->message : "The machine cannot be assembled where its file starts it");
+        put_why(page, why ? why->message : "the machine cannot be assembled where its file starts it");
     if (!good) d->failed = true;
     yk_centers_free(found);
     yk_state_free(state);

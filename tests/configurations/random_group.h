@@ -24,7 +24,7 @@ static inline void random_group_join(YkBuilder *b, const char *name, char kind, 
     if (kind == 'S') yk_builder_slot(b, name, first, second, along, name, to, NULL, NULL);
 }
 
-// Makes a machine of so many loops. Pins and slides take two freedoms, slots take one.
+// Makes a machine with the given number of loops. Pins and slides take two freedoms, slots take one.
 static inline Machine random_group_machine(size_t loops, uint64_t seed)
 {
     static const char *const names[] = {"ground", "b1", "b2", "b3", "b4", "b5", "b6"};
@@ -58,7 +58,7 @@ static inline Machine random_group_machine(size_t loops, uint64_t seed)
     return m;
 }
 
-// Returns whether the machine is one group of so many loops without freedom.
+// Returns whether the machine is one group of that many loops without freedom.
 static inline bool random_group_is_one(const Machine *m, size_t loops)
 {
     if (!m->state || yk_input_count(m->mech) > 0) return false;

@@ -62,7 +62,7 @@ static void check_agreement(Machine *m, const char *what, uint64_t seed)
     for (size_t s = 0; s < eliminated.count; s++) assert_true(holds(m, &followed, eliminated.q[s]));
 }
 
-// Returns whether the seed gave a group of so many loops.
+// Returns whether the seed gave a group of that many loops.
 static bool try_group(size_t loops, uint64_t seed)
 {
     Machine m = random_group_machine(loops, seed);

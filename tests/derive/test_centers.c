@@ -54,7 +54,7 @@ static void what_is_not_there_is_said(void **state)
                            "  tip: {points: {A: [0, 0]}}\n"
                            "joints:\n  O: {pin: [ground, bar], angle: theta}\n  A: {pin: [bar, tip], angle: phi}\n");
     write_section(&m, "centers");
-    expect(page_text(&m, false), "there are no instant centres: the machine does not have exactly one freedom.");
+    expect(page_text(&m, false), "There are no instant centres: the machine does not have exactly one freedom.");
     machine_end(&m);
 }
 

@@ -254,11 +254,11 @@ typedef struct OnePath {
     size_t wanted, width;
 } OnePath;
 
-// Computes one path of the exact search alone, as if all others had got lost.
+// Computes one path of the exact search alone, in the place of the first, as if all others had got lost.
 static YkStatus get_one(void *context, size_t piece, double *numbers)
 {
     OnePath *one = context;
-    if (piece == one->wanted) return yk_pieces_compute(one->pieces, piece, numbers);
+    if (piece == 0) return yk_pieces_compute(one->pieces, one->wanted, numbers);
     for (size_t k = 0; k < one->width; k++) numbers[k] = 0;
     return YK_OK;
 }
@@ -343,6 +343,46 @@ static void a_four_bar_and_its_cognates_are_among_the_answers(void **state)
     free(s);
 }
 
+typedef struct Asked {
+    size_t exact, paths;
+} Asked;
+
+// Counts the paths that are asked for; none of them arrives, and the search that follows is ended.
+static YkStatus get_none(void *context, size_t piece, double *numbers)
+{
+    Asked *asked = context;
+    if (piece >= asked->exact) return YK_STOPPED;
+    asked->paths++;
+    numbers[0] = 0;
+    return YK_OK;
+}
+
+// No path to points on a line arrives at a solution that is alone.
+static void points_without_such_solutions_are_given_up_soon(void **state)
+{
+    (void)state;
+    YkVec line[YK_ALT_POINTS], x[N];
+    for (size_t k = 0; k < YK_ALT_POINTS; k++) line[k] = yk_vec((double)k, 0);
+    YkAltTask alt;
+    yk_alt_pose(line, 1, &alt);
+    YkAltProof proof;
+    bool arrived = yk_alt_path(&alt, 0, NULL, x);
+    assert_false(arrived && yk_alt_certify(alt.places, x, &proof));
+    YkTask *task = task_of(line);
+    Asked asked = {.exact = yk_path_exact_pieces(task)};
+    assert_int_equal(asked.exact, YK_ALT_ROUTES * TRIPLES);
+    YkSynthesisOptions options = yk_default_synthesis_options();
+    options.pieces = (YkPieceSource){get_none, &asked};
+    YkSynthesis *answer = yk_synthesis_run(task, &options, NULL);
+    size_t complex_count, real_count;
+    assert_non_null(answer);
+    assert_true(asked.paths > 0 && asked.paths < 100);
+    assert_false(yk_synthesis_solutions(answer, &complex_count, &real_count));
+    assert_false(yk_synthesis_is_complete(answer));
+    yk_synthesis_free(answer);
+    yk_task_free(task);
+}
+
 static void the_published_points_have_8652_solutions(void **state)
 {
     (void)state;
@@ -400,6 +440,7 @@ int main(void)
         cmocka_unit_test(paths_to_the_published_points_are_proved_and_different),
         cmocka_unit_test(a_point_that_is_no_solution_is_not_proved),
         cmocka_unit_test(a_four_bar_and_its_cognates_are_among_the_answers),
+        cmocka_unit_test(points_without_such_solutions_are_given_up_soon),
         cmocka_unit_test(the_published_points_have_8652_solutions),
         cmocka_unit_test(four_bars_are_found_again_among_all),
     };

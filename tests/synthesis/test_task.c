@@ -96,6 +96,9 @@ static void every_mistake_has_its_code_and_place(void **state)
     refuse("synthesis: motion\n" TWO "rates: [{position: 3, velocity: [1, 0], rate: 1}]\n", YK_CODE_TASK_POSITIONS, 3);
     refuse("synthesis: motion\n" TWO "rates: [{position: 1, velocity: [0, 0], rate: 0}]\n", YK_CODE_TASK_POSITIONS, 3);
     refuse("synthesis: motion\n" TWO "rates: [{position: 1, velocity: [1, 0]}]\n", YK_CODE_MISSING_KEY, 3);
+    refuse("synthesis: motion\n" TWO
+           "rates:\n- {position: 2, velocity: [1, 0], rate: 1}\n- {position: 2, velocity: [0, 1], rate: 1}\n",
+           YK_CODE_TASK_POSITIONS, 5);
     refuse("synthesis: motion\n" TWO "rates: [1, 2, 3, 4]\n", YK_CODE_TASK_POSITIONS, 3);
     refuse("synthesis: motion\n" TWO "best: 0\n", YK_CODE_TASK_BOUNDS, 3);
     refuse("synthesis: motion\n" TWO "bounds: {lengths: [3, 2]}\n", YK_CODE_TASK_BOUNDS, 3);

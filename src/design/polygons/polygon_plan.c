@@ -50,7 +50,7 @@ static bool touches(const Walk *w, size_t joint, size_t body)
     return (size_t)j->body[0] == body || (size_t)j->body[1] == body;
 }
 
-// The pin that holds the second body of a slide where it slides, or YK_NOT_FOUND. One to the ground is none.
+// The pin that holds the second body of a slide where it slides, or YK_NOT_FOUND. A pin to the ground does not count.
 static size_t pin_at(const Walk *w, size_t slide)
 {
     size_t body = (size_t)w->model->joints[slide].body[1];
@@ -175,7 +175,7 @@ static size_t known_beyond(const Walk *w, const YkJoint *joint, size_t body)
     return other != YK_NOT_FOUND && other != body && w->is_known[other] ? other : YK_NOT_FOUND;
 }
 
-// The joint by which a body hangs on known ones, or YK_NOT_FOUND.
+// Returns the joint that connects a body to known ones, or YK_NOT_FOUND.
 static size_t base_of(const Walk *w, size_t body)
 {
     for (size_t k = 0; k < w->model->shown_joints; k++)
@@ -206,7 +206,7 @@ static bool take_body(Walk *w)
     return false;
 }
 
-// The next of a block's bodies that hangs on known ones; their bases outside the block come first.
+// Returns the next of a block's bodies that a joint connects to known ones; their bases outside the block come first.
 static bool take_member(Walk *w, size_t block, bool outside)
 {
     for (size_t k = 0; k < yk_block_info(w->mech, block).body_count; k++) {

@@ -169,6 +169,7 @@ static bool refine(Proof *p, bool is_real)
     enum { STEPS = 12 };
     const double enough = 1e-26;
     YkBall step[N];
+    measure(p);
     if (!invert_jacobian(p)) return false;
     for (int i = 0; i < STEPS; i++) {
         enclose_step(p, step);
@@ -203,7 +204,6 @@ bool yk_alt_certify(const YkVec *places, YkVec *x, YkAltProof *proof)
     double image;
     for (size_t k = 0; k < YK_ALT_PLACES; k++) p.place[k] = yk_disc(places[k], 0);
     for (size_t k = 0; k < N; k++) p.x[k] = yk_disc(x[k], 0);
-    measure(&p);
     bool has_reals = are_real(places);
     if (!refine(&p, false)) return false;
     bool is_real = has_reals && seems_real(&p);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 #include "base/mix.h"
+#include "synthesis/paths/path_chain.h"
 #include "synthesis/paths/path_search.h"
 
 enum {
@@ -199,7 +200,9 @@ bool yk_path_unpack(YkPathBatches *batches, const double *numbers)
     try->bar = (YkBar){.kind = p->kind, .hangs_at_end = p->hangs_at_end};
     try->bar.branch = *at++ < 0 ? -1 : 1;
     try->bar.bend = *at++ < 0 ? -1 : 1;
-    try->bar.variant = (int)*at++;
+    double variant = *at++, variants = (double)yk_chain_variants(p->kind);
+    if (!(variant >= 0 && variant < fmax(1, variants))) return false; // numbers may come from elsewhere
+    try->bar.variant = (int)variant;
     try->error = *at++;
     try->cost = *at++;
     memcpy(try->bar.v, at, sizeof try->bar.v);

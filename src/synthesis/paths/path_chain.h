@@ -9,7 +9,7 @@ typedef enum YkChainBody { YK_CHAIN_GROUND, YK_CHAIN_INPUT, YK_CHAIN_COUPLER, YK
 
 // The ways in which a kind of machine is built. Watt: the coupler and the output, or the coupler and the input, have three
 // joints. Stephenson: the coupler and the ground (III), or the input and the output (I). Geared five-bar: the second
-// crank turns so many times as fast.
+// crank turns `ratio` times as fast.
 typedef struct YkChainVariant {
     YkChainBody link, arm; // where the dyad's link and arm begin
     int ratio;             // of a geared five-bar; otherwise 0

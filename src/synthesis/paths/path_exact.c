@@ -4,7 +4,7 @@
 #include "synthesis/nine_points/alt_certify.h"
 #include "synthesis/paths/path_search.h"
 
-enum { NUMBERS = 2 * YK_ALT_SIZE + 1 }; // of a piece: whether it arrived, and where
+enum { NUMBERS = 2 * YK_ALT_SIZE + 1, HOPELESS = 32 }; // numbers of a piece: whether it arrived, and where
 
 typedef struct Exact {
     YkSynthesis *s;
@@ -79,13 +79,15 @@ static bool follow_one(Exact *exact, size_t piece)
 }
 
 // Follows all paths along one route after the other, until every triple is there or a route shows nothing new: special points
-// have fewer solutions. Returns false if stopped.
+// have fewer solutions. Where the first paths show none at all, as with points on a line or one point given twice, solutions are
+// not alone, and none can be proved. Returns false if stopped.
 static bool follow_all(Exact *exact)
 {
     for (size_t route = 0, before = 0; route < YK_ALT_ROUTES; route++, before = exact->count) {
         for (size_t k = 0; k < YK_ALT_TRIPLES && exact->count < YK_ALT_TRIPLES; k++) {
             yk_pace_reach(&exact->s->pace, (double)k / YK_ALT_TRIPLES);
             if (!follow_one(exact, route * YK_ALT_TRIPLES + k)) return false;
+            if (exact->count == 0 && k + 1 == HOPELESS) return true;
         }
         if (exact->count == before || exact->count == YK_ALT_TRIPLES) break;
     }
@@ -157,7 +159,7 @@ bool yk_synthesise_exact_path(YkSynthesis *s, double to)
     yk_pace_stage(&s->pace, 0, paths_share * to);
     if (!follow_all(&exact)) return false;
     for (size_t k = 0; k < exact.count; k++) real += exact.proof[k].reality == YK_ALT_REAL;
-    s->has_solutions = true;
+    s->has_solutions = exact.count > 0;
     s->complex_count = YK_ALT_NAMES * exact.count;
     s->real_count = YK_ALT_NAMES * real;
     yk_pace_stage(&s->pace, paths_share * to, to);

@@ -152,7 +152,7 @@ static void refuse_mechanism(const YkTaskReader *reader, const YkNode *item)
     YkTaskKind kind = reader->task->kind;
     bool is_passed_over = reader->task->kinds != 0 && is_kind(item->text);
     yk_problem(reader->loader->problems, is_passed_over ? YK_CODE_TASK_MECHANISM : YK_CODE_WRONG_WORD, item->place,
-               "this version finds %s for a %s, but not %q", found[kind] ? found[kind] : "four-bars", kinds[kind].name,
+               "this version finds %s for a %s, not %q", found[kind] ? found[kind] : "four-bars", kinds[kind].name,
                item->text);
     yk_problem_hint(reader->loader->problems, "%s",
                     hint[kind] ? hint[kind] : "write [four-bar], or leave `mechanisms` out");

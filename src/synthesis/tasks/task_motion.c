@@ -32,6 +32,7 @@ static void read_rate(YkTaskReader *reader, const YkNode *node, size_t index)
     YkWant turn = {.dimension = YK_DIM_ANGLE_RATE, .subject = {.noun = "value", .part = "rate"}};
     YkExpr *expr[2];
     *pose = (YkPose){.is_rate = true, .velocity = {NAN, NAN}, .rate = NAN};
+    motion->rate_of[index] = YK_NOT_FOUND;
     if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) return;
     yk_load_check_keys(loader, node, own, &subject);
     const YkNode *which = yk_load_require(loader, node, "position", &subject);
@@ -96,16 +97,31 @@ void yk_task_read_motion(YkTaskReader *reader)
     read_rates(reader);
 }
 
-// Reports rates of nothing, and puts the others where their positions are, whose values are known now.
+// Returns whether a rate before this one has the same position.
+static bool is_second(const YkMotionTask *motion, size_t rate)
+{
+    for (size_t k = 0; k < rate; k++)
+        if (motion->rate_of[k] == motion->rate_of[rate]) return true;
+    return false;
+}
+
+// Reports rates of nothing and second rates, and puts the others where their positions are, whose values are known now.
 static void place_rates(YkTaskReader *reader)
 {
     YkMotionTask *motion = &reader->task->motion;
     const YkNode *list = yk_node_get(reader->loader->root, "rates");
     for (size_t k = motion->count; k < motion->conditions; k++) {
         YkPose *rate = &motion->pose[k];
-        const YkPose *at = &motion->pose[motion->rate_of[k - motion->count]];
+        size_t of = motion->rate_of[k - motion->count];
+        if (of == YK_NOT_FOUND) continue; // reported
+        const YkPose *at = &motion->pose[of];
         rate->at = at->at;
         rate->angle = at->angle;
+        if (is_second(motion, k - motion->count)) {
+            yk_problem(reader->loader->problems, YK_CODE_TASK_POSITIONS, list->items[k - motion->count]->place,
+                       "position %z has a rate already", of + 1);
+            yk_problem_hint(reader->loader->problems, "leave one out: the body passes a position in one direction");
+        }
         if (yk_norm(rate->velocity) + fabs(rate->rate) != 0) continue; // NaN: reported
         yk_problem(reader->loader->problems, YK_CODE_TASK_POSITIONS, list->items[k - motion->count]->place,
                    "the body does not move at this position: a rate gives the direction of its motion");

@@ -83,7 +83,7 @@ function compress(indices: Uint8Array): number[] {
   return out;
 }
 
-// Returns a GIF of pictures of one size, each shown for so many hundredths of a second, over and over.
+// Returns a GIF of pictures of one size, each shown for `hundredths` / 100 s, over and over.
 export function gifOf(pictures: Picture[], hundredths: number): Uint8Array<ArrayBuffer> {
   const [{ width, height }] = pictures, bytes = new Bytes(), palette = new Palette(pictures.filter((_, k) => k % Math.ceil(pictures.length / 4) === 0));
   bytes.text("GIF89a");
