@@ -2,23 +2,25 @@
 #include "configurations/follow.h"
 #include <string.h>
 #include "num/complex.h"
+#include "num/homotopy.h"
 
 enum {
     N_MAX = 2 * YK_SYSTEM_LOOPS_MAX,
     COEFFICIENTS_MAX = 2 * YK_SYSTEM_LOOPS_MAX * (N_MAX + 1),
     STEPS_MAX = 2000,
-    CORRECTIONS = 3,
     POLISHES = 12
 };
+_Static_assert((int)N_MAX <= (int)YK_HOMOTOPY_UNKNOWNS, "a group's unknowns fit");
 
 typedef struct Path {
     const YkShape *shape;
-    const YkVec *from;
+    const YkVec *from, *coefficients;
     YkVec along[COEFFICIENTS_MAX]; // to - from
     YkVec at[COEFFICIENTS_MAX];    // the coefficients at the last t asked for
     YkVec J[N_MAX * N_MAX];
     int pivot[N_MAX];
-    size_t n, count;
+    size_t count;
+    YkPace *pace;
 } Path;
 
 double yk_relative_change(const YkShape *shape, const YkVec *x, const YkVec *change)
@@ -32,126 +34,78 @@ double yk_relative_change(const YkShape *shape, const YkVec *x, const YkVec *cha
 }
 
 // Takes a Newton step on the coefficients. Returns its relative size.
-static double correct(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkVec *J, int *pivot)
+static double correct(void *context, YkVec *x)
 {
+    Path *p = context;
     YkVec F[N_MAX];
-    size_t n = shape->unknowns;
-    yk_system_evaluate(shape, coefficients, x, F, J);
-    if (!yk_complex_factor(n, J, pivot)) return INFINITY;
-    yk_complex_solve(n, J, pivot, F);
-    double size = yk_relative_change(shape, x, F);
+    size_t n = p->shape->unknowns;
+    yk_system_evaluate(p->shape, p->coefficients, x, F, p->J);
+    if (!yk_complex_factor(n, p->J, p->pivot)) return INFINITY;
+    yk_complex_solve(n, p->J, p->pivot, F);
+    double size = yk_relative_change(p->shape, x, F);
     for (size_t k = 0; k < n; k++) x[k] = yk_sub(x[k], F[k]);
     return size;
 }
 
 double yk_system_polish(const YkShape *shape, const YkVec *coefficients, YkVec *x)
 {
-    YkVec J[N_MAX * N_MAX], best[N_MAX];
-    int pivot[N_MAX];
-    double last = INFINITY;
-    for (int k = 0; k < POLISHES; k++) {
-        memcpy(best, x, shape->unknowns * sizeof *x);
-        double size = correct(shape, coefficients, x, J, pivot);
-        if (!(size < last)) { // rounding reached, or no progress
-            memcpy(x, best, shape->unknowns * sizeof *x);
-            return last;
-        }
-        last = size;
-        if (size < 1e-15) break;
-    }
-    return last;
+    Path p;
+    p.shape = shape;
+    p.coefficients = coefficients;
+    return yk_homotopy_polish(&(YkHomotopy){.n = shape->unknowns, .context = &p, .correct = correct}, POLISHES, x);
 }
 
-static void go_to(Path *p, double t)
+static void go_to(void *context, double t)
 {
+    Path *p = context;
     for (size_t k = 0; k < p->count; k++)
         p->at[k] = yk_vec(p->from[k].x + t * p->along[k].x, p->from[k].y + t * p->along[k].y);
 }
 
-// Computes dx/dt on the path, with the coefficients at p->at.
-static bool tangent(Path *p, const YkVec *x, YkVec *rate)
+static bool tangent(void *context, const YkVec *x, YkVec *rate)
 {
+    Path *p = context;
     YkVec F[N_MAX];
+    size_t n = p->shape->unknowns;
     yk_system_evaluate(p->shape, p->at, x, F, p->J);
-    if (!yk_complex_factor(p->n, p->J, p->pivot)) return false;
+    if (!yk_complex_factor(n, p->J, p->pivot)) return false;
     yk_system_evaluate(p->shape, p->along, x, rate, NULL);
-    for (size_t k = 0; k < p->n; k++) rate[k] = yk_scale(-1, rate[k]);
-    yk_complex_solve(p->n, p->J, p->pivot, rate);
+    for (size_t k = 0; k < n; k++) rate[k] = yk_scale(-1, rate[k]);
+    yk_complex_solve(n, p->J, p->pivot, rate);
     return true;
 }
 
-static void step_along(size_t n, const YkVec *x, double h, const YkVec *rate, YkVec *out)
-{
-    for (size_t k = 0; k < n; k++) out[k] = yk_vec(x[k].x + h * rate[k].x, x[k].y + h * rate[k].y);
-}
-
-// Predicts x at t + h; `first` is the tangent at t. Leaves the coefficients there.
-static bool predict(Path *p, const YkVec *x, double t, double h, const YkVec *first, YkVec *out)
-{
-    YkVec second[N_MAX], third[N_MAX], fourth[N_MAX];
-    go_to(p, t + 0.5 * h);
-    step_along(p->n, x, 0.5 * h, first, out);
-    if (!tangent(p, out, second)) return false;
-    step_along(p->n, x, 0.5 * h, second, out);
-    if (!tangent(p, out, third)) return false;
-    go_to(p, t + h);
-    step_along(p->n, x, h, third, out);
-    if (!tangent(p, out, fourth)) return false;
-    for (size_t k = 0; k < p->n; k++) {
-        YkVec middle = yk_scale(2, yk_add(second[k], third[k]));
-        out[k] = yk_add(x[k], yk_scale(h / 6, yk_add(yk_add(first[k], fourth[k]), middle)));
-    }
-    return true;
-}
-
-// Corrects a prediction. Returns the size of the first correction, or infinity if the corrections do not contract.
-static double settle(Path *p, YkVec *x)
-{
-    const double enough = 1e-11, trust = 1e-3;
-    double first = 0, last = INFINITY;
-    for (int k = 0; k < CORRECTIONS; k++) {
-        double size = correct(p->shape, p->at, x, p->J, p->pivot);
-        if (k == 0) first = size;
-        if (!(size < trust) || (k > 0 && !(size < 0.1 * last || size < enough))) return INFINITY;
-        if (size < enough) return first;
-        last = size;
-    }
-    return last < 1e-9 ? first : INFINITY;
-}
-
-static bool is_far(const YkShape *shape, const YkVec *x)
+static bool goes_on(void *context, const YkVec *x)
 {
     const double far = 1e9;
-    for (size_t k = 0; k < shape->unknowns; k++) {
+    const Path *p = context;
+    size_t n = p->shape->unknowns;
+    for (size_t k = 0; k < n; k++) {
         double size = yk_sum_norm(x[k]);
-        if (!(size < far) || (k < shape->angles && !(size > 1 / far))) return true;
+        if (!(size < far) || (k < p->shape->angles && !(size > 1 / far))) return false;
     }
-    return false;
+    return yk_pace_spend(p->pace, 6 * n * n * (n + 40));
 }
 
 bool yk_path_follow(const YkShape *shape, const YkVec *from, const YkVec *to, YkVec *x, YkPace *pace)
 {
-    const double aim = 1e-5, least = 1e-9;
-    YkVec rate[N_MAX], next[N_MAX];
-    Path p = {.shape = shape, .from = from, .n = shape->unknowns, .count = 2 * yk_coefficient_count(shape)};
-    double t = 0, h = 0.1;
+    Path p;
+    p.shape = shape;
+    p.from = from;
+    p.coefficients = p.at;
+    p.count = 2 * yk_coefficient_count(shape);
+    p.pace = pace;
     for (size_t k = 0; k < p.count; k++) p.along[k] = yk_sub(to[k], from[k]);
-    for (int step = 0; t < 1; step++) {
-        if (step == STEPS_MAX || is_far(shape, x) || !yk_pace_spend(pace, 6 * p.n * p.n * (p.n + 40))) return false;
-        go_to(&p, t);
-        if (!tangent(&p, x, rate)) return false;
-        double error = INFINITY;
-        while (h > least) {
-            h = fmin(h, 1 - t);
-            error = predict(&p, x, t, h, rate, next) ? settle(&p, next) : INFINITY;
-            if (error < 10 * aim) break;
-            h *= 0.5;
-        }
-        if (!(h > least)) return false;
-        t = h == 1 - t ? 1 : t + h;
-        memcpy(x, next, p.n * sizeof *x);
-        // The error grows with h^5; its fifth root is near enough by steps.
-        h *= error < aim / 1000 ? 3 : error < aim / 30 ? 1.8 : error < aim ? 1.2 : 0.7;
-    }
-    return yk_system_polish(shape, to, x) < 1e-10;
+    const YkHomotopy homotopy = {.n = shape->unknowns,
+                                 .context = &p,
+                                 .go_to = go_to,
+                                 .tangent = tangent,
+                                 .correct = correct,
+                                 .goes_on = goes_on,
+                                 .first_step = 0.1,
+                                 .least_step = 1e-9,
+                                 .steps = STEPS_MAX,
+                                 .enough = 1e-11,
+                                 .at_most = 1e-9};
+    return yk_homotopy_follow(&homotopy, x) && yk_system_polish(shape, to, x) < 1e-10;
 }
