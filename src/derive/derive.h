@@ -241,7 +241,6 @@ bool yk_derive_add_unknown(YkDerivation *d, int32_t symbol);
 
 // --- Sections (sections.c)
 // A section adds its headings and formulas to a page. It returns false when something failed (see the ring's status).
-// headings and formulas to a page. false when something failed (the ring's status tells).
 typedef bool (*YkDeriveSection)(YkDerivation *d, YkPage *page);
 typedef struct YkDeriveSectionEntry {
     const char *name;  // as --what takes it

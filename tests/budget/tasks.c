@@ -93,7 +93,7 @@ static void run_derive(Machine *m)
     YkPage page = {.arena = yk_arena_new(), .ring = d ? d->ring : NULL};
     if (!d || !page.arena) die("no derivation");
     for (size_t k = 0; yk_derive_sections[k].name; k++)
-        if (yk_derive_sections[k].write && !yk_derive_write(d, k, &page)) die("no section");
+        if (yk_derivation_has_section(d, k) && !yk_derive_write(d, k, &page)) die("no section");
     if (!yk_page_write(&page, YK_PAGE_TEXT, "budget", NULL, &text)) die("not printed");
     yk_arena_free(page.arena);
     yk_derivation_free(d);
