@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 typedef struct YkBalancingOptions {
-    size_t steps;       // poses of a turn of the input, or of its way, default 360
+    size_t steps;       // poses of a turn of the input, or of its way, default 360, at least 48
     double fluctuation; // of the speed, (largest - least) / mean: for the flywheel; default 0.05
     // Of shaking force, shaking moment and input effort, each over its root mean square before: what a compromise keeps
     // small. All 0, the default: the force alone, in full where counterweights can.

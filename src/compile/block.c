@@ -210,10 +210,10 @@ void yk_block_measure(YkBlock *block, double size)
 
 double yk_distance_unit(const YkMechanism *mech)
 {
-    const double WIDE = 100;
-    double least = mech->size, none = YK_CLOSURE_ROUNDING * mech->size;
+    const double WIDE = 100, NONE = 1e-6; // shorter ones, over the size, are offsets that should be 0
+    double least = mech->size, none = NONE * mech->size;
     for (size_t b = 0; b < mech->block_count; b++)
-        for (size_t k = 0; k < 2 && mech->blocks[b].kind <= YK_BLOCK_RPR; k++) {
+        for (size_t k = 0; k < 2 && mech->blocks[b].kind <= YK_BLOCK_RRP; k++) {
             double arm = mech->blocks[b].arm_is_constant[k] ? yk_norm(mech->blocks[b].aside->arm[k].constant) : 0;
             if (arm > none) least = fmin(least, arm);
         }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "base/problems.h"
 
-enum { STEPS = 360, STEPS_MAX = 20000 };
+enum { STEPS = 360, STEPS_MAX = 20000, STEPS_MIN = 8 * YK_SHAKING_ORDERS }; // fewer would take high orders for low ones
 
 YkBalancingOptions yk_default_balancing_options(void)
 {
@@ -33,7 +33,7 @@ static YkStatus measure_after(YkBalancing *balancing, const YkCycle *cycle, cons
 
 static YkStatus balance(YkBalancing *balancing, const YkState *state, const YkBalancingOptions *options)
 {
-    size_t steps = options->steps < 8 ? 8 : options->steps > STEPS_MAX ? STEPS_MAX : options->steps;
+    size_t steps = options->steps < STEPS_MIN ? STEPS_MIN : options->steps > STEPS_MAX ? STEPS_MAX : options->steps;
     YkCycle cycle;
     YkStatus status = yk_cycle_find(state, steps, &cycle);
     if (status >= 0 && cycle.turns > 0) status = yk_cycle_repeat(state, &cycle);

@@ -126,17 +126,22 @@ static bool iterate(size_t n, YkVec *H, YkVec *Q)
 // Finds the eigenvectors of the triangular T, row k below the diagonal for the k-th, and takes them back by Q in place.
 static void find_vectors(size_t n, YkVec *T, YkVec *Q)
 {
+    const double LARGE = 1e150; // where more than twenty eigenvalues are equal, and their vectors nearly so
     for (size_t k = n; k-- > 0;) {
         YkVec *x = T + k * n;
+        double head = 1; // x[k]
         for (size_t i = k; i-- > 0;) {
-            YkVec sum = T[i * n + k], off = yk_sub(T[k * n + k], T[i * n + i]);
+            YkVec sum = yk_scale(head, T[i * n + k]), off = yk_sub(T[k * n + k], T[i * n + i]);
             for (size_t j = i + 1; j < k; j++) sum = yk_add_product(sum, T[i * n + j], x[j]);
             // Of equal eigenvalues: a vector of one of them, nearly. The largest entry of T is about 1.
             if (!(yk_sum_norm(off) > DBL_EPSILON)) off = yk_vec(DBL_EPSILON, 0);
             x[i] = yk_mul(sum, yk_inverse(off));
+            if (!(yk_sum_norm(x[i]) > LARGE)) continue;
+            for (size_t j = i; j < k; j++) x[j] = yk_scale(1 / LARGE, x[j]);
+            head /= LARGE;
         }
         for (size_t i = 0; i < n; i++) {
-            YkVec sum = Q[i * n + k];
+            YkVec sum = yk_scale(head, Q[i * n + k]);
             for (size_t j = 0; j < k; j++) sum = yk_add_product(sum, Q[i * n + j], x[j]);
             Q[i * n + k] = sum;
         }

@@ -83,7 +83,7 @@ static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
     double unit = step_here(rest->state), last = HUGE_VAL;
     if (!differences_within(rest, rest->q, &unit, matrix)) return false;
     for (int k = 0; k < 8; k++) {
-        if (!differences(rest, rest->q, false, unit /= 4, finer)) return false;
+        if (!differences(rest, rest->q, false, unit /= 4, finer)) return true; // the last one stands
         double gap = gap_of(rest, matrix, finer);
         if (gap <= 1e-9 || gap >= last) return true; // the finer one has more rounding
         memcpy(matrix, finer, f * f * sizeof *matrix);

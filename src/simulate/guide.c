@@ -3,9 +3,9 @@
 #include "elementary/elementary.h"
 #include "simulate/crossing.h"
 
-static const double SAME =
-    1e-5; // of directions: near a singular position poses are known to the square root of rounding
-static const double SAME_PLACE = 2e-7; // the same where the pose of the simulation stays
+// Of directions: near a singular position poses are known to the square root of rounding.
+static const double SAME = 1e-5;
+static const double SAME_PLACE = 2e-7; // where the pose of the simulation stays
 static const double CLOSE = 0.24;      // sin^2 below which a pose is the guide's
 
 bool yk_simulation_start_guide(YkSimulation *sim)

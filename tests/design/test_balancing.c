@@ -317,6 +317,11 @@ static void a_slider_cranks_orders_are_told_apart(void **state)
         if (amplitude[n - 1] > 0) CHECK_NEAR(yk_sin(before.direction - YK_PI / 6), 0, 1e-9); // along the line
     }
     assert_true(isnan(yk_balancing_order(b, 0, false).with) && isnan(yk_balancing_order(b, 7, false).with));
+    options.steps = 1; // so few poses would take the sixth order for the second
+    YkBalancing *few = yk_balancing_new(m.state, &options, NULL);
+    for (size_t n = 1; n <= YK_SHAKING_ORDERS; n++)
+        CHECK_NEAR(yk_balancing_order(few, n, false).with, yk_balancing_order(b, n, false).with, 1e-9);
+    yk_balancing_free(few);
     yk_balancing_free(b);
     close_machine(&m);
 }

@@ -420,6 +420,22 @@ static void equal_complex_values_are_found(void **state)
     for (size_t k = 0; k < 3; k++) assert_true(complex_miss(3, A, values[k], vectors, k) < 1e-14);
 }
 
+// All eigenvalues are equal, and there is one vector: its entries grow by 1/epsilon from row to row.
+static void a_large_jordan_block_has_finite_vectors(void **state)
+{
+    (void)state;
+    enum { N = 40 };
+    YkVec A[N * N] = {{0, 0}}, values[N], vectors[N * N];
+    for (size_t k = 0; k < N; k++) {
+        A[k * (N + 1)] = yk_vec(0.5, -2);
+        if (k + 1 < N) A[k * (N + 1) + 1] = yk_vec(1, 0);
+    }
+    YkVec B[N * N];
+    memcpy(B, A, sizeof A);
+    assert_true(yk_eigen_complex(N, B, values, vectors));
+    for (size_t k = 0; k < N; k++) assert_true(complex_miss(N, A, values[k], vectors, k) < 1e-14);
+}
+
 static void what_is_not_a_number_is_refused(void **state)
 {
     (void)state;
@@ -453,6 +469,7 @@ int main(void)
         cmocka_unit_test(complex_vectors_satisfy_their_equation),
         cmocka_unit_test(both_ways_agree_on_real_matrices),
         cmocka_unit_test(equal_complex_values_are_found),
+        cmocka_unit_test(a_large_jordan_block_has_finite_vectors),
         cmocka_unit_test(what_is_not_a_number_is_refused),
     };
     return cmocka_run_group_tests_name("num/eigen", tests, NULL, NULL);

@@ -98,10 +98,44 @@ static void test_a_piston_keeps_its_branch(void **unused)
     }
 }
 
+// A lever that slides on a pin which an input moves along a line, with an offset that rounding may have left: it is no short arm.
+static void test_an_offset_of_rounding_does_not_shorten_the_steps(void **unused)
+{
+    (void)unused;
+    static const char *const of[] = {"q"};
+    static const double offsets[] = {0, 1e-11, 1e-9, 1e-7};
+    for (size_t k = 0; k < sizeof offsets / sizeof *offsets; k++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "bodies:\n"
+                 "  ground: {points: {O: [0, 0.2], C: [0, 0]}}\n"
+                 "  piston: {points: {B: [0, 0]}}\n"
+                 "  guide: {points: {B: [0, 0]}}\n"
+                 "  lever: {points: {C: [0, 0], L: [0, %g]}}\n"
+                 "joints:\n"
+                 "  S: {slide: [ground, piston], along: x, from: O, to: B, distance: d}\n"
+                 "  C: {pin: [ground, lever], angle: q}\n"
+                 "  B: {pin: [piston, guide]}\n"
+                 "  L: {slide: [lever, guide], along: x, from: L, to: B, distance: e}\n"
+                 "drives: {d: 0.5 m}\nstart: {q: 20 deg, e: 0.54}\n",
+                 offsets[k]);
+        Machine m = machine_parse(text, true);
+        YkSweep *sweep = machine_sweep(&m, "d", -1, 1, 8, of, 1);
+        assert_int_equal(yk_sweep_row_count(sweep), 9);
+        for (size_t row = 0; row < 9; row++) {
+            double d = yk_sweep_at(sweep, row), length = hypot(d, 0.2);
+            CHECK_NEAR(yk_sweep_value(sweep, row, 0), atan2(0.2, d) - asin(offsets[k] / length), 1e-12);
+        }
+        yk_sweep_free(sweep);
+        machine_free(&m);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_linkage_behind_a_rack_stays_parallel),
                                        cmocka_unit_test(test_so_it_does_over_time),
-                                       cmocka_unit_test(test_a_piston_keeps_its_branch)};
+                                       cmocka_unit_test(test_a_piston_keeps_its_branch),
+                                       cmocka_unit_test(test_an_offset_of_rounding_does_not_shorten_the_steps)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -75,7 +75,7 @@ typedef struct RrrFound {
     RatePair rates;
 } RrrFound;
 
-// Returns what restores length 1, which rounding changes if the base is long compared with the arm. Not for 0.
+// Returns the factor that restores length 1, which rounding changes if the base is long compared with the arm. Not for 0.
 YK_INLINE double to_length_one(YkVec e)
 {
     double square = yk_dot(e, e), near = 1.5 - 0.5 * square, far = 1 / sqrt(square);
@@ -92,9 +92,9 @@ YK_INLINE RrrFound rrr_solve(bool rates, Known K, Known U, bool U_varies, Known 
     YkVec e1 = times(at.p, arms.inverse_U, axial), e2 = times(at.q, arms.inverse_W, axial);
     double inverse = 4 * at.D * known.per_square;
     if (careful) {
-        double U_too = to_length_one(e1), W_too = to_length_one(e2);
-        e1 = yk_scale(U_too, e1), e2 = yk_scale(W_too, e2);
-        at.p = yk_scale(U_too, at.p), at.q = yk_scale(W_too, at.q);
+        double factor1 = to_length_one(e1), factor2 = to_length_one(e2);
+        e1 = yk_scale(factor1, e1), e2 = yk_scale(factor2, e2);
+        at.p = yk_scale(factor1, at.p), at.q = yk_scale(factor2, at.q);
         inverse = 1 / yk_cross(at.p, at.q);
     }
     RrrFound found = {.e1 = e1, .e2 = e2, .margin = rrr_margin(known, arms, careful)};
