@@ -1,5 +1,5 @@
 # The gallery as C, for `yoke new`: families and lines from examples/README.md, texts from the files.
-# cmake -DFOLDER=examples -DOUTPUT=gallery.c -P gallery.cmake
+# cmake -DFOLDER=examples -DOUTPUT=gallery.c [-DTEXTS=NAME] -P gallery.cmake      with TEXTS the text of this machine alone
 file(STRINGS ${FOLDER}/README.md lines)
 set(texts "")
 set(rows "")
@@ -15,6 +15,10 @@ foreach(line IN LISTS lines)
       string(REPLACE "\\" "\\\\" ${word} "${${word}}")
       string(REPLACE "\"" "\\\"" ${word} "${${word}}")
     endforeach()
+    if(TEXTS AND NOT name STREQUAL TEXTS)
+      string(APPEND rows "    {\"${family}\", \"${name}\", \"${machine}\", \"${shows}\", NULL, 0},\n")
+      continue()
+    endif()
     string(MAKE_C_IDENTIFIER "text_${name}" symbol)
     file(READ ${FOLDER}/${name}.yaml bytes HEX)
     string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")

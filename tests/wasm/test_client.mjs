@@ -152,6 +152,8 @@ const tests = {
       assert.deepEqual(await core.run(words, files), await alone.run(words, files), words[0]);
     for (const words of [["new"], ["study", "m.yaml", "--vary", "b=110mm:130mm:3"], ["code", "m.yaml"], ["report", "m.yaml"], ["map", "m.yaml", "--over", "theta4"], ["cognates", "m.yaml"], ["balance", "m.yaml"], ["--version"]])
       assert.ok(!(await core.run(words, files)).err.includes("this module"), words[0]);
+    assert.match((await core.run(["new", "four-bar"], {})).out, /^# A four-bar linkage/);
+    assert.match((await core.run(["new", "jansen"], {})).err, /press Examples/); // the page has the gallery's other files
     for (const one of [core, alone]) one.close();
   },
   async "a newer request overtakes one that waits, never one that works"() {

@@ -5,7 +5,7 @@
 
 typedef struct YkExample {
     const char *family, *name, *machine, *shows; // as examples/README.md lists it
-    const unsigned char *text;                   // the file
+    const unsigned char *text;                   // the file; NULL if this program leaves it out
     size_t size;
 } YkExample;
 extern const YkExample yk_gallery[]; // families together, in their order

@@ -45,6 +45,14 @@ static int refuse(YkSession *session, const char *name)
     return YK_EXIT_WRONG;
 }
 
+// The module for browsers has the gallery's list, and one of its files.
+static int refuse_here(YkSession *session, const char *name)
+{
+    yk_session_refuse(session, YK_CODE_UNKNOWN_EXAMPLE, "this module lists %q, but does not contain its file", name);
+    yk_problem_hint(session->problems, "the page has it: press Examples");
+    return YK_EXIT_WRONG;
+}
+
 // Writes a task file of a kind; refuses kinds that are not there.
 static int new_task(YkSession *session, const char *kind)
 {
@@ -53,7 +61,8 @@ static int new_task(YkSession *session, const char *kind)
         yk_text_puts(&session->out, yk_task_examples[k].text);
         return yk_session_finish(session, YK_EXIT_DONE);
     }
-    yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--task takes path, motion, function, stroke or machine, not %q", kind);
+    yk_session_refuse(session, YK_CODE_OPTION_VALUE, "--task takes path, motion, function, stroke or machine, not %q",
+                      kind);
     return YK_EXIT_WRONG;
 }
 
@@ -63,6 +72,7 @@ int yk_run_new(YkSession *session)
     const char *name = session->request->file;
     const YkExample *example = name ? find(name) : NULL;
     if (name && !example) return refuse(session, name);
+    if (example && !example->text) return refuse_here(session, name);
     if (example)
         yk_text_add(&session->out, (const char *)example->text, example->size);
     else
