@@ -48,6 +48,6 @@ YkStatus yk_host_step_many(const YkHostMany *many, size_t begin, size_t end);
 void yk_host_draw(const YkDistribution *distribution, uint64_t seed, uint64_t parameter, double *values, size_t count);
 
 // For the bench: the library's own part of `count` calls of solve, and of step.
-void yk_host_time_solve(YkState *state, const YkState *entry, YkInputHold *holds, YkMove *move,
-                        const double *values, size_t count);
+void yk_host_time_solve(YkState *state, const YkState *entry, YkInputHold *holds, YkMove *move, const double *values,
+                        size_t count);
 void yk_host_time_steps(YkSimulation *simulation, double span, size_t count);

@@ -28,12 +28,11 @@ typedef struct YkLawPart { // a segment
     const YkExpr *formula; // of the law's argument, which is called `argument` in it
     const char *argument;
     const char *written, *called; // the formula and its argument as the file has them
-    double formula_value; // where a change of the formula's parameters is seen; holds no value
+    double formula_value;         // where a change of the formula's parameters is seen; holds no value
 } YkLawPart;
 
 // Begins the name that a law's argument has in its formulas; the law's own name follows.
 #define YK_LAW_ARGUMENT "argument of law "
-
 
 typedef struct YkLawSource {
     bool is_bad;  // has a mistake that is reported: is not built
