@@ -63,7 +63,7 @@ YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 // Visits every configuration at the state's inputs, each as its pose. visit (may be NULL) returns false to stop; the
 // state returns to the configuration it had. options may be NULL. Of groups with up to three gears, belts, racks, cams or
 // laws and six unknowns the space of all angles and distances is divided, until each box is proved to hold no pose or one.
-// Groups that are no such systems (with more of these, with laws that are not smooth, with constraints that repeat others,
+// Other groups (with more of these, with laws that are not smooth, with constraints that repeat others,
 // or of more than 7 loops) are searched as yk_state_each does, and the report is not complete. Returns YK_OK,
 // YK_NO_ASSEMBLY (with report->complete: proved), YK_STOPPED, or YK_NO_MEMORY.
 // Cost: an eigenvalue problem of size 6, 20, 70 for groups of 2, 3, 4 loops, beyond that the paths of all complex

@@ -98,7 +98,7 @@ static void test_a_piston_keeps_its_branch(void **unused)
     }
 }
 
-// A lever that slides on a pin which an input moves along a line, with an offset that rounding may have left: it is no short arm.
+// A lever that slides on a pin which an input moves along a line, with an offset that rounding may have left: it is not a short arm.
 static void test_an_offset_of_rounding_does_not_shorten_the_steps(void **unused)
 {
     (void)unused;

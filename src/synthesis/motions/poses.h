@@ -14,8 +14,8 @@
 enum { YK_MONOMIALS = 7, YK_POSES_MAX = 5 };
 
 // A position of the body: where its origin is, and how far it is turned, rad. With is_rate it is the limit of a second position beside
-// this one, in the direction of a velocity (m/s) and a rate of turning (rad/s), of which only the ratio counts: lists of positions may
-// end with such.
+// this one, in the direction of a velocity (m/s) and a rate of turning (rad/s); only their ratio counts. Lists of positions
+// may end with them.
 typedef struct YkPose {
     YkVec at;
     double angle;
