@@ -94,7 +94,7 @@ class TaskSchema(Case):
     def test_its_keys_are_those_of_the_program(self):
         with open(os.path.join(ROOT, "schema", "task.schema.json"), encoding="utf-8") as file:
             schema = json.load(file)
-        with open(os.path.join(ROOT, "src", "synthesis", "task.c"), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, "src", "synthesis", "tasks", "task.c"), encoding="utf-8") as file:
             keys = re.search(r"const char \*const keys\[\] = \{(.*?)\}", file.read(), re.S).group(1)
         self.assertEqual(set(schema["properties"]), set(re.findall(r'"(\w+)"', keys)))
 
