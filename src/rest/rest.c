@@ -14,7 +14,8 @@ YkRestOptions yk_default_rest_options(void)
 static int by_energy(const void *a, const void *b)
 {
     const YkRestPoint *p = a, *q = b;
-    return (p->at.potential > q->at.potential) - (p->at.potential < q->at.potential);
+    if (p->at.potential != q->at.potential) return p->at.potential > q->at.potential ? 1 : -1;
+    return p->order < q->order ? -1 : p->order > q->order;
 }
 
 // Limits how many starts are tried: a start takes some twenty factorisations, and each equilibrium its modes. Reports
@@ -126,6 +127,7 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     rest->pace = NULL;
     yk_state_lend(rest->state, NULL);
     size_t first = rest->of_start; // that of `start:` stays first
+    for (size_t k = first; k < rest->count; k++) rest->points[k].order = k;
     if (rest->count > first + 1) qsort(rest->points + first, rest->count - first, sizeof *rest->points, by_energy);
     return rest;
 }

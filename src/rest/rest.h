@@ -13,6 +13,7 @@ typedef struct YkRestPoint {
     double *shape, *frequency, *ratio;  // [mode][f], [mode], [mode]
     double *real, *imaginary;           // 2 f
     YkEquilibrium at;
+    size_t order; // in which it was found: dyads without mass give several of one energy
 } YkRestPoint;
 
 struct YkRest {

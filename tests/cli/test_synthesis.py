@@ -3,6 +3,7 @@ import glob
 import json
 import math
 import os
+import re
 import unittest
 
 from harness import Case, FEW, ROOT, Run, some
@@ -232,6 +233,28 @@ units: {length: mm}
         self.wrong(806, "draw", path, "--polygon", "velocity", "--trace", "ram.C")
         self.wrong(806, "draw", path, "--centers", "--animate", "a.svg")
         self.assertEqual(Run("draw", os.path.join(ROOT, "examples", "double-pendulum.yaml"), "--centers").code, 1)
+
+    def test_the_effort_of_a_cylinder_is_a_force(self):
+        path = self.write("lift.yaml", """
+gravity: [0, -9.81 m/s^2]
+bodies:
+  ground: {points: {O: [0, 0], H: [500, -300]}}
+  arm:    {points: {O: [0, 0], K: [400, 0]}, mass: 12 kg, center: [450, 0], inertia: 0.8 kg*m^2}
+  barrel: {points: {H: [0, 0]}}
+  stem:   {points: {K: [0, 0]}}
+joints:
+  O: {pin: [ground, arm], angle: alpha}
+  H: {pin: [ground, barrel], angle: beta}
+  S: {slide: [barrel, stem], along: x, to: K, distance: s}
+  K: {pin: [arm, stem]}
+drives: {s: 400 mm + 50 mm/s * t}
+start: {alpha: 10 deg, beta: 100 deg}
+units: {length: mm, angle: deg, force: N}
+""")
+        table = self.good("balance", path).out
+        self.assertIn("effort [N]", table)
+        row = re.search(r"before +(\S+) +(\S+) +(\S+)", table)
+        self.assertAlmostEqual(float(row.group(3)) / self.good("balance", path, "--format", "json").json()["before"]["torque"], 1, 5)
 
     def test_balance_compromises(self):
         path = os.path.join(ROOT, "examples", "crank-press.yaml")

@@ -10,12 +10,19 @@
 
 // --- text
 
+// Returns what the input's effort is: a force along a distance, a torque about an angle.
+static YkQuantity effort_of(const YkSession *session)
+{
+    const YkMechanism *mech = yk_state_mechanism(session->state);
+    return yk_coordinate_info(mech, yk_input_coordinate(mech, 0)).is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE;
+}
+
 static void add_peaks(const YkSession *session, YkTable *table, const char *name, YkShakingPeaks peaks)
 {
     yk_table_word(table, name);
     yk_table_number(table, yk_shown(session, peaks.force, YK_QUANTITY_FORCE), YK_DIGITS);
     yk_table_number(table, yk_shown(session, peaks.moment, YK_QUANTITY_TORQUE), YK_DIGITS);
-    yk_table_number(table, yk_shown(session, peaks.torque, YK_QUANTITY_TORQUE), YK_DIGITS);
+    yk_table_number(table, yk_shown(session, peaks.torque, effort_of(session)), YK_DIGITS);
 }
 
 static void write_shaking(YkSession *session, const YkBalancing *b)
@@ -27,7 +34,7 @@ static void write_shaking(YkSession *session, const YkBalancing *b)
     yk_table_head(table, "largest over the cycle", NULL);
     yk_table_head(table, "shaking force", yk_unit_of(session, YK_QUANTITY_FORCE));
     yk_table_head(table, "shaking moment", yk_unit_of(session, YK_QUANTITY_TORQUE));
-    yk_table_head(table, "effort", yk_unit_of(session, YK_QUANTITY_TORQUE));
+    yk_table_head(table, "effort", yk_unit_of(session, effort_of(session)));
     add_peaks(session, table, "before", before);
     add_peaks(session, table, "with counterweights", yk_balancing_after(b));
     yk_text_puts(&session->out, "\n");
