@@ -18,7 +18,7 @@ typedef struct YkHandOut YkHandOut;
 // Rank 0: waits until all ranks are known to be of one make. Returns NULL with a problem, or stopped.
 YkHandOut *yk_hand_out_new(const YkHandOutOptions *options);
 void yk_hand_out_free(YkHandOut *hand_out);
-// Begins a series of `count` pieces, of which the one before is over. Each has `work` with its own number in `from`.
+// Begins a series of `count` pieces, after the one before is over. Each has `work` with its own number in `from`.
 // ahead: how many pieces may be out or waiting beyond the one wanted; 0: a few for each rank. Returns false when out of
 // memory.
 bool yk_hand_out_begin(YkHandOut *hand_out, YkSpreadWork work, size_t count, size_t ahead);

@@ -10,6 +10,18 @@ void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *co
     yk_line_vector(page, line, contact->letter, NULL, contact->between);
 }
 
+bool yk_derive_put_contacts(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, bool first)
+{
+    size_t count;
+    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
+    for (size_t k = 0; k < count; k++) {
+        if (!f->contacts[contacts[k]].letter) continue;
+        yk_derive_put_contact(page, line, &f->contacts[contacts[k]], first);
+        first = false;
+    }
+    return first;
+}
+
 const char *yk_derive_load_letter(YkDeriveLoadKind kind)
 {
     static const char *const letters[] = {"W", "S", "D", "P", "R", "F", "Q", "Q"};

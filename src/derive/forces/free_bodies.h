@@ -240,6 +240,8 @@ const int32_t *yk_derive_pushes_on(const YkDeriveForces *f, int32_t body, size_t
 // " + F_{01}", " - F_{12}": what acts on a body; `first`: without a plus. A load is named by its kind: W, S, D, R, F,
 // Q.
 void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
+// All contact forces on a body. Returns whether the line is still empty.
+bool yk_derive_put_contacts(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, bool first);
 void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first);
 // All forces and couples on a body, a line each with its value: contacts, loads, inertia.
 void yk_derive_put_acting(const YkDeriveForces *f, YkPage *page, int32_t body);

@@ -21,14 +21,8 @@ static void put_newton(const YkDeriveForces *f, YkPage *page, int32_t body)
 {
     YkDerivation *d = f->d;
     YkLine *line = yk_page_formula(page, NULL);
-    bool first = true;
+    bool first = yk_derive_put_contacts(f, page, line, body, true);
     size_t count;
-    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
-    for (size_t k = 0; k < count; k++) {
-        if (!f->contacts[contacts[k]].letter) continue;
-        yk_derive_put_contact(page, line, &f->contacts[contacts[k]], first);
-        first = false;
-    }
     const int32_t *pushes = yk_derive_pushes_on(f, body, &count);
     for (size_t k = 0; k < count; k++) {
         const YkDeriveLoad *load = &f->loads[pushes[k] / 2];

@@ -31,25 +31,13 @@ static bool put_inertia(const YkDeriveForces *f, YkPage *page, YkLine *line, int
     return false;
 }
 
-static bool put_contacts(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, bool first)
-{
-    size_t count;
-    const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
-    for (size_t k = 0; k < count; k++) {
-        if (!f->contacts[contacts[k]].letter) continue;
-        yk_derive_put_contact(page, line, &f->contacts[contacts[k]], first);
-        first = false;
-    }
-    return first;
-}
-
 // Writes W - m a + F_12 - F_23 = 0.
 static void put_closing(const YkDeriveForces *f, YkPage *page, int32_t body)
 {
     YkRing *ring = f->d->ring;
     YkLine *line = yk_page_formula(page, "the polygon closes");
     bool first = put_inertia(f, page, line, body, put_loads(f, page, line, body, true, true));
-    first = put_loads(f, page, line, body, false, put_contacts(f, page, line, body, first));
+    first = put_loads(f, page, line, body, false, yk_derive_put_contacts(f, page, line, body, first));
     if (first) yk_line_sign(page, line, "0");
     yk_line_sign(page, line, "=");
     yk_line_sign(page, line, "0");
