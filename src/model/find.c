@@ -21,6 +21,10 @@ static void report_body(YkLoader *loader, const char *name, YkPlace place)
 {
     const YkModel *model = loader->model;
     yk_problem(loader->problems, YK_CODE_UNKNOWN_BODY, place, "there is no body %q", name);
+    if (strchr(name, '.')) { // a body's name holds no dot
+        yk_problem_hint(loader->problems, "name the body alone; a joint's or a force's point is named with `at:`");
+        return;
+    }
     yk_load_hint_nearest(loader->problems, name, model->bodies, model->body_count, sizeof *model->bodies);
 }
 

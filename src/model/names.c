@@ -107,11 +107,39 @@ bool yk_load_hint_nearest(YkProblems *problems, const char *name, const void *it
     return found;
 }
 
+// What textbooks and other programs call what a key says, and the keys that say it here.
+static const char *const synonyms[][2] = {
+    {"title", "name"},           {"links", "bodies"},
+    {"loads", "forces"},         {"load", "forces"},
+    {"constants", "parameters"}, {"variables", "parameters"},
+    {"motors", "efforts"},       {"torques", "efforts"},
+    {"inputs", "drives"},        {"motion", "drives"},
+    {"guess", "start"},          {"initial", "start"},
+    {"revolute", "pin"},         {"hinge", "pin"},
+    {"prismatic", "slide"},      {"slider", "slide"},
+    {"slot", "pin-slot"},        {"fixed", "weld"},
+    {"force", "value"},          {"torque", "moment"},
+    {"cog", "center"},           {"com", "center"},
+    {"k", "stiffness"},          {"c", "damping"},
+};
+
+// Returns the key of these that `name` means elsewhere, or NULL.
+static const char *synonym(const char *name, const char *const *keys)
+{
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++) {
+        if (strcmp(name, synonyms[i][0]) != 0) continue;
+        for (size_t k = 0; keys[k]; k++)
+            if (strcmp(keys[k], synonyms[i][1]) == 0) return keys[k];
+    }
+    return NULL;
+}
+
 void yk_load_hint_nearest_key(YkLoader *loader, const char *name, const char *const *keys)
 {
     size_t count = 0;
     while (keys[count]) count++;
     if (!is_worth_a_hint(loader->problems, name)) return;
+    if (hint(loader->problems, synonym(name, keys))) return;
     if (hint(loader->problems, yk_nearest(name, keys, count))) return;
     YkText text = {0};
     for (size_t i = 0; i < count; i++) yk_text_format(&text, i ? ", %s" : "%s", keys[i]);

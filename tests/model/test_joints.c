@@ -181,12 +181,22 @@ static void a_joint_takes_the_keys_of_its_kind_only(void **state)
 {
     (void)state;
     refused_joint("{pin: [ground, b], along: x}", YK_CODE_UNKNOWN_KEY, 25, "pin `J` has no key `along`");
+    refused_joint("{slot: [ground, b], along: x}", YK_CODE_JOINT_KIND, 7, "did you mean `pin-slot`?");
     refused_joint("{pin: [ground, b], turned: 3}", YK_CODE_UNKNOWN_KEY, 25, "turned");
     refused_joint("{slide: [ground, b], at: Q}", YK_CODE_UNKNOWN_KEY, 27, "at");
     refused_joint("{weld: [ground, b], friction: {}}", YK_CODE_UNKNOWN_KEY, 26, "friction");
     refused_joint("{pin: [ground, b], distance: s}", YK_CODE_COORDINATE_KIND, 25, "does not move along a line");
     refused_joint("{slide: [ground, b], angle: s}", YK_CODE_COORDINATE_KIND, 27, "does not turn");
     refused_joint("{weld: [ground, b], angle: s}", YK_CODE_COORDINATE_KIND, 26, "does not turn");
+}
+
+static void what_others_write_is_told_in_our_words(void **state)
+{
+    (void)state;
+    refused_joint("{revolute: [ground, b]}", YK_CODE_JOINT_KIND, 7, "did you mean `pin`?");
+    refused_joint("{pin: [ground.O, b]}", YK_CODE_UNKNOWN_BODY, 13, "name the body alone");
+    fixture_refused(HELD "loads: {}\n", YK_CODE_UNKNOWN_KEY, 5, 1, "did you mean `forces`?");
+    fixture_refused(HELD "title: x\n", YK_CODE_UNKNOWN_KEY, 5, 1, "did you mean `name`?");
 }
 
 static void a_coordinates_name_is_its_own(void **state)
@@ -224,6 +234,7 @@ int main(void)
         cmocka_unit_test(the_bodies_of_a_joint_are_two_different_ones),
         cmocka_unit_test(the_points_of_a_joint_are_on_both_bodies_or_on_neither),
         cmocka_unit_test(a_joint_takes_the_keys_of_its_kind_only),
+        cmocka_unit_test(what_others_write_is_told_in_our_words),
         cmocka_unit_test(a_coordinates_name_is_its_own),
         cmocka_unit_test(directions_and_turns_must_be_angles),
     };
