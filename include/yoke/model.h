@@ -72,7 +72,10 @@ typedef enum YkQuantity {
     YK_QUANTITY_ACCELERATION,
     YK_QUANTITY_FORCE,
     YK_QUANTITY_TORQUE,
-    YK_QUANTITY_ENERGY
+    YK_QUANTITY_ENERGY,
+    YK_QUANTITY_MASS,
+    YK_QUANTITY_UNBALANCE, // a mass times its distance
+    YK_QUANTITY_INERTIA
 } YkQuantity;
 // Reads `text` as such a quantity and converts it to SI. Returns YK_OK, or YK_BAD_ARGUMENT with a problem added.
 YK_API YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantity quantity, double *value,

@@ -185,13 +185,38 @@ static bool suggest_name(const YkMechanism *mech, const char *asked, char *name,
     return true;
 }
 
+// Suggests the ending that says here what `asked` says: `theta.torque` is `theta.effort`. The rest of the name is known.
+static bool suggest_ending(const YkMechanism *mech, const char *asked, YkProblems *problems)
+{
+    static const char *const endings[][2] = {
+        {".torque", ".effort"}, {".moment", ".effort"},  {".force", ".effort"},   {".velocity", ".rate"},
+        {".speed", ".rate"},    {".omega", ".rate"},     {".velocity", ".speed"}, {".acceleration", ".accel"},
+        {".alpha", ".accel"},   {".reaction", ".force"}, {".position", ""},
+    };
+    for (size_t k = 0; k < sizeof endings / sizeof *endings; k++) {
+        YkChannel channel;
+        YkText meant = {0};
+        char name[NAME_MAX], parsed[NAME_MAX];
+        strcpy(name, asked); // cut below
+        if (!cut_suffix(name, endings[k][0])) continue;
+        yk_text_format(&meant, "%s%s", name, endings[k][1]);
+        bool fits = !meant.failed && meant.length < NAME_MAX;
+        if (fits) strcpy(parsed, yk_text_get(&meant));
+        bool is_known = fits && parse(mech, parsed, &channel);
+        if (is_known) yk_problem_hint(problems, "did you mean %q?", yk_text_get(&meant));
+        yk_text_free(&meant);
+        if (is_known) return true;
+    }
+    return false;
+}
+
 static void suggest(const YkMechanism *mech, const char *asked, YkProblems *problems)
 {
     char copy[NAME_MAX];
     size_t n = strlen(asked);
     if (n < NAME_MAX) {
         memcpy(copy, asked, n + 1);
-        if (suggest_name(mech, asked, copy, problems)) return;
+        if (suggest_ending(mech, asked, problems) || suggest_name(mech, asked, copy, problems)) return;
     }
     yk_problem_hint(problems,
                     "ask for a coordinate (theta2, theta2.rate, theta2.accel), a body (lever.angle), a point (ram.C.x) "

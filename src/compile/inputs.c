@@ -179,10 +179,12 @@ static bool report_overdriven(Choice *c)
     for (size_t k = c->wanted; k < c->wanted + c->driven; k++) {
         if (c->accepted[k] || refused++ < used) continue;
         const YkTreeCoordinate *q = &mech->coordinates[c->candidates[k]];
+        bool is_alone = c->wanted + c->driven == 1;
         yk_problem(c->problems, YK_CODE_OVERDRIVEN, mech->model->drives[q->drive].place,
-                   "%q is driven, but the other drives already fix it: the machine has %z freedom%s", q->name,
-                   mech->input_count, mech->input_count == 1 ? "" : "s");
-        yk_problem_hint(c->problems, "remove a drive, or a joint");
+                   "%q is driven, but %s already fix it: the machine has %z freedom%s", q->name,
+                   is_alone ? "the joints" : "the other drives", mech->input_count, mech->input_count == 1 ? "" : "s");
+        yk_problem_hint(c->problems,
+                        is_alone ? "drive another coordinate, or remove a joint" : "remove a drive, or a joint");
         ok = false;
     }
     for (size_t k = 0; k < c->wanted; k++) {

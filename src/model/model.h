@@ -270,7 +270,7 @@ typedef struct YkCam {
     YkVec pivot;  // of an oscillating follower, from the cam's centre, m
 } YkCam;
 
-enum { YK_QUANTITY_COUNT = YK_QUANTITY_ENERGY + 1 };
+enum { YK_QUANTITY_COUNT = YK_QUANTITY_INERTIA + 1 };
 
 // An expression of the file, and the model's value that it sets.
 typedef struct YkModelUse {

@@ -26,6 +26,12 @@ YkDimension yk_quantity_dimension(YkQuantity quantity)
     case YK_QUANTITY_TORQUE:
     case YK_QUANTITY_ENERGY: // the same dimension
         return YK_DIM_TORQUE;
+    case YK_QUANTITY_MASS:
+        return YK_DIM_MASS;
+    case YK_QUANTITY_UNBALANCE:
+        return YK_DIM(1, 1, 0, 0);
+    case YK_QUANTITY_INERTIA:
+        return YK_DIM_INERTIA;
     case YK_QUANTITY_NUMBER:
         break;
     }

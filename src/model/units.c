@@ -69,6 +69,9 @@ static void name_quantities(YkLoader *loader)
                                 force ? "" : u->time_name, force ? "" : "^2"},
         [YK_QUANTITY_ENERGY] = {force ? force : u->mass_name, "*", u->length_name, force ? "" : "^2/",
                                 force ? "" : u->time_name, force ? "" : "^2"},
+        [YK_QUANTITY_MASS] = {"", u->mass_name, "", "", "", ""},
+        [YK_QUANTITY_UNBALANCE] = {u->mass_name, "*", u->length_name, "", "", ""},
+        [YK_QUANTITY_INERTIA] = {u->mass_name, "*", u->length_name, "^2", "", ""},
     };
     for (int i = 0; i < YK_QUANTITY_COUNT; i++) {
         YkText *text = &loader->text;

@@ -79,16 +79,16 @@ static void add_masses(const YkReportPage *report, YkText *html)
     const char *unit = yk_amount_unit(report->model, YK_QUANTITY_LENGTH, NULL);
     YkTable *table = yk_table_new(5);
     yk_table_head(table, "body", NULL);
-    yk_table_head(table, "mass", "kg");
-    yk_table_head(table, "inertia", "kg*m^2");
+    yk_table_head(table, "mass", yk_amount_unit(report->model, YK_QUANTITY_MASS, NULL));
+    yk_table_head(table, "inertia", yk_amount_unit(report->model, YK_QUANTITY_INERTIA, NULL));
     yk_table_head(table, "centre x", unit);
     yk_table_head(table, "centre y", unit);
     for (size_t b = 1; b < yk_model_body_count(report->model) && b < ROWS_MAX; b++) {
         const YkBody *body = &report->model->bodies[b];
         if (!body->has_mass) continue;
         yk_table_word(table, body->name);
-        yk_table_number(table, body->mass, DIGITS);
-        yk_table_number(table, body->inertia, DIGITS);
+        yk_table_number(table, yk_amount_of(report->model, body->mass, YK_QUANTITY_MASS), DIGITS);
+        yk_table_number(table, yk_amount_of(report->model, body->inertia, YK_QUANTITY_INERTIA), DIGITS);
         yk_table_number(table, yk_amount_in_unit(report->model, report->mech, body->center.x, YK_QUANTITY_LENGTH),
                         DIGITS);
         yk_table_number(table, yk_amount_in_unit(report->model, report->mech, body->center.y, YK_QUANTITY_LENGTH),

@@ -77,10 +77,12 @@ YkQuantity yk_amount_quantity(YkDimension dimension)
         YkDimension dimension;
         YkQuantity quantity;
     } known[] = {
-        {{0, 0, 0, 1}, YK_QUANTITY_ANGLE},  {{1, 0, 0, 0}, YK_QUANTITY_LENGTH},
-        {{0, 0, 1, 0}, YK_QUANTITY_TIME},   {{0, 0, -1, 1}, YK_QUANTITY_ANGLE_RATE},
-        {{1, 0, -1, 0}, YK_QUANTITY_SPEED}, {{1, 0, -2, 0}, YK_QUANTITY_ACCELERATION},
-        {{1, 1, -2, 0}, YK_QUANTITY_FORCE}, {{2, 1, -2, 0}, YK_QUANTITY_TORQUE},
+        {{0, 0, 0, 1}, YK_QUANTITY_ANGLE},   {{1, 0, 0, 0}, YK_QUANTITY_LENGTH},
+        {{0, 0, 1, 0}, YK_QUANTITY_TIME},    {{0, 0, -1, 1}, YK_QUANTITY_ANGLE_RATE},
+        {{1, 0, -1, 0}, YK_QUANTITY_SPEED},  {{1, 0, -2, 0}, YK_QUANTITY_ACCELERATION},
+        {{1, 1, -2, 0}, YK_QUANTITY_FORCE},  {{2, 1, -2, 0}, YK_QUANTITY_TORQUE},
+        {{0, 1, 0, 0}, YK_QUANTITY_MASS},    {{1, 1, 0, 0}, YK_QUANTITY_UNBALANCE},
+        {{2, 1, 0, 0}, YK_QUANTITY_INERTIA},
     };
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
         if (yk_dimension_equal(known[k].dimension, dimension) &&

@@ -112,6 +112,32 @@ class Solve(Case):
         self.assertIn(answer["code"], run.err)
         self.assertEqual(Run("explain", answer["code"]).code, 0)
 
+    def test_masses_are_told_in_the_files_units(self):
+        """check and balance tell pounds and inches where the file's units are these; JSON stays in SI."""
+        path = self.write("pounds.yaml", """
+units: {length: in, mass: lb}
+bodies:
+  ground:  {points: {O: [0, 0], C: [5.5, 0]}}
+  crank:   {points: {O: [0, 0], A: [2, 0]}}
+  coupler: {points: {A: [0, 0], B: [6, 0]}, mass: 0.5, center: [3, 0.4], inertia: 2}
+  rocker:  {points: {B: [3, 0], C: [0, 0]}}
+joints: {O: {pin: [ground, crank], angle: q}, A: {pin: [crank, coupler], angle: p}, B: {pin: [coupler, rocker]}, C: {pin: [ground, rocker], angle: r}}
+drives: {q: 60 deg + 100 rpm * t}
+start: {p: -30 deg, r: 100 deg}
+""")
+        self.assertIn("1 body with mass, 0.5 lb in all", self.good("check", path).out)
+        weights = self.good("balance", path, "--format", "json").json()["counterweights"]
+        text = self.good("balance", path).out
+        self.assertRegex(text, r"mass x radius \[lb\*in\] +angle \[\w+\] +as mass \[lb\] +at radius \[in\]")
+        for weight in weights:
+            (line,) = re.findall(r"(?m)^ +%s .*$" % weight["on"], text)
+            product, _, mass, radius = (float(word) for word in line.split()[2:])
+            pound, inch = 0.45359237, 0.0254
+            self.assertAlmostEqual(product * pound * inch / weight["product"], 1, delta=1e-5)
+            self.assertAlmostEqual(mass * pound / weight["mass"], 1, delta=1e-5)
+            self.assertAlmostEqual(radius * inch / weight["radius"], 1, delta=1e-5)
+        self.assertEqual(len(weights), 2)
+
     def test_text_is_in_the_files_units(self):
         text = self.good("solve", self.four_bar, "--at", "theta1=50").out
         self.assertRegex(text, r"(?m)^  angle +position \[deg\] +velocity \[deg/s\] +acceleration \[deg/s\^2\]$")

@@ -141,6 +141,11 @@ static void unknown_names_are_refused_with_a_hint(void **state)
         {"C.transmission.rate", ""},
         {"theta2.rate.rate", ""},
         {"ground..x", ""},
+        {"theta1.torque", "`theta1.effort`"},
+        {"d5.force", "`d5.effort`"},
+        {"theta1.velocity", "`theta1.rate`"},
+        {"ram.C.velocity", "`ram.C.speed`"},
+        {"B.reaction", "`B.force`"},
     };
     Machine m = machine("quick-return");
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {

@@ -87,17 +87,17 @@ static void write_weights(YkSession *session, const YkBalancing *b)
     YkTable *table = yk_table_new(6);
     yk_table_head(table, "counterweight on", NULL);
     yk_table_head(table, "about", NULL);
-    yk_table_head(table, "mass x radius", "kg m");
+    yk_table_head(table, "mass x radius", yk_unit_of(session, YK_QUANTITY_UNBALANCE));
     yk_table_head(table, "angle", yk_unit_of(session, YK_QUANTITY_ANGLE));
-    yk_table_head(table, "as mass", "kg");
+    yk_table_head(table, "as mass", yk_unit_of(session, YK_QUANTITY_MASS));
     yk_table_head(table, "at radius", yk_unit_of(session, YK_QUANTITY_LENGTH));
     for (size_t k = 0; k < yk_balancing_count(b); k++) {
         YkCounterweight w = yk_balancing_at(b, k);
         yk_table_word(table, yk_model_body_name(session->model, w.body));
         yk_table_word(table, yk_model_joint_name(session->model, w.joint));
-        yk_table_number(table, w.product, YK_DIGITS);
+        yk_table_number(table, yk_shown(session, w.product, YK_QUANTITY_UNBALANCE), YK_DIGITS);
         yk_table_number(table, yk_shown(session, w.angle, YK_QUANTITY_ANGLE), YK_DIGITS);
-        yk_table_number(table, w.mass, YK_DIGITS);
+        yk_table_number(table, yk_shown(session, w.mass, YK_QUANTITY_MASS), YK_DIGITS);
         yk_table_number(table, yk_shown(session, w.radius, YK_QUANTITY_LENGTH), YK_DIGITS);
     }
     yk_text_puts(&session->out, "\n");
@@ -116,11 +116,11 @@ static void write_text(YkSession *session, const YkBalancing *b, double fluctuat
     if (yk_balancing_count(b) > 0) write_weights(session, b);
     write_shaking(session, b);
     write_orders(session, b);
-    if (isfinite(flywheel))
-        yk_text_format(
-            out,
-            "\nWithout counterweights, a flywheel of %e kg m^2 on the input keeps its speed within %e of the mean.\n",
-            flywheel, fluctuation);
+    if (isfinite(flywheel)) {
+        yk_text_puts(out, "\nWithout counterweights, a flywheel of ");
+        yk_add_value(session, out, flywheel, YK_QUANTITY_INERTIA, YK_DIGITS);
+        yk_text_format(out, " on the input keeps its speed within %e of the mean.\n", fluctuation);
+    }
     if (yk_balancing_turns(b) > 1)
         yk_text_format(out, "The machine and its efforts repeat after %z turns of the input.\n", yk_balancing_turns(b));
 }

@@ -213,7 +213,11 @@ static void add_forces(const YkCheckAnswer *answer)
     const YkLoadCounts *loads = &answer->loads;
     if (!answer->has_loads) return;
     yk_text_format(out, "\nMasses and loads\n  %z bod%s with mass", loads->masses, loads->masses == 1 ? "y" : "ies");
-    if (loads->mass > 0) yk_text_format(out, ", %e kg in all", loads->mass);
+    if (loads->mass > 0) {
+        yk_text_puts(out, ", ");
+        yk_add_value(answer->session, out, loads->mass, YK_QUANTITY_MASS, YK_DIGITS);
+        yk_text_puts(out, " in all");
+    }
     yk_text_puts(out, loads->has_gravity ? "; gravity" : "; no gravity");
     add_kind(out, loads->efforts, "effort");
     add_kind(out, loads->forces, "force");
