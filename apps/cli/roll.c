@@ -6,18 +6,6 @@
 #include "reach.h"
 #include "stop.h"
 
-struct YkRolls {
-    YkConfigurations *configurations;
-    double deadline; // --within; 0: none
-};
-
-void yk_roll_end(YkSession *session)
-{
-    if (session->rolls) yk_configurations_free(session->rolls->configurations);
-    free(session->rolls);
-    session->rolls = NULL;
-}
-
 static bool is_within(void *context, double part)
 {
     const struct YkRolls *rolls = context;

@@ -4,6 +4,12 @@
 #include <yoke/configurations.h>
 #include "session.h"
 
+// What a session keeps of them.
+struct YkRolls {
+    YkConfigurations *configurations;
+    double deadline; // --within; 0: none
+};
+
 // Visits every configuration at the inputs of `state`, a state of session->mech, as yk_configurations_each does in the
 // order of yk_state_each; report may be NULL. Names (yk_configuration_name) may be asked for while it visits.
 YkStatus yk_session_each(YkSession *session, YkState *state, bool (*visit)(void *context, YkState *state),

@@ -170,14 +170,3 @@ YkRef yk_graph_choose(YkGraph *g, YkRef sign, YkRef negative, YkRef otherwise)
     if (is_number(g, sign)) return at(g, sign)->number < 0 ? negative : otherwise;
     return negative == otherwise ? negative : operation(g, YK_VALUE_CHOOSE, sign, negative, otherwise);
 }
-
-YkRefVec yk_graph_unit(YkGraph *g, YkRef angle)
-{
-    if (is_number(g, angle)) {
-        double x = at(g, angle)->number;
-        return yk_graph_vec_number(g, yk_cos(x), yk_sin(x));
-    }
-    if (is_minus(g, angle)) return yk_graph_vec_conjugate(g, yk_graph_unit(g, at(g, angle)->a));
-    YkRef sine = operation(g, YK_VALUE_SINE, angle, YK_NONE, YK_NONE);
-    return (YkRefVec){operation(g, YK_VALUE_COSINE, angle, sine, YK_NONE), sine};
-}

@@ -1,4 +1,5 @@
 // Plane vectors of values.
+#include "elementary/elementary.h"
 #include "graph/graph.h"
 
 YkRefVec yk_graph_vec_number(YkGraph *g, double x, double y)
@@ -66,4 +67,17 @@ bool yk_graph_is_zero_vec(const YkGraph *g, YkRefVec v)
 YkRef yk_graph_vec_length(YkGraph *g, YkRefVec a)
 {
     return yk_graph_function(g, YK_SQRT, yk_graph_dot(g, a, a), YK_NONE);
+}
+
+YkRefVec yk_graph_unit(YkGraph *g, YkRef angle)
+{
+    const YkValue *value = &g->values[angle];
+    if (value->op == YK_VALUE_NUMBER) {
+        double x = value->number;
+        return yk_graph_vec_number(g, yk_cos(x), yk_sin(x));
+    }
+    if (value->op == YK_VALUE_MINUS) return yk_graph_vec_conjugate(g, yk_graph_unit(g, value->a));
+    YkRef sine = yk_graph_intern(g, (YkValue){.op = YK_VALUE_SINE, .a = angle, .b = YK_NONE, .c = YK_NONE});
+    YkValue cosine = {.op = YK_VALUE_COSINE, .a = angle, .b = sine, .c = YK_NONE};
+    return (YkRefVec){yk_graph_intern(g, cosine), sine};
 }

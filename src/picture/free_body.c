@@ -85,12 +85,6 @@ const char *yk_free_body_drawings_stem(const YkFreeBodyDrawings *p, size_t pictu
     return p->pictures[picture].stem;
 }
 
-void yk_free_body_turn_to(YkFreeBodyDrawings *p, const YkFreeBodyDrawing *picture)
-{
-    yk_drawing_center(p->drawing, picture->middle, picture->scale, YK_FREE_BODY_WIDTH, YK_FREE_BODY_HEIGHT);
-    p->drawing->bar = 11;
-}
-
 // --- Drawing
 
 static void set_style(YkText *style, const char *fill, const char *stroke, double width, const char *more)

@@ -23,11 +23,6 @@ static const Section sections[] = {
 };
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
-bool yk_report_has_script(void)
-{
-    return yk_report_script_size > 0;
-}
-
 static bool is_moving(const YkReportPage *report)
 {
     return yk_report_has_script() && !report->options.is_plain;

@@ -56,25 +56,9 @@ const YkPoisson *yk_ring_sqrt(YkRing *ring, int64_t square)
     return yk_poisson_term(ring, (odd2 ? YK_UNIT_SQRT2 : 0u) | (odd3 ? YK_UNIT_SQRT3 : 0u), root * other, 1);
 }
 
-static bool is_symbol(YkRing *ring, int32_t symbol)
-{
-    if (symbol >= 0 && (size_t)symbol < ring->symbol_count) return true;
-    yk_ring_fail(ring, YK_RING_NAME);
-    return false;
-}
-
-const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol)
-{
-    if (!is_symbol(ring, symbol)) return NULL;
-    if (ring->symbols[symbol].element) return ring->symbols[symbol].element;
-    uint32_t monomial = yk_ring_monomial_of(ring, symbol, 1);
-    if (monomial == YK_NO_PRODUCT) return NULL;
-    return ring->symbols[symbol].element = yk_poisson_term(ring, yk_key(0, monomial, 0), 1, 1);
-}
-
 static const YkPoisson *unit_power(YkRing *ring, int32_t angle, int32_t factor)
 {
-    if (!is_symbol(ring, angle)) return NULL;
+    if (!yk_ring_has_symbol(ring, angle)) return NULL;
     if (!ring->symbols[angle].is_angle) return yk_ring_fail(ring, YK_RING_NAME);
     uint32_t phase = yk_ring_phase_of(ring, angle, factor);
     return phase == YK_NO_PRODUCT ? NULL : yk_poisson_term(ring, yk_key(phase, 0, 0), 1, 1);

@@ -123,6 +123,8 @@ enum {
 
 // --- symbols.c: returns the symbol of pi / pi_over, `pi_7`; enters it if it is new; -1 on failure.
 int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over);
+// Returns whether this is one of the ring's symbols, and makes the ring fail if not.
+bool yk_ring_has_symbol(YkRing *ring, int32_t symbol);
 
 // --- print/typeset.c: makes names in LaTeX (l_{c1}, \dot{\theta}_{1}), MathML and C (theta1_rate), unique in their
 // ring, for all symbols that have none yet. Returns false with the status when out of memory.

@@ -260,3 +260,19 @@ bool yk_ring_is_angle(const YkRing *ring, int32_t symbol)
 {
     return ring->symbols[symbol].is_angle;
 }
+
+bool yk_ring_has_symbol(YkRing *ring, int32_t symbol)
+{
+    if (symbol >= 0 && (size_t)symbol < ring->symbol_count) return true;
+    yk_ring_fail(ring, YK_RING_NAME);
+    return false;
+}
+
+const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol)
+{
+    if (!yk_ring_has_symbol(ring, symbol)) return NULL;
+    if (ring->symbols[symbol].element) return ring->symbols[symbol].element;
+    uint32_t monomial = yk_ring_monomial_of(ring, symbol, 1);
+    if (monomial == YK_NO_PRODUCT) return NULL;
+    return ring->symbols[symbol].element = yk_poisson_term(ring, yk_key(0, monomial, 0), 1, 1);
+}

@@ -1,28 +1,5 @@
 // What is missing: bodies, freedom, drives.
-#include <stdarg.h>
 #include "sketch/sketch.h"
-
-YkLack *yk_sketch_add(YkSketch *sketch, YkLackKind kind)
-{
-    if (!YK_ROOM(sketch->lacks, sketch->lack_count, sketch->lack_capacity)) {
-        sketch->failed = true;
-        return NULL;
-    }
-    YkLack *lack = &sketch->lacks[sketch->lack_count++];
-    *lack = (YkLack){
-        .kind = kind, .body = YK_NOT_FOUND, .point = YK_NOT_FOUND, .other = YK_NOT_FOUND, .coordinate = YK_NOT_FOUND};
-    return lack;
-}
-
-const char *yk_sketch_words(YkSketch *sketch, const char *format, ...)
-{
-    va_list arguments;
-    yk_text_clear(&sketch->text);
-    va_start(arguments, format);
-    yk_text_vformat(&sketch->text, format, arguments);
-    va_end(arguments);
-    return yk_arena_copy(sketch->arena, yk_text_get(&sketch->text), sketch->text.length);
-}
 
 static void find_body(YkSketch *sketch)
 {

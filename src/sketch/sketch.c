@@ -80,17 +80,6 @@ const YkMechanism *yk_sketch_mechanism(const YkSketch *sketch)
     return sketch->mech;
 }
 
-size_t yk_sketch_joint_count(const YkSketch *sketch)
-{
-    return sketch->model->joint_count - sketch->model->carriage_count - sketch->model->held_joints;
-}
-
-int yk_sketch_freedom(const YkSketch *sketch)
-{
-    YkFreedom freedom = yk_mechanism_freedom(sketch->mech);
-    return (freedom.by_rank >= 0 ? freedom.by_rank : freedom.gruebler) + 3 * (int)sketch->model->held_joints;
-}
-
 size_t yk_sketch_lack_count(const YkSketch *sketch)
 {
     return sketch->lack_count;

@@ -283,3 +283,12 @@ int yk_train_case_freedom(const YkTrainCase *one)
 {
     return (int)(one->net->columns - one->system.rank);
 }
+
+bool yk_train_has_joint(const YkTrainNet *net, int32_t index, bool is_distance)
+{
+    const YkJoint *joint = &net->model->joints[index];
+    for (size_t r = 0; is_distance && r < net->model->rack_count; r++)
+        if (net->model->racks[r].slide == index) return true;
+    bool is_member = net->column_of[joint->body[0]] > 0 || net->column_of[joint->body[1]] > 0;
+    return !is_distance && is_member && net->column_of[joint->body[0]] >= 0 && net->column_of[joint->body[1]] >= 0;
+}

@@ -2,15 +2,6 @@
 #include <math.h>
 #include "design/trains/train.h"
 
-bool yk_train_has_joint(const YkTrainNet *net, int32_t index, bool is_distance)
-{
-    const YkJoint *joint = &net->model->joints[index];
-    for (size_t r = 0; is_distance && r < net->model->rack_count; r++)
-        if (net->model->racks[r].slide == index) return true;
-    bool is_member = net->column_of[joint->body[0]] > 0 || net->column_of[joint->body[1]] > 0;
-    return !is_distance && is_member && net->column_of[joint->body[0]] >= 0 && net->column_of[joint->body[1]] >= 0;
-}
-
 // Returns "40 rpm" for 4 pi / 3, "740 rad/s", "1/2 m/s"; NULL if it is not so simple.
 static const char *exact_text(YkArena *arena, const YkFraction *value, int32_t pi, bool is_distance)
 {

@@ -2,6 +2,7 @@
 #include <string.h>
 #include "base/text.h"
 #include "ring/inside.h"
+#include "ring/print/write.h"
 
 typedef struct Greek {
     const char *name, *utf8;
@@ -188,4 +189,11 @@ bool yk_ring_typeset(YkRing *ring)
     for (; ring->typeset_count < ring->symbol_count; ring->typeset_count++)
         if (!typeset(ring, &ring->symbols[ring->typeset_count])) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
     return true;
+}
+
+const char *yk_ring_name_in(YkRing *ring, int32_t symbol, YkRingFormat format)
+{
+    const YkRingSymbol *named = &ring->symbols[symbol];
+    if (format == YK_RING_TEXT || format == YK_RING_BOOK || !yk_ring_typeset(ring)) return named->name;
+    return format == YK_RING_LATEX ? named->latex : format == YK_RING_MATHML ? named->mathml : named->c;
 }

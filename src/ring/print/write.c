@@ -262,13 +262,6 @@ void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text)
     put_sum(&pen, sum);
 }
 
-const char *yk_ring_name_in(YkRing *ring, int32_t symbol, YkRingFormat format)
-{
-    const YkRingSymbol *named = &ring->symbols[symbol];
-    if (format == YK_RING_TEXT || format == YK_RING_BOOK || !yk_ring_typeset(ring)) return named->name;
-    return format == YK_RING_LATEX ? named->latex : format == YK_RING_MATHML ? named->mathml : named->c;
-}
-
 bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
 {
     if (!a) return false;

@@ -19,6 +19,8 @@ bool yk_map_plot(const YkMapAnswer *answer, const char *path);
 // Returns the joint that labels the block of an event, or the coordinate that stands at a dead point; NULL if none.
 const char *yk_map_event_of(const YkMapAnswer *answer, YkMapEvent event);
 
+// Returns how many inputs --at leaves free.
+size_t yk_map_free_inputs(const YkSession *session);
 // Returns whether --at leaves the machine the freedoms that are mapped; refuses it otherwise.
 bool yk_map_has_freedoms(YkSession *session, size_t wanted);
 
