@@ -173,15 +173,17 @@ static bool report_overdriven(Choice *c)
 {
     YkMechanism *mech = c->mech;
     bool ok = true;
-    size_t used = 0, refused = 0;
+    size_t used = 0, refused = 0, others = 0;
     for (size_t k = 0; k < c->wanted; k++)
         if (c->accepted[k] && mech->coordinates[c->candidates[k]].drive == YK_NONE) used++;
+    for (size_t k = 0; k < c->wanted + c->driven; k++) others += c->accepted[k];
     for (size_t k = c->wanted; k < c->wanted + c->driven; k++) {
         if (c->accepted[k] || refused++ < used) continue;
         const YkTreeCoordinate *q = &mech->coordinates[c->candidates[k]];
         yk_problem(c->problems, YK_CODE_OVERDRIVEN, mech->model->drives[q->drive].place,
-                   "%q is driven, but the other drives already fix it: the machine has %z freedom%s", q->name,
-                   mech->input_count, mech->input_count == 1 ? "" : "s");
+                   "%q is driven, but %s already fix it: the machine has %z freedom%s", q->name,
+                   others > 0 ? "the other drives" : "the joints", mech->input_count,
+                   mech->input_count == 1 ? "" : "s");
         yk_problem_hint(c->problems, "remove a drive, or a joint");
         ok = false;
     }

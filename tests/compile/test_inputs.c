@@ -84,7 +84,7 @@ static void driven_coordinates_that_depend_on_each_other_are_reported_by_name(vo
             LINK("b", "B", "C",
                  "1.2") "joints: {A: {pin: [ground, a], angle: p}, B: {pin: [ground, b], angle: q}, C: {pin: [a, b]}}\n"
                         "drives: {q: 2}\n",
-        NULL, YK_CODE_OVERDRIVEN, "`q` is driven, but the other drives already fix it: the machine has 0 freedoms");
+        NULL, YK_CODE_OVERDRIVEN, "`q` is driven, but the joints already fix it: the machine has 0 freedoms");
 }
 
 // Counting alone would let three drives pass on three freedoms, two of them on the same four-bar.
