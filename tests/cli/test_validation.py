@@ -229,6 +229,23 @@ laws:
         self.near(energy / (1000 * (10 * math.pi) ** 2) * 100, percent, 1e-12, "per cent")
         self.near(math.degrees(extremes[0][1]), high, 1e-9, "speed is largest")
 
+    def test_the_flywheels_of_balance(self):
+        """The moments of inertia by `balance`, for the published fluctuations of speed; cycles of one, two and three turns."""
+        flat = "table: [[0, 750 N*m], [pi, 750 N*m], [2*pi, 3000 N*m], [4*pi, 3000 N*m], [5*pi, 750 N*m], [6*pi, 750 N*m]]"
+        gas = "table: [[0 deg, 0], [90 deg, %r N*m], [180 deg, 0], [540 deg, 0], [630 deg, %r N*m], [720 deg, 0]]" % (24e3 / math.pi, -8e3 / math.pi)
+        peaks = "table: [[0 deg, 0], [80 deg, 2000 N*m], [180 deg, 0], [270 deg, 1500 N*m], [360 deg, 0]]"
+        want = rows("FLY-KG")
+        for speed, turns, table, part, inertia in ((250, 3, flat, want["KG16.6"][0][1], 500 * 0.6 ** 2),
+                                                   (300, 2, gas, 0.04, want["KG16.9"][0][1]),
+                                                   (100, 1, peaks, 0.015, want["KG16.7"][0][3] * 1.75 ** 2),
+                                                   (180, 1, None, 0.01, want["KG16.11"][0][2])):
+            law = "\nlaws: {turning: {period: %d*pi, between: linear, %s}}\n" % (2 * turns, table) if table else ""
+            load = "{law: turning, of: theta}" if table else "20000 N*m + 9500 N*m * sin(2*theta) - 5700 N*m * cos(2*theta)"
+            self.mean(load, speed, laws=law)  # writes the machine
+            answer = self.good("balance", self.path("steady.yaml"), "--fluctuation", repr(part), "--format", "json").json()
+            self.assertEqual(answer["turns"], turns)
+            self.near(answer["flywheel"]["inertia"], inertia, 1e-5, "flywheel")  # from samples
+
     def punch(self, radius, power, mass, torque, blow, fast):
         """A wheel at its largest speed when a blow begins: its speed at the blow's end, while the motor gives its power."""
         file = self.wheel(mass * radius ** 2, "%r W / theta.rate - {}".format(torque) % power, fast)
