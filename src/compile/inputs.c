@@ -173,18 +173,19 @@ static bool report_overdriven(Choice *c)
 {
     YkMechanism *mech = c->mech;
     bool ok = true;
-    size_t used = 0, refused = 0;
+    size_t used = 0, refused = 0, others = 0;
     for (size_t k = 0; k < c->wanted; k++)
         if (c->accepted[k] && mech->coordinates[c->candidates[k]].drive == YK_NONE) used++;
+    for (size_t k = 0; k < c->wanted + c->driven; k++) others += c->accepted[k];
     for (size_t k = c->wanted; k < c->wanted + c->driven; k++) {
         if (c->accepted[k] || refused++ < used) continue;
         const YkTreeCoordinate *q = &mech->coordinates[c->candidates[k]];
-        bool is_alone = c->wanted + c->driven == 1;
         yk_problem(c->problems, YK_CODE_OVERDRIVEN, mech->model->drives[q->drive].place,
                    "%q is driven, but %s already fix it: the machine has %z freedom%s", q->name,
-                   is_alone ? "the joints" : "the other drives", mech->input_count, mech->input_count == 1 ? "" : "s");
+                   others > 0 ? "the other drives" : "the joints", mech->input_count,
+                   mech->input_count == 1 ? "" : "s");
         yk_problem_hint(c->problems,
-                        is_alone ? "drive another coordinate, or remove a joint" : "remove a drive, or a joint");
+                        others > 0 ? "remove a drive, or a joint" : "drive another coordinate, or remove a joint");
         ok = false;
     }
     for (size_t k = 0; k < c->wanted; k++) {

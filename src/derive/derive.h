@@ -168,6 +168,8 @@ void yk_derive_forgive(YkDerivation *d); // forgets that the ring cannot hold a 
 // Ask once for each: every call makes another.
 const YkPoisson *yk_derive_measure(YkDerivation *d, const YkExpr *expr, YkRingClass kind, const char *letter,
                                    const char *body);
+// Returns a stiffness or a damping in the same way; it keeps its number unless that has very many digits.
+const YkPoisson *yk_derive_strength(YkDerivation *d, const YkExpr *expr, const char *letter, const char *spring);
 // Returns the symbol of a constant that the ring cannot hold, k_1 or alpha_1: one for each expression. Returns NULL
 // if it is not a constant.
 const YkPoisson *yk_derive_constant(YkDerivation *d, const YkExpr *expr, bool is_angle, int32_t *symbol);

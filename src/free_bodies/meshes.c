@@ -2,8 +2,8 @@
 // - gears: a force at the pitch point across the line of centres, if the centres are apart; otherwise couples
 // - racks: a force along the rack at the pitch line
 // - belts: couples on both pulleys and on their carrier
-// - cams: a force along the common normal through the follower's roller (or edge); for a flat face that slides, and if
-// no base radius tells more, where the face touches; for followers that turn and name no point, couples
+// - cams: a force along the common normal through the follower's roller (or edge), or where a flat face touches; couples
+// for a follower that turns about a pin on the cam's own, in which case nothing tells where it is
 // Flanks of gears lean by the pressure angle: the force across comes with one along the line of centres, towards the
 // first wheel's centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is
 // applied as a load.
@@ -11,6 +11,7 @@
 // about the axis their forces leave a couple, and the carrier's axis bears the opposite of what pushes the planet.
 #include "elementary/elementary.h"
 #include "free_bodies/inside.h"
+#include "model/transmissions/cam_place.h"
 
 static void bodies_of(const YkModel *model, const YkRelation *r, YkWrenchColumn *c)
 {
@@ -160,16 +161,35 @@ static void pose_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     set_force(f, space, c, touch, u); // a force along u may act anywhere along u
 }
 
+// Places the push on a flat face that turns: along its normal n, at h n + h' i n from the cam's centre, with the face's
+// distance h as a support function of the angle by which it turns against the cam (design/cams/cam_point.c).
+static void pose_turning_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkCam *cam,
+                              YkVec center, YkVec touch, double slope, double turn)
+{
+    YkVec n = yk_mul(place_of(f, space, cam->follower, yk_vec(0, 0)).e, touch), across = yk_quarter(n);
+    YkVec pivot = yk_sub(center_of(f, space, cam->follower_joint, cam->follower), center);
+    double aside = yk_dot(across, pivot) * slope / (slope - turn);
+    YkVec at = yk_add(yk_scale(yk_dot(n, pivot) - cam->offset, n), yk_scale(aside, across));
+    set_force(f, space, c, yk_add(center, at), n);
+}
+
 // Finds the follower's roller or edge; returns false if its place is unknown.
 static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *cam, YkVec center, YkVec u, double lift,
                       YkVec *at)
 {
+    const YkModel *model = f->mech->model;
+    const YkJoint *guide = &model->joints[cam->follower_joint];
+    YkVec arm;
     if (cam->point != YK_NONE) {
-        *at = place_of(f, space, cam->follower, f->mech->model->points[cam->point].at).at;
+        *at = place_of(f, space, cam->follower, model->points[cam->point].at).at;
         return true;
     }
     double reach = cam->base + cam->roller, start = reach * reach - cam->offset * cam->offset;
-    if (cam->oscillates) return false;
+    if (cam->oscillates) {
+        if (!yk_cam_touch(cam, &arm)) return false;
+        *at = place_of(f, space, cam->follower, yk_add(guide->at[guide->body[1] == cam->follower], arm)).at;
+        return true;
+    }
     *at = yk_add(center, yk_add(yk_scale(sqrt(start) + lift, u), yk_scale(-cam->offset, yk_quarter(u))));
     return true;
 }
@@ -191,6 +211,10 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
             pose_flat(f, space, c, center, u, slope * turn);
             return;
         }
+    }
+    if (cam->oscillates && cam->face == YK_CAM_FACE_FLAT && yk_cam_touch(cam, &at)) {
+        pose_turning_flat(f, space, c, cam, center, at, way * slope, turn);
+        return;
     }
     if (!roller_of(f, space, cam, center, u, lift, &at)) {
         set_couples(c, -slope * turn, way, slope * turn - way);

@@ -264,10 +264,11 @@ typedef struct YkCam {
     struct YkCamArcs
         *arcs; // transmissions/cam_arcs.h: the surface from which the law is made; NULL if the file gives a law
     // Results of the joints' places, in the carrier's axes:
-    double turn;  // +1: the cam turns counterclockwise as its coordinate grows; -1: clockwise
-    double swing; // the same for an oscillating follower
-    YkVec along;  // unit direction of a translating follower's lift
-    YkVec pivot;  // of an oscillating follower, from the cam's centre, m
+    double turn;   // +1: the cam turns counterclockwise as its coordinate grows; -1: clockwise
+    double swing;  // the same for an oscillating follower
+    YkVec along;   // unit direction of a translating follower's lift
+    YkVec pivot;   // of an oscillating follower, from the cam's centre, m
+    bool is_apart; // its pin does not lie on the cam's
 } YkCam;
 
 enum { YK_QUANTITY_COUNT = YK_QUANTITY_INERTIA + 1 };

@@ -1,5 +1,6 @@
 // Cams, and coordinates that follow others by a law: forces and couples from the slope of the law.
 #include <math.h>
+#include "model/transmissions/cam_place.h"
 #include "program/balance.h"
 
 // Returns d value / d argument of the relation's law.
@@ -29,7 +30,15 @@ static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
     return yk_program_at(p, body, yk_program_point(p, j->point[j->body[1] == body]));
 }
 
-// Adds couples in the ratio of the motions, for followers that turn and name no point.
+// Returns a vector that is given in the body's axes.
+static YkRefVec turned_with(YkProgram *p, int32_t body, YkVec vector)
+{
+    YkGraph *g = &p->graph;
+    YkRefVec unit = yk_graph_vec_multiply(g, p->unit[p->mech->bodies[body].orientation], p->turn_unit[body]);
+    return yk_graph_vec_multiply(g, unit, yk_graph_vec_number(g, vector.x, vector.y));
+}
+
+// Adds couples in the ratio of the motions, for followers that turn about the cam's own pin.
 static void cam_couples(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
     YkGraph *g = &w->f->program->graph;
@@ -46,6 +55,24 @@ static void flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const
     YkRef aside = times(g, -pose->turn, pose->slope);
     YkRefVec off = yk_graph_vec_scale(g, aside, yk_graph_vec_quarter(g, pose->u));
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, off), pose->u);
+}
+
+// Pushes a flat face that turns along its normal, where it touches (free_bodies/meshes.c).
+static void turning_flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkVec touch)
+{
+    YkProgram *p = w->f->program;
+    YkGraph *g = &p->graph;
+    YkRefVec pin = joint_on(p, cam->follower_joint, cam->follower);
+    YkRefVec n = turned_with(p, cam->follower, touch);
+    YkRefVec across = yk_graph_vec_quarter(g, n), pivot = yk_graph_vec_subtract(g, pin, pose->center);
+    YkRef slope = times(g, pose->way, pose->slope);
+    YkRef against = yk_graph_subtract(g, slope, yk_graph_number(g, pose->turn));
+    YkRef part = yk_graph_divide(g, slope, against);
+    YkRef aside = yk_graph_multiply(g, yk_graph_dot(g, across, pivot), part);
+    YkRef height = yk_graph_subtract(g, yk_graph_dot(g, n, pivot), yk_graph_number(g, cam->offset));
+    YkRefVec along = yk_graph_vec_scale(g, height, n),
+             at = yk_graph_vec_add(g, along, yk_graph_vec_scale(g, aside, across));
+    yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, at), n);
 }
 
 // Returns the roller or edge of a follower that slides and names no point.
@@ -86,19 +113,25 @@ void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const
     YkGraph *g = &p->graph;
     const YkModel *m = p->model;
     CamPose pose = {.slope = slope_of(w, r)};
+    YkVec touch;
+    bool is_placed = cam->oscillates && yk_cam_touch(cam, &touch);
     pose.center = joint_on(p, cam->cam_joint, cam->cam);
     double reach = cam->base + cam->roller;
     pose.way = m->joints[cam->follower_joint].body[1] == cam->follower ? 1 : -1;
     pose.turn = m->joints[cam->cam_joint].body[1] == cam->cam ? 1 : -1;
-    YkRefVec carrier =
-        yk_graph_vec_multiply(g, p->unit[p->mech->bodies[cam->carrier].orientation], p->turn_unit[cam->carrier]);
-    pose.u = yk_graph_vec_multiply(g, carrier, yk_graph_vec_number(g, cam->along.x, cam->along.y));
+    pose.u = turned_with(p, cam->carrier, cam->along);
     if (!cam->oscillates && (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)))
         flat_face(w, column, cam, &pose);
     else if (cam->point != YK_NONE)
         roller_force(w, column, cam, &pose, yk_program_at(p, cam->follower, yk_program_point(p, cam->point)));
-    else if (cam->oscillates)
+    else if (cam->oscillates && !is_placed)
         cam_couples(w, column, cam, &pose);
+    else if (cam->oscillates && cam->face == YK_CAM_FACE_FLAT)
+        turning_flat_face(w, column, cam, &pose, touch);
+    else if (cam->oscillates)
+        roller_force(
+            w, column, cam, &pose,
+            yk_graph_vec_add(g, joint_on(p, cam->follower_joint, cam->follower), turned_with(p, cam->follower, touch)));
     else
         roller_force(w, column, cam, &pose, roller_of(w, cam, &pose));
 }

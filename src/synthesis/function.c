@@ -99,7 +99,7 @@ static YkFound *take(YkSynthesis *s, const YkFunctionTask *f, const YkDesign *de
     YkJourney journey = {.task = task, .input = input, .output = output, .exact = true, .turns = task->turns};
     YkVerdict verdict = {.defect = YK_DEFECT_NONE};
     YkText text = {0};
-    if (f->of || f->pair[0][0] != 0) {
+    if (f->of) {
         output[journey.count] = NAN;
         input[journey.count++] = design->angle[0];
     }

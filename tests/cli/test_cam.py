@@ -5,6 +5,7 @@ import json
 import math
 import os
 import re
+import subprocess
 import unittest
 
 from harness import Case, ROOT, Run
@@ -22,6 +23,31 @@ joints: {K: {pin: [ground, shaft], angle: theta}, T: {slide: [ground, tappet], a
 
 def example(name):
     return os.path.join(EXAMPLES, name + ".yaml")
+
+
+TURNING = """
+units: {length: mm, angle: deg, force: N}
+parameters: {n: 200 rpm}
+laws:
+  swing:
+    period: 360
+    segments:
+      - {rise: {to: 130, by: 15 deg, law: modified-sine}}
+      - {dwell: {to: 180}}
+      - {fall: {to: 320, by: 15 deg, law: 3-4-5}}
+      - {dwell: {to: 360}}
+cams:
+  c: {cam: shaft, follower: rocker, law: swing, %s}
+bodies:
+  ground: {points: {O: [0, 0], Q: [-90, 20]}}
+  shaft: {points: {O: [0, 0]}}
+  rocker: {points: {Q: [0, 0]}, mass: 0.6 kg, center: [50, 5], inertia: 900 kg*mm^2}
+joints:
+  O: {pin: [ground, shaft], angle: theta}
+  Q: {pin: %s, angle: phi}
+springs: {k: {along: phi, stiffness: 20 N*m/rad, angle: %d}}
+drives: {theta: n * t}
+"""
 
 
 class Cam(Case):
@@ -208,6 +234,38 @@ class Answers(Cam):
             for row, asked in zip(rows, other):
                 self.assertAlmostEqual(asked[2], row[head.index("contact_force")], delta=1e-6 * largest, msg=name)
                 self.assertAlmostEqual(asked[1], row[head.index("torque")], delta=1e-7 * largest, msg=name)
+
+    def test_followers_that_turn_are_pushed_along_the_common_normal(self):
+        """Without a point `at`, too: the force is that of `cam`, and its line crosses the line of centres where both turn alike (Kennedy)."""
+        for kind, pin, way in (("face: flat, base: 40, offset: 5", "[ground, rocker]", 1), ("roller: 9, base: 40, arm: 85", "[rocker, ground]", -1)):
+            file = self.write("turning.yaml", TURNING % (kind, pin, -25))
+            of = "phi,phi.rate,c.force.x,c.force.y,theta.effort,Q.force.x,Q.force.y"
+            rows = self.good("sweep", file, "--over", "theta=10:370deg", "--steps", "36", "--of", of, "--format", "csv").csv()[1]
+            other = self.good("sweep", file, "--over", "theta=10:370deg", "--steps", "36", "--of", of, "--method", "newton-euler", "--format",
+                              "csv").csv()[1]
+            head, known = self.good("cam", file, "--steps", "36", "--format", "csv").csv()
+            known = {round(math.degrees(row[0])): row[head.index("contact_force")] for row in known}
+            speed = 200 * math.pi / 30
+            for row, again in zip(rows, other):
+                theta, phi, rate, x, y, effort = row[:6]
+                self.assertAlmostEqual(math.hypot(x, y), known[round(math.degrees(theta)) % 360], delta=1e-6)
+                ratio = way * rate / speed
+                at = ratio / (ratio - 1)  # of the centres' distance
+                centre = (-0.09 * at, 0.02 * at)
+                moment = (centre[0] + 0.09) * y - (centre[1] - 0.02) * x
+                self.assertAlmostEqual(moment * way * rate, effort * speed, delta=1e-9)  # what the follower takes, the drive gives
+                for value, same in zip(row, again):
+                    self.assertAlmostEqual(value, same, delta=1e-9)
+            text = self.good("derive", file, "--what", "free-bodies", "--numbers", "--at", "theta=80deg").out
+            self.assertIn("at lift 0 the follower's", text)
+            shown = re.search(r"by ground at O:.* \[ *(\S+) *\]\n.* \[ *(\S+) *\]", text)
+            for value, want in zip(shown.groups(), rows[7][3:5]):  # the shaft's bearing carries the contact force
+                self.assertAlmostEqual(float(value), want, delta=1e-3)
+            self.good("code", file, "-o", self.path("turning.c"))
+            subprocess.run([os.environ.get("CC", "cc"), "-Dturning_TEST", "-o", self.path("turning"), self.path("turning.c"), "-lm"], check=True)
+            self.assertIn("well", subprocess.run([self.path("turning")], capture_output=True, encoding="utf-8", check=True).stdout)
+        weak = self.write("weak.yaml", (TURNING % ("face: flat, base: 40, offset: 5", "[ground, rocker]", -25)).replace("20 N*m", "2 N*m"))
+        self.assertIn("lift-off of c", self.good("simulate", weak, "--to", "0.2s", "--param", "n=900rpm").err)
 
     def test_a_follower_that_leaves_its_cam_is_told(self):
         with open(os.path.join(ROOT, "examples", "valve-cam.yaml"), encoding="utf-8") as file:

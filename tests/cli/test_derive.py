@@ -38,6 +38,32 @@ joints: {O: {pin: [ground, arm], angle: theta}}
             if printed or len(line.split()[2]) < 18:
                 self.assertIn("true for all dimensions", self.good("derive", path, "--check", line).out)
 
+    def test_springs_in_pounds_and_inches_are_exact(self):
+        """3 lbf/in is a fraction of 13 digits: multiplied by lengths in inches it was too large (E0650)."""
+        machine = """\
+units: {length: in, angle: deg, force: lbf, mass: lb}
+gravity: [0, -386.4]
+bodies:
+  ground: {points: {O: [0, 0], G: [7, 2]}}
+  arm: {points: {O: [0, 0], P: [6.5, 1.25]}, mass: 3, center: [3, 0.5], inertia: 5}
+joints: {O: {pin: [ground, arm], angle: theta}}
+springs:
+  S: {%s}
+start: {theta: 40 deg, theta.rate: 3 rad/s}
+"""
+        path = self.write("turned.yaml", machine % "along: theta, stiffness: 0.4, angle: 10, damping: 0.02")
+        text = self.good("derive", path, "--what", "free-bodies,newton-euler,energy,lagrange").out
+        k = 0.4 * 0.45359237 * 9.80665 * 0.0254 * 180 / math.pi
+        self.assertAlmostEqual(float(re.search(r"k_S = (\S+)", text).group(1)), k, delta=1e-12 * k)
+        path = self.write("pounds.yaml", machine % "between: [ground.G, arm.P], stiffness: 3, length: 2.25, damping: 0.35")
+        text = self.good("derive", path, "--what", "free-bodies,newton-euler,energy,lagrange", "--numbers").out
+        k = 3 * 0.45359237 * 9.80665 / 0.0254
+        self.assertAlmostEqual(float(re.search(r"k_S = (\S+)", text).group(1)), k, delta=1e-12 * k)
+        solved = self.good("solve", path, "--of", "arm.P.x,arm.P.y", "--format", "json").json()["configurations"][0]
+        gap = math.hypot(solved["of"]["arm.P.x"] - 7 * 0.0254, solved["of"]["arm.P.y"] - 2 * 0.0254)
+        shown = float(re.search(r"V_S = .* = (\S+)", text).group(1))
+        self.assertAlmostEqual(shown, k * (gap - 2.25 * 0.0254) ** 2 / 2, delta=1e-4 * shown)
+
     def test_couples_on_one_body_have_names_of_their_own(self):
         """Spring, damper and law along one angle were all called M_S, friction and stop of one pin M_O."""
         path = self.write("arm.yaml", """\

@@ -240,13 +240,17 @@ static void negative_lengths_are_links_that_begin_half_a_turn_away(void **state)
 {
     (void)state;
     static const double wanted[] = {1, 0.14083845569327505, 1.0791445269931796, 0.29333640485337126};
-    for (int turned = 0; turned < 2; turned++) {
-        char text[400];
-        snprintf(text, sizeof text,
-                 "synthesis: function\npairs: [[0, 0], [64.9519052838329 deg, 27.92931927204819 deg], "
-                 "[129.9038105676658 deg, 55.85863854409638 deg]]\n"
-                 "fix: {input_start: %.17g deg, output_start: %.17g deg, ground: 1}\n",
-                 25.0480947161671 + 180 * turned, 75.77068072795186 - 180 * turned);
+    for (int round = 0; round < 4; round++) {
+        int turned = round % 2;
+        double from[2] = {round < 2 ? 0 : 25.0480947161671,
+                          round < 2 ? 0 : 75.77068072795186}; // pairs as angles, or as turns
+        char text[600];
+        snprintf(
+            text, sizeof text,
+            "synthesis: function\npairs: [[%.17g deg, %.17g deg], [%.17g deg, %.17g deg], [%.17g deg, %.17g deg]]\n"
+            "fix: {input_start: %.17g deg, output_start: %.17g deg, ground: 1}\n",
+            from[0], from[1], from[0] + 64.9519052838329, from[1] + 27.92931927204819, from[0] + 129.9038105676658,
+            from[1] + 55.85863854409638, 25.0480947161671 + 180 * turned, 75.77068072795186 - 180 * turned);
         Answer a = answer_to(text);
         assert_true(yk_synthesis_is_complete(a.synthesis));
         assert_int_equal(yk_synthesis_count(a.synthesis), 1);

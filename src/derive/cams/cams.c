@@ -81,6 +81,20 @@ static void fill_fixed(void *context, const YkState *state, YkDynamics *dynamics
     values[fixed->symbol] = fixed->value;
 }
 
+int32_t yk_derive_cam_symbol(YkDerivation *d, const YkCam *cam, const char *stem, bool is_angle, bool *is_new)
+{
+    YkText key = {0}, name = {0};
+    yk_text_format(&key, "cam %s %s", cam->name, stem);
+    if (d->model->cam_count > 1)
+        yk_text_format(&name, "%s_%s", stem, cam->name);
+    else
+        yk_text_puts(&name, stem);
+    int32_t symbol = yk_derive_once(d, yk_text_get(&key), yk_text_get(&name), YK_RING_CONSTANT, is_angle, is_new);
+    yk_text_free(&key);
+    yk_text_free(&name);
+    return symbol;
+}
+
 bool yk_derive_fix(YkDerivation *d, int32_t symbol, double value)
 {
     Fixed *fixed = YK_NEW(d->arena, Fixed, 1);

@@ -38,6 +38,8 @@ bool yk_derive_span(YkDeriveLaw *law, const YkPoisson *from, const YkPoisson *to
                     YkDeriveSpan *span);
 // Makes a symbol a constant with this value.
 bool yk_derive_fix(YkDerivation *d, int32_t symbol, double value);
+// Returns a constant of a cam, named by its stem and, if there are several cams, the cam.
+int32_t yk_derive_cam_symbol(YkDerivation *d, const YkCam *cam, const char *stem, bool is_angle, bool *is_new);
 // Returns the value of an element made only of parameters and constants.
 double yk_derive_fixed(YkDerivation *d, const YkPoisson *a);
 // Writes factor [...], with the inside by ascending powers of u if it is a polynomial in it.

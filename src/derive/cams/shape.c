@@ -52,17 +52,7 @@ static const YkPoisson *quarter(const Shape *shape, const YkPoisson *a) // i a
 
 static int32_t enter(const Shape *shape, const char *stem, bool is_angle, bool *is_new)
 {
-    YkText key = {0}, name = {0};
-    yk_text_format(&key, "cam %s %s", shape->cam->name, stem);
-    if (shape->d->model->cam_count > 1)
-        yk_text_format(&name, "%s_%s", stem, shape->cam->name);
-    else
-        yk_text_puts(&name, stem);
-    int32_t symbol =
-        yk_derive_once(shape->d, yk_text_get(&key), yk_text_get(&name), YK_RING_CONSTANT, is_angle, is_new);
-    yk_text_free(&key);
-    yk_text_free(&name);
-    return symbol;
+    return yk_derive_cam_symbol(shape->d, shape->cam, stem, is_angle, is_new);
 }
 
 // Returns a constant that the file does not give directly.

@@ -2,8 +2,11 @@
 // design/cams/cam_point.c, with the law's value and slope as symbols. Source: Norton 2009, Cam Design and Manufacturing
 // Handbook, ch. 7 (pressure angle).
 #include <math.h>
+#include "derive/cams/cams.h"
 #include "derive/forces/meshes.h"
 #include "derive/inside.h"
+#include "elementary/elementary.h"
+#include "model/transmissions/cam_place.h"
 
 // What all kinds of followers share.
 typedef struct Cam {
@@ -95,24 +98,71 @@ static void make_sliding(YkMeshMaking *m, const Cam *of)
     m->mesh->effort = yk_ring_real(ring, force);
 }
 
+// Returns e^(i psi0) of the direction in which the arm or the face's normal points at lift 0, in the follower's axes.
+static const YkPoisson *start_of(YkMeshMaking *m, const Cam *of, YkVec touch)
+{
+    YkDerivation *d = m->d;
+    YkText word = {0};
+    bool is_new;
+    double angle = yk_atan2(touch.y, touch.x);
+    int32_t symbol = yk_derive_cam_symbol(d, of->cam, "psi0", true, &is_new);
+    if (symbol < 0 || (is_new && !yk_derive_fix(d, symbol, angle))) return NULL;
+    yk_text_format(&word, "; at lift 0 the follower's %s has the angle %s of %e deg",
+                   of->cam->face == YK_CAM_FACE_FLAT ? "normal" : "arm", yk_ring_symbol_name(d->ring, symbol),
+                   angle * 180 / YK_PI);
+    m->mesh->word = yk_derive_text(d, m->mesh->word, yk_text_get(&word), "");
+    d->failed |= word.failed;
+    yk_text_free(&word);
+    return yk_ring_unit(d->ring, symbol);
+}
+
+// A flat face that turns, with the normal n: it touches at h n + h' i n from the cam's centre (design/cams/cam_point.c).
+static void make_turning_flat(YkMeshMaking *m, const Cam *of, const YkPoisson *c, const YkPoisson *n)
+{
+    YkRing *ring = m->ring;
+    const YkPoisson *e = yk_ring_rational(ring, 0, 1), *iu = yk_ring_multiply(ring, yk_ring_i(ring), n);
+    if (of->cam->offset_expr) e = yk_derive_expression(m->d, of->cam->offset_expr);
+    const YkPoisson *slope = yk_ring_scale(ring, of->v, of->way, 1);
+    const YkPoisson *turns = yk_ring_subtract(ring, slope, yk_ring_rational(ring, of->turn, 1));
+    const char *name = yk_derive_text(m->d, "kappa_", m->tie->name, "");
+    const YkPoisson *part =
+        yk_derive_ratio(m->f, name, "the slope of the lift over that of the turning against the cam", slope, turns);
+    const YkPoisson *along = yk_ring_dot(ring, n, c), *across = yk_ring_dot(ring, iu, c);
+    const YkPoisson *at = yk_ring_multiply(ring, yk_ring_subtract(ring, along, e), n);
+    at = yk_ring_add(ring, at, yk_ring_multiply(ring, yk_ring_multiply(ring, part, across), iu));
+    const YkPoisson *force = yk_ring_multiply(ring, m->unknown, n);
+    push_follower(m, of, at, force);
+    m->mesh->effort = yk_ring_scale(ring, yk_ring_cross(ring, yk_ring_subtract(ring, at, c), force), of->way, 1);
+}
+
 // A follower that turns about a pin at c from the cam's centre; its roller is at `swing` from there.
 static void make_turning(YkMeshMaking *m, const Cam *of)
 {
     YkRing *ring = m->ring;
     const YkCam *cam = of->cam;
-    if (cam->point == YK_NONE) {
+    YkVec touch;
+    if (cam->point == YK_NONE && !yk_cam_touch(cam, &touch)) {
         const YkPoisson *back = yk_ring_scale(ring, of->v, -of->turn, 1);
         yk_mesh_couples(m, of->body, cam->carrier, back, yk_ring_rational(ring, of->way, 1));
         m->mesh->effort = m->unknown;
         return;
     }
-    const YkPoisson *unit = m->d->bodies[cam->follower].unit, *carrier = m->d->bodies[cam->carrier].unit;
-    const YkPoisson *pin = yk_mesh_at(m, cam->follower_joint, of->way > 0);
-    const YkPoisson *swing =
-        yk_ring_multiply(ring, unit, yk_ring_subtract(ring, yk_derive_at(m->d, cam->follower, cam->point), pin));
+    const YkPoisson *unit = m->d->bodies[cam->follower].unit, *carrier = m->d->bodies[cam->carrier].unit, *swing;
     const YkPoisson *c = yk_mesh_at(m, cam->follower_joint, of->way < 0);
     c = yk_ring_subtract(ring, c, yk_mesh_at(m, cam->cam_joint, of->turn < 0));
     c = yk_ring_multiply(ring, carrier, c);
+    if (cam->face == YK_CAM_FACE_FLAT) {
+        make_turning_flat(m, of, c, yk_ring_multiply(ring, unit, start_of(m, of, touch)));
+        return;
+    }
+    if (cam->point == YK_NONE) {
+        const YkPoisson *arm = yk_derive_expression(m->d, cam->arm_expr);
+        swing = yk_ring_multiply(ring, yk_ring_multiply(ring, unit, arm), start_of(m, of, touch));
+    } else {
+        const YkPoisson *pin = yk_mesh_at(m, cam->follower_joint, of->way > 0);
+        swing =
+            yk_ring_multiply(ring, unit, yk_ring_subtract(ring, yk_derive_at(m->d, cam->follower, cam->point), pin));
+    }
     const YkPoisson *slope = yk_ring_scale(ring, of->v, of->turn * of->way, 1);
     const YkPoisson *rest = yk_ring_subtract(ring, yk_ring_rational(ring, 1, 1), slope);
     const YkPoisson *normal = yk_ring_add(ring, c, yk_ring_multiply(ring, rest, swing));
@@ -125,7 +175,7 @@ static void make_turning(YkMeshMaking *m, const Cam *of)
 void yk_mesh_cam(YkMeshMaking *m, const YkRelation *of)
 {
     Cam cam = cam_of(m, &m->d->model->cams[of->index]);
-    bool is_couple = cam.cam->oscillates && cam.cam->point == YK_NONE;
+    bool is_couple = cam.cam->oscillates && cam.cam->point == YK_NONE && !cam.cam->is_apart;
     yk_mesh_unknown(m, is_couple ? "T" : "N", cam.body,
                     is_couple ? "the moment by which the cam turns its follower"
                               : "the force by which the cam pushes its follower, along their common normal");

@@ -81,7 +81,8 @@ static const YkPoisson *freedom_of(YkDerivation *d, int32_t joint, bool is_dista
 static void add_damper_along(YkDeriveForces *f, const char *name, int32_t joint, bool is_distance,
                              const YkExpr *damping)
 {
-    const YkPoisson *c = yk_derive_expression(f->d, damping), *rate = freedom_of(f->d, joint, is_distance, true);
+    const YkPoisson *c = yk_derive_strength(f->d, damping, "c", name),
+                    *rate = freedom_of(f->d, joint, is_distance, true);
     if (!c || yk_ring_is_zero(c)) return;
     add_along(f, YK_DERIVE_DAMPER, name, joint, is_distance,
               yk_ring_negate(f->d->ring, yk_ring_multiply(f->d->ring, c, rate)));
@@ -101,7 +102,7 @@ static void add_spring_along(YkDeriveForces *f, const YkSpring *spring)
 {
     YkRing *ring = f->d->ring;
     const YkCoordinate *c = &f->d->model->coordinates[spring->coordinate];
-    const YkPoisson *k = yk_derive_expression(f->d, spring->stiffness_expr);
+    const YkPoisson *k = yk_derive_strength(f->d, spring->stiffness_expr, "k", spring->name);
     const YkPoisson *stretch = freedom_of(f->d, c->joint, c->is_distance, false);
     stretch = yk_ring_subtract(ring, stretch, yk_derive_expression(f->d, spring->length_expr));
     if (k && !yk_ring_is_zero(k)) {
@@ -169,8 +170,8 @@ static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
     for (int e = 0; e < 2; e++)
         end[e] = yk_derive_position(d, spring->body[e], yk_derive_at(d, spring->body[e], spring->point[e]));
     const YkPoisson *line = yk_ring_subtract(ring, end[1], end[0]), *square = yk_ring_dot(ring, line, line);
-    const YkPoisson *k = yk_derive_expression(d, spring->stiffness_expr),
-                    *c = yk_derive_expression(d, spring->damping_expr);
+    const YkPoisson *k = yk_derive_strength(d, spring->stiffness_expr, "k", spring->name),
+                    *c = yk_derive_strength(d, spring->damping_expr, "c", spring->name);
     const YkPoisson *free_length = yk_derive_expression(d, spring->length_expr);
     if (!k || !c || !free_length) return;
     const YkExpr *own = spring->force.expr;

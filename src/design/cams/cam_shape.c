@@ -1,23 +1,7 @@
 // Makes a shape from the model's cam: where the follower stands at lift 0.
 #include <math.h>
 #include "design/cams/cam.h"
-#include "elementary/elementary.h"
-
-// Returns the angle nu at which f cos(nu - gamma) has this value, on the side where turning by `swing` makes it grow.
-static double angle_of(YkVec pivot, double value, double swing)
-{
-    double gamma = yk_atan2(pivot.y, pivot.x), off = yk_acos(value / yk_norm(pivot));
-    return swing > 0 ? gamma - off : gamma + off;
-}
-
-// Returns the arm's angle psi: arm, centres and distance R form a triangle with R^2 = f^2 + a^2 + 2 a f cos(psi -
-// gamma).
-static double arm_angle(const YkCamShape *shape, double distance)
-{
-    double f = yk_norm(shape->pivot), a = shape->arm;
-    double projection = ((distance - a) * (distance + a) - f * f) / (2 * a); // of the pivot on the arm's direction
-    return angle_of(shape->pivot, projection, shape->swing);
-}
+#include "model/transmissions/cam_place.h"
 
 bool yk_cam_shape_fit(YkCamShape *shape)
 {
@@ -26,9 +10,9 @@ bool yk_cam_shape_fit(YkCamShape *shape)
         bool is_flat = shape->face == YK_CAM_FACE_FLAT;
         shape->start = is_flat ? shape->base : sqrt((distance - shape->offset) * (distance + shape->offset));
     } else if (shape->face == YK_CAM_FACE_FLAT) {
-        shape->start = angle_of(shape->pivot, shape->base + shape->offset, shape->swing);
+        shape->start = yk_cam_face_angle(shape->pivot, shape->base + shape->offset, shape->swing);
     } else {
-        shape->start = arm_angle(shape, distance);
+        shape->start = yk_cam_arm_angle(shape->pivot, shape->arm, distance, shape->swing);
     }
     return isfinite(shape->start);
 }

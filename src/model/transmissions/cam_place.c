@@ -1,8 +1,36 @@
 // Places a cam and its follower by their joints, and judges whether they can touch.
 #include "model/transmissions/cam_place.h"
 #include <math.h>
+#include "elementary/elementary.h"
 
 enum { LIFT_SAMPLES = 720 };
+
+// The angle nu at which f cos(nu - gamma) has this value, on the side where turning by `swing` makes it grow.
+double yk_cam_face_angle(YkVec pivot, double distance, double swing)
+{
+    double gamma = yk_atan2(pivot.y, pivot.x), off = yk_acos(distance / yk_norm(pivot));
+    return swing > 0 ? gamma - off : gamma + off;
+}
+
+// Arm, centres and distance R form a triangle with R^2 = f^2 + a^2 + 2 a f cos(psi - gamma).
+double yk_cam_arm_angle(YkVec pivot, double arm, double distance, double swing)
+{
+    double f = yk_norm(pivot);
+    double projection =
+        ((distance - arm) * (distance + arm) - f * f) / (2 * arm); // of the pivot on the arm's direction
+    return yk_cam_face_angle(pivot, projection, swing);
+}
+
+bool yk_cam_touch(const YkCam *cam, YkVec *touch)
+{
+    bool is_flat = cam->face == YK_CAM_FACE_FLAT;
+    double distance = cam->base + (is_flat ? cam->offset : cam->roller);
+    if (!cam->is_apart) return false;
+    *touch = yk_unit(is_flat ? yk_cam_face_angle(cam->pivot, distance, cam->swing)
+                             : yk_cam_arm_angle(cam->pivot, cam->arm, distance, cam->swing));
+    if (!is_flat) *touch = yk_scale(cam->arm, *touch);
+    return true;
+}
 
 static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
 {
@@ -15,13 +43,14 @@ static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
 static void place_pivot(const YkModel *model, const YkJoint *pin, YkVec apart, YkCam *cam)
 {
     cam->pivot = apart;
+    cam->is_apart = yk_norm(apart) > 1e-12 * (cam->base + cam->roller);
     if (cam->point != YK_NONE) {
         int side = pin->body[0] == cam->follower ? 0 : 1;
         cam->arm = yk_norm(yk_sub(model->points[cam->point].at, pin->at[side]));
     }
     if (!cam->centers_expr)
         cam->centers = yk_norm(apart);
-    else if (yk_norm(apart) <= 1e-12 * (cam->base + cam->roller))
+    else if (!cam->is_apart)
         cam->pivot = yk_vec(cam->centers, 0);
     if (cam->is_conjugate && !cam->other_arm_expr) cam->other_arm = cam->arm;
 }

@@ -81,6 +81,18 @@ static void warn_of_place(YkLoader *loader, const YkCam *cam)
         "`solve` and `simulate` act where the points say");
 }
 
+// Warns that a follower with mass, or a cam, pinned at one point with the other is only turned.
+static void warn_of_couple(YkLoader *loader, const YkCam *cam)
+{
+    const YkBody *bodies = loader->model->bodies;
+    if (cam->is_apart || (!bodies[cam->follower].mass_expr && !bodies[cam->cam].mass_expr)) return;
+    yk_problem(loader->problems, YK_CODE_CAM_TURNED, cam->place,
+               "cam %q: its pin and its follower's lie on one point, so that nothing tells where they touch: the "
+               "reactions of `solve` and `simulate` lack the contact force",
+               cam->name);
+    yk_problem_hint(loader->problems, "give the pins points in the carrier, `centers` apart");
+}
+
 static void check_fit(YkLoader *loader, const YkCam *cam)
 {
     const YkLaw *law = cam->law == YK_NONE ? NULL : loader->model->laws[cam->law].law;
@@ -88,6 +100,7 @@ static void check_fit(YkLoader *loader, const YkCam *cam)
     switch (yk_cam_fault(cam, law && !cam->oscillates ? yk_cam_lowest_lift(law) : 0)) {
     case YK_CAM_FITS:
         if (cam->oscillates) warn_of_place(loader, cam);
+        if (cam->oscillates) warn_of_couple(loader, cam);
         break;
     case YK_CAM_OFFSET:
         yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, cam->offset_expr),

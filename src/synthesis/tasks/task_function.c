@@ -153,9 +153,12 @@ static void check_ranges(YkTaskReader *reader)
     }
 }
 
+// The range begins at the first pair, where the links stand as `fix` says: pairs become what both turn from there.
 static void check_pairs(YkTaskReader *reader)
 {
     YkFunctionTask *f = &reader->task->function;
+    for (size_t k = f->count; k-- > 0;)
+        for (size_t i = 0; i < 2; i++) f->pair[k][i] -= f->pair[0][i];
     double turn = f->pair[f->count - 1][0] - f->pair[0][0];
     for (size_t k = 1; k < f->count; k++) {
         double step = f->pair[k][0] - f->pair[k - 1][0];
