@@ -372,6 +372,58 @@ static void what_slides_elsewhere_closes_no_range(void **unused)
         }
 }
 
+// Where nothing pulls, nothing is borne, and joints with friction need no effort to stay.
+static void a_machine_without_loads_stays_by_itself(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(
+        "bodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A: [0.05, 0]}, mass: 6}\n"
+        "  rod: {points: {A: [0, 0], B: [0.3, 0]}, mass: 1.5}\n  ram: {points: {B: [0, 0]}, mass: 4}\njoints:\n"
+        "  O: {pin: [ground, crank], angle: theta, " PIN(0.02) "}\n  A: {pin: [crank, rod], angle: psi, " PIN(
+            0.02) "}\n"
+                  "  B: {pin: [rod, ram], " PIN(
+                      0.01) "}\n"
+                            "  R: {slide: [ground, ram], along: y, distance: h, friction: {coulomb: 0.12}}\n"
+                            "drives: {theta: 120 deg}\nstart: {psi: -210 deg, h: -0.25}\n");
+    assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+    YkEffortRange range = range_of(&rig, "theta");
+    assert_true(range.is_known);
+    CHECK_NEAR(range.low, 0, 1e-12);
+    CHECK_NEAR(range.high, 0, 1e-12);
+    CHECK_NEAR(effort_of(&rig, "theta"), 0, 1e-12);
+    rig_free(&rig);
+}
+
+// With more joints than are looked at, efforts are known only where all of them move.
+static void too_many_joints_leave_it_open(void **unused)
+{
+    (void)unused;
+    enum { MANY = 201 };
+    static char text[160 * MANY];
+    int at = snprintf(text, sizeof text, "gravity: [0, -10]\nbodies:\n");
+    for (int k = 0; k < MANY; k++) at += snprintf(text + at, sizeof text - (size_t)at, "  b%d: {mass: 1}\n", k);
+    at += snprintf(text + at, sizeof text - (size_t)at, "joints:\n");
+    for (int k = 0; k < MANY; k++)
+        at += snprintf(text + at, sizeof text - (size_t)at,
+                       "  S%d: {slide: [ground, b%d], along: x, distance: s%d, friction: {coulomb: 0.3}}\n", k, k, k);
+    snprintf(text + at, sizeof text - (size_t)at, "drives: {s7: 0 m}\n");
+    Rig rig = rig_of_text(text);
+    for (int resting = -1; resting <= 3; resting++) {
+        for (size_t i = 0; i < MANY; i++)
+            yk_state_set_input(rig.state, i, (YkMotion){0, (int)i == resting * 67 ? 0 : 1, 0});
+        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+        bool is_open = resting >= 0 && resting < 3;
+        YkEffortRange range = range_of(&rig, "s7");
+        assert_int_equal(yk_dynamics_is_held_by_friction(rig.dynamics), is_open);
+        assert_int_equal(range.is_known, !is_open);
+        assert_int_equal(range.is_single, !is_open);
+        if (is_open) assert_true(range.low == -HUGE_VAL && range.high == HUGE_VAL);
+        if (!is_open) CHECK_NEAR(range.low, 3, 1e-12);
+        assert_int_equal(range_of(&rig, "s8").is_single, true); // free: nothing to hold
+    }
+    rig_free(&rig);
+}
+
 // What has no value is said to have none, not to jam.
 static void a_load_without_a_value_is_told(void **unused)
 {
@@ -400,6 +452,8 @@ int main(void)
         cmocka_unit_test(a_drive_holds_what_sticks_elsewhere),
         cmocka_unit_test(a_drive_holds_while_the_rest_slips),
         cmocka_unit_test(what_slides_elsewhere_closes_no_range),
+        cmocka_unit_test(a_machine_without_loads_stays_by_itself),
+        cmocka_unit_test(too_many_joints_leave_it_open),
         cmocka_unit_test(a_load_without_a_value_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
