@@ -95,12 +95,44 @@ static void pins_in_one_place_are_a_junction(void **unused)
     }
 }
 
+// Whichever joints close the loops: with the joints in every order there are as many equations as unknowns, and as many
+// forces and moments.
+static void the_order_of_joints_changes_nothing(void **unused)
+{
+    (void)unused;
+    static const char *const joints[] = {"  C: {pin: [ground, crank], angle: q}\n",
+                                         "  A: {pin: [crank, rod], angle: a}\n", "  O: {pin: [ground, block]}\n",
+                                         "  S: {slide: [rod, block], along: x, from: A, to: O, distance: s}\n",
+                                         "  W: {slide: [block, tail], along: y}\n"};
+    for (int order = 0; order < 120; order++) {
+        char text[1500];
+        int at =
+            snprintf(text, sizeof text,
+                     "bodies:\n  ground: {points: {C: [0, 0], O: [0.5, 0]}}\n  tail: {mass: 2}\n"
+                     "  crank: {points: {C: [0, 0], A: [0.1, 0]}, mass: 1}\n  rod: {points: {A: [0, 0]}, mass: 2}\n"
+                     "  block: {points: {O: [0, 0]}, mass: 1}\njoints:\n");
+        bool is_used[5] = {false};
+        for (int k = 5, rest = order; k > 0; rest /= k, k--) {
+            int skip = rest % k, j = 0;
+            while (is_used[j] || skip-- > 0) j++;
+            is_used[j] = true;
+            at += snprintf(text + at, sizeof text - (size_t)at, "%s", joints[j]);
+        }
+        snprintf(text + at, sizeof text - (size_t)at, "start: {q: 60 deg, a: -70 deg, s: 0.46}\n");
+        YkEquationCount c = count_of(text);
+        assert_int_equal(c.force, 8);
+        assert_int_equal(c.moment, 3); // the tail is guided at its centre
+        assert_int_equal(c.unknown_reactions, 9);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_swinging_block_has_a_moment_where_something_turns_it),
         cmocka_unit_test(a_slider_has_a_moment_where_a_wheel_moves_it),
         cmocka_unit_test(pins_in_one_place_are_a_junction),
+        cmocka_unit_test(the_order_of_joints_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
