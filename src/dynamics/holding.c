@@ -362,8 +362,10 @@ static bool decide(YkHolding *h)
     if (!hold_within_limits(h)) return false;
     for (size_t j = 0; j < n; j++) {
         YkStanding *s = &h->standing[j];
-        double a = row_at(h, 2 * n + j, h->f), size = fabs(h->base[2 * n + j]) + fabs(h->matrix[j * n + j] * h->f[j]);
-        if (!s->sticks || fabs(a) <= 1e-10 * size) continue;
+        double a = row_at(h, 2 * n + j, h->f), by_friction = fabs(h->matrix[j * n + j]);
+        double size = fabs(h->base[2 * n + j]) + by_friction * fabs(h->f[j]);
+        // Where nothing pulls, both are 0, and what other joints' frictions leave is rounding.
+        if (!s->sticks || fabs(a) <= 1e-10 * size + ROUNDING * by_friction * s->unit) continue;
         s->sticks = false;
         s->sense = a > 0 ? 1 : -1;
     }

@@ -120,7 +120,6 @@ static void add_friction(YkLoads *loads)
     const YkModel *model = loads->mech->model;
     for (size_t j = 0; j < model->joint_count; j++) {
         const YkJoint *joint = &model->joints[j];
-        if (!joint->has_friction) continue;
         bool slides = yk_part(joint->kind)->slides;
         if (joint->friction.viscous != 0)
             add_along(loads, YK_LOAD_VISCOUS, joint->name, (int32_t)j, slides)->damping = joint->friction.viscous;

@@ -187,6 +187,26 @@ static void a_contact_pulls_where_the_follower_is_slowed(void **unused)
     }
 }
 
+// Only a coordinate that is driven, or along which an effort acts, has an effort.
+static void only_drives_and_efforts_have_efforts(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text("bodies: {a: {mass: 1}, b: {mass: 2}, c: {mass: 3}}\njoints:\n"
+                          "  A: {slide: [ground, a], along: x, distance: x, friction: {viscous: 2}}\n"
+                          "  B: {slide: [ground, b], along: x, distance: y}\n"
+                          "  C: {slide: [ground, c], along: x, distance: z}\n"
+                          "drives: {z: 2 m/s * t}\nefforts: {y: 4 N}\n");
+    size_t x = yk_coordinate_find(rig.mech, "x"), y = yk_coordinate_find(rig.mech, "y"),
+           z = yk_coordinate_find(rig.mech, "z");
+    assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+    assert_false(yk_dynamics_has_effort(rig.dynamics, x)); // friction is none
+    assert_true(yk_dynamics_has_effort(rig.dynamics, y));
+    assert_true(yk_dynamics_has_effort(rig.dynamics, z));
+    CHECK_NEAR(yk_dynamics_effort(rig.dynamics, x), 0, 0);
+    CHECK_NEAR(yk_dynamics_effort(rig.dynamics, y), 4, 0);
+    rig_free(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -198,6 +218,7 @@ int main(void)
         cmocka_unit_test(a_hanging_weight_pulls_its_pin),
         cmocka_unit_test(the_toggle_has_twenty_equations),
         cmocka_unit_test(a_contact_pulls_where_the_follower_is_slowed),
+        cmocka_unit_test(only_drives_and_efforts_have_efforts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

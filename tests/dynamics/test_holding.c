@@ -57,6 +57,7 @@ static void a_free_block_sticks_or_slips(void **unused)
             assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, (YkMethod)method), YK_OK);
             CHECK_NEAR(yk_state_coordinate(rig.state, 0).acceleration, slip / 2, 1e-12);
             assert_true(yk_dynamics_reaction(rig.dynamics, 0).is_determinate); // its one friction is what is missing
+            assert_false(yk_dynamics_is_held_by_friction(rig.dynamics));
             CHECK_NEAR(yk_dynamics_balance(rig.dynamics, 1).residual, 0, 1e-13);
             rig_free(&rig);
         }
@@ -247,6 +248,226 @@ static void a_machine_that_moves_has_one_answer(void **unused)
     rig_free(&rig);
 }
 
+// Sets all frictions to given shares of their limits, repeatedly until limits and joint forces stand.
+static void push_to_shares(Rig *rig, const double *share)
+{
+    YkLoads *loads = rig->dynamics->loads;
+    for (int round = 0; round < 30; round++) {
+        assert_int_equal(yk_dynamics_solve_once(rig->dynamics, rig->state, YK_METHOD_NEWTON_EULER), YK_OK);
+        for (size_t k = 0, j = 0; k < loads->item_count; k++)
+            if (loads->items[k].kind == YK_LOAD_COULOMB)
+                loads->items[k].dry = share[j++] * yk_dynamics_dry_limit(rig->dynamics, &loads->items[k]);
+    }
+}
+
+// One input of a five-bar is driven, the other sticks under an effort. The ends of the first one's range have all
+// frictions but one at their limits, and that one so that the second input, driven too, needs just its effort.
+static void a_drive_holds_what_sticks_elsewhere(void **unused)
+{
+    (void)unused;
+    Rig both = rig_of_text(FIVE_BAR "drives: {q: 110 deg, p: 60 deg}\n");
+    assert_int_equal(yk_dynamics_solve(both.dynamics, both.state, YK_METHOD_REDUCED), YK_OK);
+    double borne = 0.4 * range_of(&both, "p").low + 0.6 * range_of(&both, "p").high;
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (unsigned senses = 0; senses < 32; senses++)
+        for (size_t open = 0; open < 5; open++) {
+            if (senses >> open & 1) continue;
+            double share[5], at[2] = {-1, 1}, effort[2];
+            for (size_t j = 0; j < 5; j++) share[j] = senses >> j & 1 ? 1 : -1;
+            for (int end = 0; end < 2; end++) {
+                share[open] = at[end];
+                push_to_shares(&both, share);
+                effort[end] = effort_of(&both, "p") - borne;
+            }
+            if (effort[0] * effort[1] > 0) continue;
+            for (int step = 0; step < 12; step++) { // almost linear
+                double next = at[0] - effort[0] * (at[1] - at[0]) / (effort[1] - effort[0]);
+                if (!(fabs(effort[1] - effort[0]) > 1e-11)) break;
+                share[open] = next;
+                push_to_shares(&both, share);
+                at[0] = at[1], effort[0] = effort[1];
+                at[1] = next, effort[1] = effort_of(&both, "p") - borne;
+            }
+            low = fmin(low, effort_of(&both, "q"));
+            high = fmax(high, effort_of(&both, "q"));
+        }
+    rig_free(&both);
+    for (int method = 0; method < 2; method++) {
+        Rig one = rig_of_text(FIVE_BAR "drives: {q: 110 deg}\n");
+        yk_dynamics_set_effort(one.dynamics, yk_coordinate_find(one.mech, "p"), borne);
+        assert_int_equal(yk_dynamics_solve(one.dynamics, one.state, (YkMethod)method), YK_OK);
+        YkEffortRange range = range_of(&one, "q");
+        assert_true(range.is_known && !range.is_single);
+        CHECK_NEAR(yk_state_coordinate(one.state, yk_coordinate_find(one.mech, "p")).acceleration, 0, 1e-9);
+        CHECK_NEAR(range.low, low, 1e-8 * fabs(low));
+        CHECK_NEAR(range.high, high, 1e-8 * fabs(high));
+        for (size_t k = 0; k < 5; k++) assert_false(yk_dynamics_reaction(one.dynamics, k).is_determinate);
+        rig_free(&one);
+    }
+}
+
+// One input of a five-bar is driven, the other slips off: all joints slide but the drive's own pin, whose friction alone
+// is open. Either input is the driven one.
+static void a_drive_holds_while_the_rest_slips(void **unused)
+{
+    (void)unused;
+    static const char *const drives[] = {"drives: {q: 110 deg}\n", "drives: {p: 60 deg}\n"}, *const names[] = {"q",
+                                                                                                               "p"};
+    for (int which = 0; which < 2; which++)
+        for (int way = -1; way <= 1; way += 2) {
+            char text[2000];
+            snprintf(text, sizeof text, "%s%s", FIVE_BAR, drives[which]);
+            Rig rig = rig_of_text(text);
+            yk_dynamics_set_effort(rig.dynamics, yk_coordinate_find(rig.mech, names[1 - which]), 60 * way);
+            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+            YkEffortRange range = range_of(&rig, names[which]);
+            assert_true(range.is_known && !range.is_single);
+            double share[5], ends[2];
+            for (int32_t j = 0; j < 5; j++)
+                share[j] = yk_joint_motion(rig.mech, &rig.state->space, j, false).acceleration > 0 ? -1 : 1;
+            for (int end = 0; end < 2; end++) {
+                share[which] = end ? 1 : -1; // the joints are O, Q, A, B, C
+                push_to_shares(&rig, share);
+                ends[end] = effort_of(&rig, names[which]);
+            }
+            CHECK_NEAR(range.low, fmin(ends[0], ends[1]), 1e-9 * (1 + fabs(ends[0])));
+            CHECK_NEAR(range.high, fmax(ends[0], ends[1]), 1e-9 * (1 + fabs(ends[0])));
+            rig_free(&rig);
+        }
+}
+
+// A press that stands free with more frictions than motions, and a block that slides: the block changes nothing for
+// the press, nor the press for the block. First comes the block, or the press.
+static void what_slides_elsewhere_closes_no_range(void **unused)
+{
+    (void)unused;
+    static const char *const blocks[] = {
+        "\n", "  Z: {slide: [ground, block], along: x, distance: z, friction: {coulomb: 0.3}}\n"};
+    for (int first = 0; first < 2; first++)
+        for (int rate = -1; rate <= 1; rate++) {
+            char text[2000];
+            snprintf(
+                text, sizeof text,
+                "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"
+                "  crank: {points: {O: [0, 0], A: [0.05, 0]}, mass: 6, center: [0.02, 0.01], inertia: 0.3}\n"
+                "  rod: {points: {A: [0, 0], B: [0.3, 0]}, mass: 1.5, center: [0.11, 0], inertia: 0.015}\n"
+                "  ram: {points: {B: [0, 0]}, mass: 4}\n  block: {mass: 2}\njoints:\n%s"
+                "  O: {pin: [ground, crank], angle: theta, " PIN(
+                    0.2) "}\n"
+                         "  A: {pin: [crank, rod], angle: psi, " PIN(0.2) "}\n  B: {pin: [rod, ram], " PIN(
+                             0.1) "}\n"
+                                  "  R: {slide: [ground, ram], along: x, distance: h, friction: {coulomb: 0.12}}\n%s"
+                                  "start: {theta: 120 deg, psi: -130 deg, h: 0.25, z.rate: %d}\n",
+                blocks[first], blocks[1 - first], rate);
+            Rig rig = rig_of_text(text);
+            assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+            CHECK_NEAR(yk_state_coordinate(rig.state, yk_coordinate_find(rig.mech, "theta")).acceleration, 0, 1e-9);
+            CHECK_NEAR(yk_state_coordinate(rig.state, yk_coordinate_find(rig.mech, "z")).acceleration, -3.0 * rate,
+                       1e-12);
+            assert_true(yk_dynamics_is_held_by_friction(rig.dynamics));
+            for (size_t k = 0; k < rig.model->joint_count; k++)
+                assert_int_equal(yk_dynamics_reaction(rig.dynamics, k).is_determinate,
+                                 strcmp(rig.model->joints[k].name, "Z") == 0);
+            rig_free(&rig);
+        }
+}
+
+// A plate that a parallelogram carries and guides keep from turning: its pin stands in every pose, but for rounding, while
+// all else moves. Its friction costs no effort; what rods and guides bear is open.
+static void a_joint_may_stand_while_all_else_moves(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(
+        "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0], Q: [0.7, 0]}}\n"
+        "  a: {points: {O: [0, 0], A: [0.31, 0]}, mass: 2}\n  c: {points: {Q: [0, 0], B: [0.31, 0]}, mass: 2}\n"
+        "  b: {points: {A: [0, 0], B: [0.7, 0], T: [0.23, 0.11]}, mass: 3}\n  cross: {mass: 1}\n"
+        "  plate: {points: {T: [0, 0]}, mass: 4, center: [0.05, 0.02]}\njoints:\n  O: {pin: [ground, a], angle: q}\n"
+        "  Q: {pin: [ground, c], angle: p}\n  A: {pin: [a, b], angle: u}\n  B: {pin: [b, c]}\n"
+        "  X: {slide: [ground, cross], along: x, distance: x}\n  Y: {slide: [cross, plate], along: y, distance: y}\n"
+        "  T: {pin: [b, plate], " PIN(
+            0.05) "}\n"
+                  "drives: {q: 50 deg + 3 rad/s * t}\nstart: {p: 50 deg, u: -50 deg, x: 0.4, y: 0.3}\n");
+    int rounded = 0;
+    for (int k = 0; k < 24; k++) {
+        yk_state_set_input(rig.state, 0, (YkMotion){0.9 + 0.04 * k, 3, 0.5});
+        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+        rounded += yk_joint_rate(rig.mech, &rig.state->space, 6, false) != 0;
+        assert_true(yk_dynamics_is_held_by_friction(rig.dynamics));
+        assert_true(range_of(&rig, "q").is_single);
+        assert_false(yk_dynamics_reaction(rig.dynamics, 5).is_determinate);
+    }
+    assert_true(rounded > 0);
+    rig_free(&rig);
+}
+
+// Where nothing pulls, nothing is borne, and joints with friction need no effort to stay.
+static void a_machine_without_loads_stays_by_itself(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(
+        "bodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A: [0.05, 0]}, mass: 6}\n"
+        "  rod: {points: {A: [0, 0], B: [0.3, 0]}, mass: 1.5}\n  ram: {points: {B: [0, 0]}, mass: 4}\njoints:\n"
+        "  O: {pin: [ground, crank], angle: theta, " PIN(0.02) "}\n  A: {pin: [crank, rod], angle: psi, " PIN(
+            0.02) "}\n"
+                  "  B: {pin: [rod, ram], " PIN(
+                      0.01) "}\n"
+                            "  R: {slide: [ground, ram], along: y, distance: h, friction: {coulomb: 0.12}}\n"
+                            "drives: {theta: 120 deg}\nstart: {psi: -210 deg, h: -0.25}\n");
+    assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+    YkEffortRange range = range_of(&rig, "theta");
+    assert_true(range.is_known);
+    CHECK_NEAR(range.low, 0, 1e-12);
+    CHECK_NEAR(range.high, 0, 1e-12);
+    CHECK_NEAR(effort_of(&rig, "theta"), 0, 1e-12);
+    rig_free(&rig);
+}
+
+// With more joints than are looked at, efforts are known only where all of them move.
+static void too_many_joints_leave_it_open(void **unused)
+{
+    (void)unused;
+    enum { MANY = 201 };
+    static char text[160 * MANY];
+    int at = snprintf(text, sizeof text, "gravity: [0, -10]\nbodies:\n");
+    for (int k = 0; k < MANY; k++) at += snprintf(text + at, sizeof text - (size_t)at, "  b%d: {mass: 1}\n", k);
+    at += snprintf(text + at, sizeof text - (size_t)at, "joints:\n");
+    for (int k = 0; k < MANY; k++)
+        at += snprintf(text + at, sizeof text - (size_t)at,
+                       "  S%d: {slide: [ground, b%d], along: x, distance: s%d, friction: {coulomb: 0.3}}\n", k, k, k);
+    snprintf(text + at, sizeof text - (size_t)at, "drives: {s67: 0 m}\n");
+    Rig rig = rig_of_text(text);
+    for (int resting = -1; resting <= 3; resting++) {
+        for (size_t i = 0; i < MANY; i++)
+            yk_state_set_input(rig.state, i,
+                               (YkMotion){0, (int)yk_input_coordinate(rig.mech, i) == resting * 67 ? 0 : 1, 0});
+        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_OK);
+        bool is_open = resting >= 0 && resting < 3;
+        YkEffortRange range = range_of(&rig, "s67");
+        assert_int_equal(yk_dynamics_is_held_by_friction(rig.dynamics), is_open);
+        assert_int_equal(range.is_known, !is_open);
+        assert_int_equal(range.is_single, !is_open);
+        if (is_open) assert_true(range.low == -HUGE_VAL && range.high == HUGE_VAL);
+        if (!is_open) CHECK_NEAR(range.low, 3, 1e-12);
+        CHECK_NEAR(effort_of(&rig, "s67"), resting == 1 ? 0 : 3, 1e-12);
+        assert_int_equal(range_of(&rig, "s8").is_single, true); // free: nothing to hold
+    }
+    rig_free(&rig);
+}
+
+// What has no value is said to have none, not to jam.
+static void a_load_without_a_value_is_told(void **unused)
+{
+    (void)unused;
+    for (int driven = 0; driven < 2; driven++) {
+        Rig rig =
+            rig_of_text(driven ? INCLINE "drives: {d: 0 m}\nforces: {push: {body: b, at: P, value: [(1 N*1 s)/t, 0]}}\n"
+                               : INCLINE "forces: {push: {body: b, at: P, value: [(1 N*1 s)/t, 0]}}\n");
+        assert_int_equal(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED), YK_NOT_CONVERGED);
+        assert_non_null(strstr(yk_dynamics_report(rig.dynamics)->message, "`push` has no finite value"));
+        rig_free(&rig);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -258,6 +479,13 @@ int main(void)
         cmocka_unit_test(the_ends_are_those_of_the_slowest_motion),
         cmocka_unit_test(the_range_is_what_keeps_it_at_rest),
         cmocka_unit_test(a_machine_that_moves_has_one_answer),
+        cmocka_unit_test(a_drive_holds_what_sticks_elsewhere),
+        cmocka_unit_test(a_drive_holds_while_the_rest_slips),
+        cmocka_unit_test(what_slides_elsewhere_closes_no_range),
+        cmocka_unit_test(a_joint_may_stand_while_all_else_moves),
+        cmocka_unit_test(a_machine_without_loads_stays_by_itself),
+        cmocka_unit_test(too_many_joints_leave_it_open),
+        cmocka_unit_test(a_load_without_a_value_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -182,6 +182,61 @@ static void springs_and_forces_are_seen(void **unused)
     rig_free(&rig);
 }
 
+// The same at ends on either side of zero: rounding is a part of the range's length.
+static void a_range_may_lie_on_either_side_of_zero(void **unused)
+{
+    (void)unused;
+    static const double ranges[][2] = {{-0.3, -0.1}, {-0.2, 0.2}, {0.1, 0.3}};
+    for (size_t k = 0; k < 3; k++) {
+        char text[600];
+        double from = ranges[k][0], to = ranges[k][1];
+        snprintf(text, sizeof text,
+                 "bodies: {ram: {mass: 2 kg}}\njoints:\n  S: {slide: [ground, ram], along: x, distance: s}\n"
+                 "laws: {cutting: {table: [[%.17g m, 100 N], [%.17g m, 500 N]]}}\n"
+                 "efforts: {s: {law: cutting, of: s}}\n",
+                 from, to);
+        Rig rig = rig_of_text(text);
+        YkLawWatch *watch = yk_law_watch_new(rig.model);
+        const double cases[][2] = {{from, 0},        {to, 0},        {from - 1e-13, 0}, {to + 1e-13, 0},
+                                   {from - 1e-7, 1}, {to + 1e-7, 1}, {from + 1e-7, 0},  {to - 1e-7, 0}};
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+            yk_state_set_input(rig.state, 0, (YkMotion){cases[i][0], 0, 0});
+            assert_true(yk_state_solve(rig.state) >= 0);
+            assert_int_equal(yk_law_watch_look(watch, rig.state, rig.dynamics, 0), cases[i][1]);
+        }
+        yk_law_watch_free(watch);
+        rig_free(&rig);
+    }
+}
+
+// A simulation tells the end at which it left a range: the use of that name remembers it, once.
+static void what_a_simulation_left_is_remembered(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text(driven);
+    YkLawWatch *watch = yk_law_watch_new(rig.model);
+    yk_law_watch_note(watch, NULL, 2, 1);
+    yk_law_watch_note(watch, "phi", 0.02, 1); // no such use
+    yk_law_watch_note(watch, "s", 1.5, 1);    // within the range
+    yk_law_watch_note(watch, "theta", 0.01, 1);
+    assert_int_equal(yk_law_watch_count(watch), 0);
+    yk_law_watch_note(watch, "theta", 0.02, 1.25);
+    assert_int_equal(yk_law_watch_count(watch), 1);
+    yk_law_watch_note(watch, "theta", 0, 1.75); // the first stays
+    YkLawLeft left = yk_law_watch_get(watch, 0);
+    assert_string_equal(left.name, "theta");
+    assert_string_equal(left.law, "follow");
+    assert_int_equal(left.poses, 1);
+    assert_true(left.at == 1.25 && left.argument == 0.02);
+    CHECK_NEAR(left.value, PI / 6, 1e-15);
+    yk_law_watch_note(watch, "s", 0, -0.5);
+    assert_int_equal(yk_law_watch_count(watch), 2);
+    assert_string_equal(yk_law_watch_get(watch, 0).name, "s"); // in the order of the file
+    assert_true(yk_law_watch_get(watch, 0).at == -0.5);
+    yk_law_watch_free(watch);
+    rig_free(&rig);
+}
+
 static void nothing_is_survived(void **unused)
 {
     (void)unused;
@@ -203,6 +258,8 @@ int main(void)
         cmocka_unit_test(drives_are_left_in_time_and_along_others),
         cmocka_unit_test(a_drive_that_is_replaced_is_not_left),
         cmocka_unit_test(springs_and_forces_are_seen),
+        cmocka_unit_test(a_range_may_lie_on_either_side_of_zero),
+        cmocka_unit_test(what_a_simulation_left_is_remembered),
         cmocka_unit_test(nothing_is_survived),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

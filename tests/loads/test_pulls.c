@@ -93,11 +93,50 @@ static void a_law_of_the_length_does_the_work_that_it_stores(void **unused)
     rig_free(&rig);
 }
 
+// A spring whose ends meet has no direction, so that its rate is 0 whatever the ends do.
+static void ends_that_meet_have_no_rate(void **unused)
+{
+    (void)unused;
+    static const double places[][2] = {{0, 2}, {0, -3}, {0.5, 2}, {-0.5, 2}};
+    Rig rig = rig_of_text("bodies: {ground: {points: {O: [0, 0]}}, b: {points: {P: [0, 0]}, mass: 1}}\njoints:\n"
+                          "  S: {slide: [ground, b], along: x, distance: s}\n"
+                          "laws: {line: {table: [[-20, -1000], [20, 1000]], between: linear}}\nsprings:\n"
+                          "  k: {between: [ground.O, b.P], force: {law: line, of: rate / (1 m/s)}}\n"
+                          "  l: {between: [ground.O, b.P], force: {law: line, of: length / (1 m)}}\n");
+    YkLoads *loads = rig.dynamics->loads;
+    for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+        double s = places[k][0], rate = (s > 0) - (s < 0);
+        move(&rig, s, places[k][1]);
+        CHECK_NEAR(yk_loads_law_argument(loads, rig.state, &rig.state->space, 0, 0), rate * places[k][1], 1e-15);
+        CHECK_NEAR(yk_loads_law_argument(loads, rig.state, &rig.state->space, 1, 0), fabs(s), 1e-15);
+    }
+    rig_free(&rig);
+}
+
+// Inputs without an effort of their own have the effort 0, whatever stood there before.
+static void inputs_without_efforts_have_none(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_of_text("bodies: {a: {mass: 1}, b: {mass: 2}, c: {mass: 3}}\njoints:\n"
+                          "  A: {slide: [ground, a], along: x, distance: x}\n"
+                          "  B: {slide: [ground, b], along: x, distance: y}\n"
+                          "  C: {slide: [ground, c], along: x, distance: z}\nefforts: {y: 4 N}\n");
+    double effort[3] = {7, 7, 7}, power[3];
+    size_t culprit, y = yk_coordinate_find(rig.mech, "y");
+    for (size_t i = 0; i < 3; i++) yk_state_set_input(rig.state, i, (YkMotion){0, 5, 0});
+    assert_true(yk_loads_efforts(rig.dynamics->loads, rig.state, effort, power, &culprit));
+    for (size_t i = 0; i < 3; i++) CHECK_NEAR(effort[i], yk_input_coordinate(rig.mech, i) == y ? 4 : 0, 0);
+    CHECK_NEAR(power[0], 20, 0);
+    rig_free(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_straight_law_is_a_spring),
         cmocka_unit_test(a_law_of_the_length_does_the_work_that_it_stores),
+        cmocka_unit_test(ends_that_meet_have_no_rate),
+        cmocka_unit_test(inputs_without_efforts_have_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
 // Substitution, coefficients, content; limits and failures.
+#include "ring/inside.h"
 #include "ring/ring_check.h"
 
 static void substitution_is_a_homomorphism(void **state)
@@ -177,6 +178,63 @@ static void powers_have_a_range(void **state)
     yk_ring_free(r);
 }
 
+// Conjugates that change nothing are left out: the numbers grow no further than the result asks.
+static void a_reciprocal_overflows_only_where_it_must(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(9);
+    YkRing *r = f.ring;
+    static const char *const terms[] = {"1000000000", "1000000000 + 1000000000 i", "30000 + 30000 sqrt(2)",
+                                        "20000 sqrt(3) - 10000", "100 i sqrt(6)"};
+    for (size_t i = 0; i < sizeof terms / sizeof *terms; i++) {
+        Element a = read_text(&f, terms[i]);
+        check_same(r, yk_ring_multiply(r, a, yk_ring_divide(r, number(&f, 1, 1), a)), number(&f, 1, 1));
+    }
+    assert_int_equal(yk_ring_status(r), YK_RING_OK);
+    yk_ring_free(r);
+}
+
+static void all_elements_of_a_ring_have_a_limit_together(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(10);
+    YkRing *r = f.ring;
+    Element a = read_text(&f, "l1 + lc1 + m1"), one = symbol(&f, "m2");
+    r->made = YK_RING_MADE_MAX - 8;
+    assert_non_null(yk_ring_add(r, a, one)); // four terms each
+    assert_int_equal(r->made, YK_RING_MADE_MAX - 4);
+    assert_non_null(yk_ring_subtract(r, a, one));
+    assert_null(yk_ring_add(r, one, symbol(&f, "I1")));
+    assert_int_equal(yk_ring_status(r), YK_RING_SIZE);
+    yk_ring_free(r);
+}
+
+// b = k a is found with its k; where one key or one number differs there is none.
+static void multiples_are_found_and_nothing_else(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(11);
+    YkRing *r = f.ring;
+    for (int i = 0; i < 300; i++) {
+        Element a = random_element(&f, 1 + below(&f, 4));
+        int64_t over = 1 + below(&f, 30), under = 1 + below(&f, 30), p = 0, q = 0;
+        if (below(&f, 2)) over = -over;
+        bool is_zero = yk_ring_is_zero(a);
+        assert_int_equal(yk_ring_is_multiple(yk_ring_scale(r, a, over, under), a, &p, &q), !is_zero);
+        if (is_zero) continue;
+        assert_true(p * under == q * over && q > 0);
+        Element other = yk_ring_multiply(r, a, symbol(&f, "l1")), more = yk_ring_add(r, a, random_term(&f, true));
+        assert_false(yk_ring_is_multiple(a, other, &p, &q));
+        if (!yk_ring_is_zero(more) && yk_ring_is_multiple(more, a, &p, &q))
+            check_same(r, more, yk_ring_scale(r, a, p, q));
+    }
+    int64_t p, q;
+    assert_false(yk_ring_is_multiple(read_text(&f, "l1 + m1"), read_text(&f, "l1 + 2 m1"), &p, &q));
+    assert_false(yk_ring_is_multiple(read_text(&f, "l1 + m1"), read_text(&f, "l1 - m1"), &p, &q));
+    assert_false(yk_ring_is_multiple(read_text(&f, "l1"), read_text(&f, "m1"), &p, &q));
+    yk_ring_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -189,6 +247,9 @@ int main(void)
         cmocka_unit_test(a_coefficient_too_large_is_noticed),
         cmocka_unit_test(a_sum_too_long_is_noticed),
         cmocka_unit_test(powers_have_a_range),
+        cmocka_unit_test(a_reciprocal_overflows_only_where_it_must),
+        cmocka_unit_test(all_elements_of_a_ring_have_a_limit_together),
+        cmocka_unit_test(multiples_are_found_and_nothing_else),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

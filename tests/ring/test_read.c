@@ -31,6 +31,8 @@ static void many_ways_of_writing_mean_the_same(void **state)
         {YK_RING_TEXT, "cos(pi*0.25)", "sqrt(2)/2"},
         {YK_RING_TEXT, "+l1", "l1"},
         {YK_RING_TEXT, "l1 - -m1", "l1 + m1"},
+        {YK_RING_TEXT, "  l1  \t\n  *   m1  ", "l1*m1"},
+        {YK_RING_LATEX, "\\quad~~ l_1 \\, ~\\;  m_1", "l_1 m_1"},
         {YK_RING_LATEX, "\\frac{l_1}{2}", "\\tfrac{1}{2} l_{1}"},
         {YK_RING_LATEX, "\\left( l_{1} + m_{1} \\right)^2", "(l_1 + m_1)^{2}"},
         {YK_RING_LATEX, "l_1 \\cdot m_1", "l_1\\,m_1"},
@@ -71,6 +73,10 @@ static void mistakes_are_told_at_their_place(void **state)
     check_refused(&f, YK_RING_TEXT, "l1 +", YK_CODE_EXPR_SYNTAX, 5, "ends");
     check_refused(&f, YK_RING_TEXT, "l1 ) m1", YK_CODE_EXPR_SYNTAX, 4, "operator");
     check_refused(&f, YK_RING_TEXT, "(l1 + m1", YK_CODE_EXPR_SYNTAX, 9, "`)`");
+    check_refused(&f, YK_RING_TEXT, "cos(theta1", YK_CODE_EXPR_SYNTAX, 11, "`)`");
+    check_refused(&f, YK_RING_TEXT, "cos(theta1}", YK_CODE_EXPR_SYNTAX, 11, "`)`");
+    check_refused(&f, YK_RING_LATEX, "e^{\\mathrm{i}\\theta_1)", YK_CODE_EXPR_SYNTAX, 22, "`}`");
+    check_refused(&f, YK_RING_LATEX, "l_1 \\quadx", YK_CODE_UNKNOWN_NAME, 5, "quadx");
     check_refused(&f, YK_RING_TEXT, "l1 # m1", YK_CODE_EXPR_SYNTAX, 4, "operator");
     check_refused(&f, YK_RING_TEXT, "l1 \xc2\xb7 m1", YK_CODE_EXPR_CHARACTER, 4, "character");
     check_refused(&f, YK_RING_TEXT, "l1 + lc2", YK_CODE_UNKNOWN_NAME, 6, "lc1");

@@ -277,6 +277,53 @@ static void names_that_look_alike_stay_apart(void **state)
     yk_ring_free(ring);
 }
 
+static size_t count_of(const char *text, const char *word)
+{
+    size_t count = 0;
+    for (const char *at = text; (at = strstr(at, word)); at++) count++;
+    return count;
+}
+
+// n cos(theta + k 15 deg) is shown as it is, as one term, and i n e^(i ...) likewise.
+static void an_angle_turned_by_twelfths_is_one_term(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(12);
+    YkRing *r = f.ring;
+    for (int k = 0; k < 24; k++)
+        for (int is_sine = 0; is_sine < 2; is_sine++) {
+            YkText text = {0};
+            Element unit = yk_ring_multiply(r, yk_ring_unit(r, f.angle[0]), yk_ring_turn(r, k, 12));
+            Element a = yk_ring_scale(r, is_sine ? yk_ring_imaginary(r, unit) : yk_ring_real(r, unit), 7, 3);
+            assert_true(yk_ring_write(r, a, YK_RING_TEXT, YK_RING_EXPANDED, &text));
+            const char *shown = yk_text_get(&text);
+            if (count_of(shown, "cos") + count_of(shown, "sin") != 1) print_error("%s\n", shown);
+            assert_int_equal(count_of(shown, "cos") + count_of(shown, "sin"), 1);
+            assert_null(strstr(shown, "sqrt"));
+            check_same(r, read_text(&f, shown), a);
+            yk_text_free(&text);
+        }
+    yk_ring_free(r);
+}
+
+// A name of three small letters or more is a word, whichever letters they are; what follows it is a subscript.
+static void words_are_words_with_any_letter(void **state)
+{
+    (void)state;
+    for (char c = 'a'; c <= 'z'; c++) {
+        Fixture f = fixture_new(13);
+        char name[16], shown[64];
+        for (int place = 0; place < 3; place++) {
+            snprintf(name, sizeof name, "jvk%d", place + 1);
+            name[place] = c;
+            snprintf(shown, sizeof shown, "\\mathit{%.3s}_{%d}", name, place + 1);
+            Element a = yk_ring_of(f.ring, yk_ring_symbol(f.ring, name, YK_RING_CONSTANT));
+            check_written(f.ring, a, YK_RING_LATEX, YK_RING_EXPANDED, shown);
+        }
+        yk_ring_free(f.ring);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -291,6 +338,8 @@ int main(void)
         cmocka_unit_test(mathml_is_well_formed),
         cmocka_unit_test(the_order_depends_on_the_symbols_alone),
         cmocka_unit_test(names_that_look_alike_stay_apart),
+        cmocka_unit_test(an_angle_turned_by_twelfths_is_one_term),
+        cmocka_unit_test(words_are_words_with_any_letter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
