@@ -1,5 +1,5 @@
-// A whole derivation: the frame, all sections, and the page in text, from a compiled machine. Then long machines, body
-// by body: the sections that are linear in the machine.
+// A whole derivation: the frame, all sections that `yoke derive` prints when none is named, and the page in text, from a
+// compiled machine.
 #include <stdlib.h>
 #include <string.h>
 #include "derive/derive.h"
@@ -32,7 +32,7 @@ static void derive_once(const Machine *m, Times *times, size_t r)
     times->part[FRAME][r] += (now = bench_now()) - before;
     for (size_t k = 0; yk_derive_sections[k].name; k++) {
         before = now;
-        if (yk_derive_sections[k].write && !yk_derive_write(d, k, &page)) die(yk_derive_sections[k].name);
+        if (yk_derivation_has_section(d, k) && !yk_derive_write(d, k, &page)) die(yk_derive_sections[k].name);
         times->part[k][r] += (now = bench_now()) - before;
     }
     before = now;

@@ -31,7 +31,7 @@ int main(int count, char **word)
         tilt = yk_state_coordinate(yk_simulation_state(simulation), 1).position - 3.141592653589793;
     printf("after %zu samples of at most %.1f N: %.1e rad off\n",
            simulation ? yk_simulation_sample_count(simulation) : 0, largest, tilt);
-    fputs(yk_problems_text(problems, 0), stderr);
+    fputs(simulation ? yk_simulation_report(simulation)->message : yk_problems_text(problems, 0), stderr);
     yk_simulation_free(simulation);
     yk_model_free(model);
     yk_problems_free(problems);

@@ -11,6 +11,8 @@ static int check(YkDerivation *derivation, const YkMechanism *mech, const char *
         YkCheckVerdict verdict = yk_derivation_check(derivation, state, NULL, equation, problems);
         printf("%s: %s\n", equation, yk_check_kind_name(verdict.kind));
         exit_code = verdict.kind == YK_CHECK_TRUE ? 0 : 1;
+    } else if (state) {
+        fprintf(stderr, "%s\n", yk_state_report(state)->message); // which joint does not close
     }
     yk_state_free(state);
     return exit_code;

@@ -27,7 +27,8 @@ int main(int count, char **word)
     for (size_t row = 0; sweep && row < yk_sweep_row_count(sweep); row++)
         printf("%g %g %g\n", yk_sweep_at(sweep, row), yk_sweep_value(sweep, row, 0), yk_sweep_value(sweep, row, 1));
     YkStatus status = sweep ? yk_sweep_status(sweep) : YK_BAD_ARGUMENT;
-    if (status < 0) fprintf(stderr, "%s\n%s", yk_status_name(status), yk_problems_text(problems, 0));
+    const char *why = state && status < 0 ? yk_state_report(state)->message : ""; // where it does not close
+    if (status < 0) fprintf(stderr, "%s %s\n%s", yk_status_name(status), why, yk_problems_text(problems, 0));
     yk_sweep_free(sweep);
     yk_state_free(state);
     yk_mechanism_free(mech);

@@ -11,12 +11,13 @@ extern "C" {
 typedef struct YkBatch YkBatch;
 // Makes a batch with the branches and reference angles of an assembled state. It computes these channels and nothing
 // else. Channels of forces and energies are those of inverse dynamics: the accelerations of all inputs are given, and
-// the effort of each is sought; loads that depend on time take the state's. Returns NULL when out of memory. Cost of
-// making, with channels of forces: about 1 ms for ten bodies, 25 ms for 60.
+// the effort of each is sought; loads that depend on time take the state's. Of a machine without masses and loads they
+// are 0. Returns NULL when out of memory. Cost of making, with channels of forces: about 1 ms for ten bodies, 25 ms for
+// 60.
 YK_API YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t channel_count);
 YK_API void yk_batch_free(YkBatch *batch);
-// Solves `count` poses. inputs[3*i + k][pose]: position (k = 0), velocity (1), acceleration (2) of input i; a NULL
-// array stands for the state's own value at all poses. outputs[channel][pose].
+// Solves `count` poses. inputs[3*i + k][pose]: position (k = 0), velocity (1), acceleration (2) of input i (in the order
+// of yk_input_coordinate), SI; a NULL array stands for the state's own value at all poses. outputs[channel][pose], SI.
 // status[pose] (may be NULL): YK_OK, YK_SINGULAR (rates and forces are 0), YK_LIMIT (outputs are 0, never NaN); where
 // forces have no finite value, that of yk_dynamics_solve.
 // Every pose lies on the batch's branches, whether or not the machine could get there from the state: limits and change

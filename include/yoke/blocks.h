@@ -46,7 +46,7 @@ YK_API YkStatus yk_study_rows(YkStudy *study, const YkRowCase *asked, uint64_t f
 // is the doubles of this machine: another kind of processor does not read it. One process at a time has it open.
 typedef struct YkBlocks YkBlocks;
 typedef struct YkBlocksOptions {
-    uint64_t signature; // tells this study from any other: of all that decides its rows
+    uint64_t signature; // a hash of all that decides the rows; it tells this study from any other
     uint64_t design_count;
     size_t width;  // numbers a row
     bool is_fresh; // start anew, whatever the file has

@@ -66,7 +66,7 @@ YK_API YkCamPoint yk_cam_at(const YkCamDesign *design, double angle);
 YK_API YkCamPoint yk_cam_conjugate_at(const YkCamDesign *design, double angle);
 
 typedef struct YkCamExtreme {
-    double value, angle;
+    double value, angle; // at this cam angle, rad
 } YkCamExtreme;
 typedef struct YkCamRange {
     double from, to;
@@ -108,23 +108,24 @@ YK_API YkStatus yk_cam_smallest_base(const YkCamDesign *design, const YkCamLimit
 // The program: segments as the file gives them, and strokes (from rest to the next turning point).
 typedef struct YkCamSegment {
     const char *kind; // "polynomial", "dwell", "rise", "formula", "arc", ...
-    double from, to;
+    double from, to;  // cam angles, rad
     size_t condition_count;
     double condition_number; // of the linear system that was solved; 0 if none was
 } YkCamSegment;
 typedef struct YkCamCondition {
-    double at;
-    int order;
-    double value;
+    double at;    // cam angle, rad
+    int order;    // of the derivative of the lift by the cam angle
+    double value; // m (or rad) / rad^order
 } YkCamCondition;
 YK_API size_t yk_cam_segment_count(const YkCamDesign *design);
 YK_API YkCamSegment yk_cam_segment(const YkCamDesign *design, size_t segment);
 YK_API YkCamCondition yk_cam_condition(const YkCamDesign *design, size_t segment, size_t condition);
-// Finds jumps of s, v, a at joints (fundamental law of cam design). Returns how many there are.
+// Finds jumps of s, v, a where segments join (fundamental law of cam design). Writes `capacity` of them at most. Returns
+// how many there are.
 typedef struct YkCamJump {
-    double angle;
-    int order;
-    double size;
+    double angle; // of the cam, rad
+    int order;    // of the derivative that jumps
+    double size;  // m (or rad) / rad^order
 } YkCamJump;
 YK_API size_t yk_cam_jumps(const YkCamDesign *design, YkCamJump *jumps, size_t capacity);
 
@@ -133,10 +134,11 @@ typedef struct YkCamFactors {
     double v, a, j;
 } YkCamFactors;
 typedef struct YkCamStroke {
-    double from, to; // cam angles
-    double lift;     // signed: a fall is negative
+    double from, to; // cam angles, rad
+    double lift;     // m or rad; signed: a fall is negative
     YkCamFactors factors;
 } YkCamStroke;
+// Writes `capacity` of the strokes at most. Returns how many there are.
 YK_API size_t yk_cam_strokes(const YkCamDesign *design, YkCamStroke *strokes, size_t capacity);
 // Finds the factors of a law by its textbook name ("cycloidal", ...). Returns YK_BAD_ARGUMENT for an unknown one.
 YK_API YkStatus yk_cam_law_factors(const char *law, YkCamFactors *factors);

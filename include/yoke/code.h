@@ -27,8 +27,8 @@ typedef struct YkCSource YkCSource;
 // be printed (E0660), or if it was stopped. The model may be freed afterwards. Cost: linear in the steps, quadratic in
 // the freedoms.
 YK_API YkCSource *yk_c_source_new(const YkModel *model, const YkCSourceOptions *options, YkProblems *problems);
-YK_API const char *yk_c_source_text(const YkCSource *code);
-YK_API const char *yk_c_source_prefix(const YkCSource *code);
+YK_API const char *yk_c_source_text(const YkCSource *code);   // the whole file
+YK_API const char *yk_c_source_prefix(const YkCSource *code); // what its names begin with
 YK_API void yk_c_source_free(YkCSource *code);
 
 #ifdef __cplusplus

@@ -21,12 +21,15 @@ typedef struct YkDrawOptions {
 YK_API YkDrawOptions yk_default_draw_options(void);
 
 typedef struct YkDrawing YkDrawing;
-// A drawing collects poses (all but the last are drawn faint, as under a stroboscope) and traced positions, then writes
-// SVG.
+// Starts a drawing. It collects poses (all but the last are drawn faint, as under a stroboscope) and traced positions,
+// and then writes SVG, each text of which lives until the drawing's next call. The mechanism must outlive it. Returns
+// NULL when out of memory.
 YK_API YkDrawing *yk_drawing_new(const YkMechanism *mech, const YkDrawOptions *options);
 YK_API void yk_drawing_free(YkDrawing *drawing);
-YK_API YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state);  // adds a pose
-YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state); // adds only the traced points' positions
+// Adds the pose of a state, with the positions of the traced points; or these positions alone. Returns YK_OK or
+// YK_NO_MEMORY.
+YK_API YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state);
+YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state);
 // Adds instant centres, those of the last pose: marks with the names of both bodies, with the lines of Kennedy's theorem;
 // centres far away or at infinity are told below. NULL: none. Returns YK_OK or YK_NO_MEMORY.
 YK_API YkStatus yk_drawing_centers(YkDrawing *drawing, const YkCenters *centers);

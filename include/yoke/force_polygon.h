@@ -19,10 +19,10 @@ typedef enum YkForcePart {
 
 typedef struct YkForceVector {
     YkForcePart part;
-    size_t body;         // on which it acts; the vectors of a body follow one another
+    size_t body;         // it acts on this body; the vectors of a body follow one another
     size_t by;           // the body that exerts it at a joint or contact; otherwise YK_NOT_FOUND
     const char *name;    // of the joint or contact; "weight", "loads", "inertia" or "other planets"
-    double at[2];        // where it acts, m; of what has no such place: the centre of mass
+    double at[2];        // where it acts, m; the centre of mass if there is no such place
     double start[2];     // from the beginning of the body's polygon, N
     double value[2];     // N; the vector ends at the sum
     double moment;       // that acts beside it, about `at`, N m

@@ -12,7 +12,7 @@ extern "C" {
 #endif
 
 typedef enum YkLawUser {
-    YK_LAW_USER_DRIVE,  // of a coordinate, in time or following another coordinate
+    YK_LAW_USER_DRIVE,  // moves a coordinate, in time or as it follows another coordinate
     YK_LAW_USER_EFFORT, // along a coordinate
     YK_LAW_USER_FORCE,
     YK_LAW_USER_SPRING

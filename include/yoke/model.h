@@ -48,9 +48,12 @@ YK_API const char *yk_model_joint_name(const YkModel *model, size_t joint);
 // body.
 YK_API const char *yk_model_joint_kind(const YkModel *model, size_t joint);
 YK_API size_t yk_model_joint_body(const YkModel *model, size_t joint, int side);
+// Writes the place of a point in its body's axes, m: as yk_drag_new and YkPull take it.
+YK_API void yk_model_point_place(const YkModel *model, size_t point, double place[2]);
 // Returns the index of a name, YK_NOT_FOUND if there is none. The name of a point is "body.point".
 YK_API size_t yk_model_find_body(const YkModel *model, const char *name);
 YK_API size_t yk_model_find_point(const YkModel *model, const char *body_dot_point);
+YK_API size_t yk_model_find_joint(const YkModel *model, const char *name);
 // The numbers of masses and loads in the file. Gravity counts if it is given and not zero.
 typedef struct YkLoadCounts {
     bool has_gravity;
@@ -82,6 +85,15 @@ YK_API YkStatus yk_model_value(const YkModel *model, const char *text, YkQuantit
                                YkProblems *problems);
 // Returns the unit in which the file gives such a quantity, for tables: its name ("deg"), and its size in SI (pi/180).
 YK_API const char *yk_model_unit(const YkModel *model, YkQuantity quantity, double *size);
+
+// Returns the value of a parameter in the file, SI; NaN for an unknown name.
+YK_API double yk_model_parameter(const YkModel *model, const char *name);
+// Reads a value for a parameter, as --param takes it: units, other parameters, bare numbers in the file's units.
+// Returns YK_OK, or YK_BAD_ARGUMENT with a problem added.
+YK_API YkStatus yk_model_parameter_read(const YkModel *model, const char *name, const char *text, double *value,
+                                        YkProblems *problems);
+// Returns the size in SI of the unit in which the file gives a parameter (0.001 for mm); 1 for an unknown name.
+YK_API double yk_model_parameter_unit(const YkModel *model, const char *name);
 
 #ifdef __cplusplus
 }

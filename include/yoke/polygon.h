@@ -24,9 +24,9 @@ typedef enum YkPolygonPart {
 
 typedef struct YkPolygonVector {
     YkPolygonPart part;
-    size_t body;           // which turns; of sliding the one that carries the line
-    size_t joint;          // of sliding; otherwise YK_NOT_FOUND
-    size_t step;           // of the construction
+    size_t body;           // the body that turns; for sliding, the one that carries the line
+    size_t joint;          // the slide, for sliding; otherwise YK_NOT_FOUND
+    size_t step;           // the step of the construction that draws it
     double start[2];       // from the pole, m/s or m/s^2
     double value[2];       // likewise; the vector ends at the sum
     const char *from, *to; // images: the last vector from an image to another ends at it

@@ -53,8 +53,8 @@ YK_API YkStatus yk_state_assemble(YkState *state);
 // Cost: linear; allocates nothing.
 YK_API YkStatus yk_state_solve(YkState *state);
 // Visits every configuration at the present inputs, each as the state's pose, in a fixed order ("+" before "-").
-// visit returns false to stop. complete: false if a GROUP was searched instead of enumerated, or the limit of 4096 was
-// reached. The state returns to the configuration it had. Returns YK_OK or YK_NO_ASSEMBLY. yk_configurations_each
+// visit returns false to stop. complete (may be NULL): false if a GROUP was searched instead of enumerated, or the limit
+// of 4096 was reached. The state returns to the configuration it had. Returns YK_OK or YK_NO_ASSEMBLY. yk_configurations_each
 // (<yoke/configurations.h>) enumerates groups too, with proof.
 YK_API YkStatus yk_state_each(YkState *state, bool (*visit)(void *context, YkState *state), void *context,
                               bool *complete);

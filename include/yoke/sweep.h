@@ -10,9 +10,9 @@ extern "C" {
 #endif
 
 typedef struct YkSweepOptions {
-    int coordinate;  // the coordinate swept, an input; -1 sweeps time (all drives)
-    double from, to; // its range (rad, m or s)
-    size_t steps;    // n steps give n + 1 poses
+    int coordinate;  // the coordinate swept, an input; -1, the default, sweeps time (all drives)
+    double from, to; // its range (rad, m or s); default 0 to 1
+    size_t steps;    // n steps give n + 1 poses; default 36
     double turn_max; // largest turn of any body between verified poses, rad (or this times the machine's size / 1 s):
                      // default 2 deg
     YkDynamics *dynamics; // computes the channels that need forces (inverse and forward dynamics at every row); NULL if
@@ -36,10 +36,11 @@ typedef struct YkEvent {
 } YkEvent;
 
 typedef struct YkSweep YkSweep;
-// Sweeps from the configuration of `state`, which is assembled. Its other inputs keep their values, and the swept
-// coordinate keeps the state's rate and acceleration. Channels are recorded row by row. At a limit the rows before it
-// remain, and the status is YK_LIMIT. Returns NULL only when out of memory, if the options are wrong, or, with a
-// problem, if it was stopped (yk_state_set_progress).
+// Sweeps from the configuration of `state`, which is assembled: it first moves to `from`,
+// and it is left where the sweep ends. Its other inputs keep their values, and the swept coordinate keeps the state's
+// rate and acceleration. Channels are recorded row by row. At a limit the rows before it remain, and the status is
+// YK_LIMIT. Returns NULL only when out of memory, if the options are wrong, or, with a problem, if it was stopped
+// (yk_state_set_progress).
 YK_API YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkChannel *channels,
                              size_t channel_count, YkProblems *problems);
 YK_API void yk_sweep_free(YkSweep *sweep);

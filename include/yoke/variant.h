@@ -25,14 +25,6 @@ YK_API const YkMechanism *yk_variant_mechanism(const YkVariant *variant);
 // a rod without length, a cam that its follower cannot touch).
 // Cost: the expressions that depend on the parameters; allocates nothing.
 YK_API YkStatus yk_variant_set(YkVariant *variant, const double *values);
-// Returns the value of a parameter in the file, SI; NaN for an unknown name.
-YK_API double yk_model_parameter(const YkModel *model, const char *name);
-// Reads a value for a parameter, as --param takes it: units, other parameters, bare numbers in the file's units.
-// Returns YK_OK, or YK_BAD_ARGUMENT with a problem added.
-YK_API YkStatus yk_model_parameter_read(const YkModel *model, const char *name, const char *text, double *value,
-                                        YkProblems *problems);
-// Returns the size in SI of the unit in which the file gives a parameter (0.001 for mm); 1 for an unknown name.
-YK_API double yk_model_parameter_unit(const YkModel *model, const char *name);
 
 #ifdef __cplusplus
 }

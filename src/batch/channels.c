@@ -1,4 +1,4 @@
-// Channels of a batch: what is asked of the lanes.
+// Channels of a batch: the requests to the lanes.
 #include <math.h>
 #include <string.h>
 #include "batch/inside.h"

@@ -34,6 +34,7 @@ static int32_t shown_joint(const YkModel *model, int32_t joint)
 
 YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate)
 {
+    if (coordinate >= mech->coordinate_count) return (YkCoordinateInfo){.joint = YK_NOT_FOUND, .input = -1};
     const YkTreeCoordinate *c = &mech->coordinates[coordinate];
     return (YkCoordinateInfo){.name = c->name,
                               .joint = (size_t)shown_joint(mech->model, c->joint),
@@ -84,7 +85,7 @@ size_t yk_input_count(const YkMechanism *mech)
 }
 size_t yk_input_coordinate(const YkMechanism *mech, size_t input)
 {
-    return (size_t)mech->inputs[input];
+    return input < mech->input_count ? (size_t)mech->inputs[input] : YK_NOT_FOUND;
 }
 
 YkFreedom yk_mechanism_freedom(const YkMechanism *mech)
@@ -101,7 +102,7 @@ size_t yk_loop_count(const YkMechanism *mech)
 }
 size_t yk_loop_joint(const YkMechanism *mech, size_t loop)
 {
-    return (size_t)mech->loops[loop].joint;
+    return loop < mech->loop_count ? (size_t)mech->loops[loop].joint : YK_NOT_FOUND;
 }
 
 static int32_t meeting(const YkTree *tree, int32_t a, int32_t b)
@@ -123,6 +124,7 @@ static bool is_carriage(const YkMechanism *mech, int32_t body)
 // Lists the bodies, without carriages, from the joint's first body up to where both ends' paths meet, and down to its second body.
 size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size_t capacity)
 {
+    if (loop >= mech->loop_count) return 0;
     const YkJoint *joint = &mech->model->joints[mech->loops[loop].joint];
     const YkTree *tree = &mech->tree;
     int32_t top = meeting(tree, joint->body[0], joint->body[1]);
@@ -163,14 +165,19 @@ static size_t count_told(const YkMechanism *mech, const YkBlock *b, uint32_t fir
     return told;
 }
 
-static int32_t told_at(const YkMechanism *mech, const YkBlock *b, uint32_t first, size_t index)
+// Returns the member number `index` of those that are told, YK_NONE past the last.
+static int32_t told_at(const YkMechanism *mech, const YkBlock *b, uint32_t first, uint32_t count, size_t index)
 {
-    for (uint32_t k = first;; k++)
+    bool all_are = mech->model->carriage_count == 0;
+    if (all_are) return index < count ? mech->block_members[first + index] : YK_NONE;
+    for (uint32_t k = first; k < first + count; k++)
         if (is_told(mech, b, k) && index-- == 0) return mech->block_members[k];
+    return YK_NONE;
 }
 
 YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block)
 {
+    if (block >= mech->block_count) return (YkBlockInfo){.label = NULL};
     const YkBlock *b = &mech->blocks[block];
     return (YkBlockInfo){.kind = b->kind,
                          .label = b->label,
@@ -184,19 +191,22 @@ YkBlockInfo yk_block_info(const YkMechanism *mech, size_t block)
 
 size_t yk_block_joint(const YkMechanism *mech, size_t block, size_t index)
 {
+    if (block >= mech->block_count) return YK_NOT_FOUND;
     const YkBlock *b = &mech->blocks[block];
-    if (mech->model->carriage_count == 0) return (size_t)mech->block_members[b->aside->first_joint + index];
-    return (size_t)shown_joint(mech->model, told_at(mech, b, b->aside->first_joint, index));
+    int32_t joint = told_at(mech, b, b->aside->first_joint, b->aside->joint_count, index);
+    return joint == YK_NONE ? YK_NOT_FOUND : (size_t)shown_joint(mech->model, joint);
 }
 size_t yk_block_body(const YkMechanism *mech, size_t block, size_t index)
 {
+    if (block >= mech->block_count) return YK_NOT_FOUND;
     const YkBlock *b = &mech->blocks[block];
-    if (mech->model->carriage_count == 0) return (size_t)mech->block_members[b->aside->first_body + index];
-    return (size_t)told_at(mech, b, b->aside->first_body, index);
+    int32_t body = told_at(mech, b, b->aside->first_body, b->aside->body_count, index);
+    return body == YK_NONE ? YK_NOT_FOUND : (size_t)body;
 }
 
 const char *yk_block_relation(const YkMechanism *mech, size_t block, size_t index)
 {
+    if (block >= mech->block_count || index >= mech->blocks[block].relation_count) return NULL;
     return mech->relations[mech->group_relations[mech->blocks[block].first_relation + index]].name;
 }
 
@@ -213,5 +223,5 @@ size_t yk_redundant_count(const YkMechanism *mech)
 }
 size_t yk_redundant_joint(const YkMechanism *mech, size_t index)
 {
-    return (size_t)mech->redundant[index];
+    return index < mech->redundant_count ? (size_t)mech->redundant[index] : YK_NOT_FOUND;
 }

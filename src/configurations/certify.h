@@ -17,7 +17,7 @@ typedef struct YkCertificate {
 
 // Proves that the system with these coefficients (of a pose: the second half the conjugates of the first) has exactly
 // one solution in a polydisc about x, by Krawczyk's operator in complex discs (Krawczyk 1969; Moore 1977): for all
-// coefficients in their balls. Where the solution seems real, x is first moved to the nearest real point (|z| = 1,
+// coefficients in their balls. If the solution seems real, x is first moved to the nearest real point (|z| = 1,
 // distances real); since conjugation maps solutions to solutions and the polydisc's centre to itself, the solution is
 // then its own conjugate. Returns false if no radius succeeds. Cost 2 factorisations.
 bool yk_certify(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkCertificate *certificate);

@@ -12,7 +12,7 @@
 #include "solve/gap.h"
 #include "solve/state.h"
 
-// The group of one block: what is kept of it, its solutions at this pose, and room for the options of its level.
+// The group of one block: the data kept for it, its solutions at this pose, and room for the options of its level.
 typedef struct Member {
     YkGroupKept kept;
     YkGroupSolutions solutions;

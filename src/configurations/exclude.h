@@ -11,7 +11,7 @@ typedef struct YkExcluded { // the array is kept and reused
     bool is_complete;
 } YkExcluded;
 
-// Returns false when out of memory. What stops `pace` leaves it incomplete, as do poses that meet: nothing tells them apart.
+// Returns false when out of memory. Being stopped by `pace` leaves it incomplete, as do poses that meet and cannot be told apart.
 bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out);
 void yk_excluded_end(YkExcluded *excluded);
 

@@ -31,8 +31,8 @@ typedef struct YkGroupSolutions {
     bool is_counted; // whether `expected` is known
     size_t expected;
     bool is_complete; // all complex solutions are proved, and it is known of each whether it is real
-    size_t unclear;   // how many are proved of which that is not known
-    YkVec *pose;      // the coefficients of this pose, once it is solved; what is solved again is not followed again
+    size_t unclear;   // number of proved ones of which that is not known
+    YkVec *pose; // the coefficients of this pose, once it is solved; a pose that is solved again is not followed again
     bool has_pose;
 } YkGroupSolutions;
 

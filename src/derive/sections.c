@@ -44,12 +44,12 @@ size_t yk_derivation_section_count(void)
 
 const char *yk_derivation_section_name(size_t section)
 {
-    return yk_derive_sections[section].name;
+    return section < yk_derivation_section_count() ? yk_derive_sections[section].name : NULL;
 }
 
 const char *yk_derivation_section_title(size_t section)
 {
-    return yk_derive_sections[section].title;
+    return section < yk_derivation_section_count() ? yk_derive_sections[section].title : NULL;
 }
 
 size_t yk_derivation_section_find(const char *name)
@@ -61,6 +61,7 @@ size_t yk_derivation_section_find(const char *name)
 
 bool yk_derivation_has_section(const YkDerivation *d, size_t section)
 {
+    if (section >= yk_derivation_section_count()) return false;
     return !yk_derive_sections[section].is_of || yk_derive_sections[section].is_of(d->model);
 }
 

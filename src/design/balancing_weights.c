@@ -3,7 +3,7 @@
 // The frame is shaken by no force if the centre of mass stands still: the sum of m r over the bodies, and of the
 // counterweights p e^(i phi) in the axes of their bodies, is constant. Each pose gives two equations, linear in p. Bodies
 // pinned to the ground come first; the pin of any other body moves, and with it the counterweight's mass, which is then
-// found by repetition. Where the unit vectors of the bodies are linearly independent and suffice, the residual vanishes:
+// found by repetition. If the unit vectors of the bodies are linearly independent and suffice, the residual vanishes:
 // these are the counterweights of Berkof and Lowen (1969) and of Tepper and Lowen (1972).
 #include "design/balancing.h"
 #include <math.h>

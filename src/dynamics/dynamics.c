@@ -87,6 +87,7 @@ bool yk_dynamics_has_loads(const YkDynamics *d)
 
 void yk_dynamics_prescribe(YkDynamics *d, size_t input, bool is_prescribed)
 {
+    if (input >= d->mech->input_count) return;
     if (d->is_free[input] == !is_prescribed) return;
     d->is_free[input] = !is_prescribed;
     d->is_stale = true;
@@ -94,11 +95,13 @@ void yk_dynamics_prescribe(YkDynamics *d, size_t input, bool is_prescribed)
 
 bool yk_dynamics_is_prescribed(const YkDynamics *d, size_t input)
 {
+    if (input >= d->mech->input_count) return false;
     return !d->is_free[input];
 }
 
 void yk_dynamics_set_effort(YkDynamics *d, size_t coordinate, double effort)
 {
+    if (coordinate >= d->mech->coordinate_count) return;
     if (yk_loads_set_effort(d->loads, coordinate, effort)) d->is_stale = true;
 }
 

@@ -233,8 +233,16 @@ YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkMethod method)
 
 // --- answers
 
+// The answer for a joint or contact that does not exist.
+static const YkReaction no_reaction = {.by = YK_NOT_FOUND,
+                                       .on = YK_NOT_FOUND,
+                                       .force = {(double)NAN, (double)NAN},
+                                       .moment = (double)NAN,
+                                       .at = {(double)NAN, (double)NAN}};
+
 YkReaction yk_dynamics_reaction(const YkDynamics *d, size_t joint)
 {
+    if (joint >= d->mech->model->joint_count) return no_reaction;
     return d->joint[joint];
 }
 
@@ -245,11 +253,13 @@ size_t yk_dynamics_contact_count(const YkDynamics *d)
 
 const char *yk_dynamics_contact_name(const YkDynamics *d, size_t contact)
 {
+    if (contact >= yk_dynamics_contact_count(d)) return NULL;
     return yk_contact_name(d->mech, contact);
 }
 
 YkReaction yk_dynamics_contact(const YkDynamics *d, size_t contact)
 {
+    if (contact >= yk_dynamics_contact_count(d)) return no_reaction;
     int32_t relation = yk_contact_relation(d->mech, contact);
     return relation == YK_NONE ? (YkReaction){0} : d->contact[relation];
 }
@@ -275,11 +285,13 @@ double yk_dynamics_contact_pull(const YkDynamics *d, size_t contact)
 
 bool yk_dynamics_contact_pulls(const YkDynamics *d, size_t contact)
 {
+    if (contact >= yk_dynamics_contact_count(d)) return false;
     return yk_dynamics_contact_pull(d, contact) > 0;
 }
 
 double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)
 {
+    if (coordinate >= d->mech->coordinate_count) return (double)NAN;
     int32_t input = d->mech->coordinates[coordinate].input;
     double sum = input != YK_NONE && !d->is_free[input] ? d->drive[input] : 0;
     bool is_drive = input != YK_NONE && !d->is_free[input];
@@ -288,6 +300,7 @@ double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)
 
 YkEffortRange yk_dynamics_effort_range(const YkDynamics *d, size_t coordinate)
 {
+    if (coordinate >= d->mech->coordinate_count) return (YkEffortRange){false, false, -INFINITY, INFINITY};
     int32_t input = d->mech->coordinates[coordinate].input;
     double effort = yk_dynamics_effort(d, coordinate);
     YkEffortRange single = {true, true, effort, effort};
@@ -303,6 +316,7 @@ bool yk_dynamics_is_held_by_friction(const YkDynamics *d)
 
 bool yk_dynamics_has_effort(const YkDynamics *d, size_t coordinate)
 {
+    if (coordinate >= d->mech->coordinate_count) return false;
     int32_t input = d->mech->coordinates[coordinate].input;
     if (input != YK_NONE && !d->is_free[input]) return true;
     for (size_t k = 0; k < d->loads->item_count; k++)
@@ -344,6 +358,8 @@ YkWrench yk_dynamics_shaking(const YkDynamics *d)
 
 YkBalance yk_dynamics_balance(const YkDynamics *d, size_t b)
 {
+    const YkWrench none = {{(double)NAN, (double)NAN}, (double)NAN};
+    if (b >= d->mech->model->body_count) return (YkBalance){none, none, none, (double)NAN};
     const YkBody *body = &d->mech->model->bodies[b];
     const YkBodyMotion *m = &d->motion[b];
     YkBalance balance = {wrench(d->load[b].force, d->load[b].moment),

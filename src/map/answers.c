@@ -1,4 +1,4 @@
-// Answers what a map is asked.
+// Answers questions about a map.
 #include "map/map.h"
 
 bool yk_map_is_complete(const YkMap *map)

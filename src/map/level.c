@@ -210,7 +210,7 @@ static void tie_all(YkTracer *t, const Meeting *m)
     free(x);
 }
 
-// Returns whether a dyad is proved to have as many real solutions all over a zone as are followed through it. Of a dyad
+// Returns whether a dyad is proved to have as many real solutions all over a zone as are followed through it. For a dyad
 // the bounds of its triangle tell, also where complex solutions pass through infinity.
 static bool is_counted(YkTracer *t, YkStrand *below, const Meeting *m, size_t arriving)
 {

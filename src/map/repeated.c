@@ -1,6 +1,6 @@
 // Sifts the strands of a machine some of whose constraints repeat others.
 //
-// The blocks that repeat others were left out while strands were followed. What they miss is an analytic function along a
+// The blocks that repeat others were left out while strands were followed. The gap that they leave is an analytic function along a
 // strand: it is zero everywhere, or in single poses. It counts as zero everywhere if it is zero to rounding in every cell.
 #include <stdlib.h>
 #include "map/strand.h"
@@ -126,8 +126,8 @@ static void add_end(Knot *knot, const bool *is_kept, YkStrand *strand, int end)
     }
 }
 
-// Ties what is kept of an event anew, if something is dropped. Where of a crossing one that arrives and one that leaves
-// are left, the branch passes.
+// Ties the remaining strands of an event anew if some are dropped. If one that arrives at a crossing and one that leaves
+// it remain, the branch passes.
 static void tie_anew(YkTracer *t, const bool *is_kept, size_t first, YkTies *kept)
 {
     const YkTies *ties = &t->ties[t->piece_count];

@@ -39,7 +39,7 @@ static bool enumerate(Search *s, double low, double high, double *at)
         t->out_of_memory |= status == YK_GROUP_NO_MEMORY;
         if (t->out_of_memory || yk_pace_is_stopped(t->pace)) return false;
         if (!all->is_complete || all->expected < t->expected[level]) continue;
-        // More than anywhere before: what was followed there was not all.
+        // More than anywhere before: some were missed there.
         if (t->expected[level] > 0 && all->expected > t->expected[level]) yk_note_unproved(t, *at, level);
         t->expected[level] = all->expected;
         return true;

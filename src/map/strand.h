@@ -86,14 +86,14 @@ typedef struct YkTracer {
 #define YK_TRACE_LONGEST 0.05
 #define YK_TRACE_SHORTEST 1e-12
 // Solutions that meet are followed to within about the first of these; where rounding does not let them be told apart
-// there, to within the second: at change points, to the square root of rounding. What lies nearer together is one event.
+// there, to within the second: at change points, to the square root of rounding. Events that lie closer together are one.
 #define YK_TRACE_ZONE 1e-10
 #define YK_TRACE_BLUR 1e-5
 // How many steps each solution may take over a strand, on average: some 130 for a whole turn, and up to a few thousand
-// about each event. Where a machine is so nearly special that it takes more, the map is not complete.
+// about each event. If a machine is so nearly special that it takes more, the map is not complete.
 #define YK_TRACE_STEPS 30000
 
-// --- what is followed (tracer.c)
+// --- following (tracer.c)
 
 bool yk_map_refuse(YkProblems *problems, const char *what, const char *label); // NO_MAP; returns false
 bool yk_tracer_begin(YkTracer *tracer, const YkMechanism *mech);               // returns false when out of memory
@@ -139,7 +139,7 @@ bool yk_trace_place(YkTracer *tracer, YkStrand *strand, double at);
 bool yk_trace_place_path(YkTracer *tracer, YkStrand *strand, double from, double to, double *half);
 // Places what lies at two ends that are tied, and all between: from a to b, and 1.5 times as wide.
 bool yk_trace_place_between(YkTracer *tracer, YkStrand *a, double at_a, YkStrand *b, double at_b);
-// Finds the unknowns of a strand at an input; what is below it is then placed.
+// Finds the unknowns of a strand at an input, after placing the strands below it.
 bool yk_trace_read(YkTracer *tracer, YkStrand *strand, double at, YkVec *x, double *within);
 // Finds the solution of block `level` on top of the placed pose near x, which it improves, and encloses it: at one
 // input, or over the interval placed.

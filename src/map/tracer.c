@@ -1,4 +1,4 @@
-// Reads what of a machine can be followed, and keeps the room that following needs.
+// Reads which parts of a machine can be followed, and keeps the memory that following needs.
 #include <math.h>
 #include <stdlib.h>
 #include "base/problems.h"

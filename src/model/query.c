@@ -1,5 +1,6 @@
 // Answers the public door's questions about the contents of a model.
 #include "model/model.h"
+#include <math.h>
 
 const char *yk_model_name(const YkModel *model)
 {
@@ -31,6 +32,13 @@ size_t yk_model_point_body(const YkModel *model, size_t point)
     return point < model->point_count ? (size_t)model->points[point].body : YK_NOT_FOUND;
 }
 
+void yk_model_point_place(const YkModel *model, size_t point, double place[2])
+{
+    bool is_there = point < model->point_count;
+    place[0] = is_there ? model->points[point].at.x : (double)NAN;
+    place[1] = is_there ? model->points[point].at.y : (double)NAN;
+}
+
 size_t yk_model_joint_count(const YkModel *model)
 {
     return model->carriage_count > 0 ? model->shown_joints : model->joint_count;
@@ -55,4 +63,9 @@ size_t yk_model_find_body(const YkModel *model, const char *name)
 size_t yk_model_find_point(const YkModel *model, const char *body_dot_point)
 {
     return find(&model->point_names, body_dot_point);
+}
+
+size_t yk_model_find_joint(const YkModel *model, const char *name)
+{
+    return find(&model->joint_names, name);
 }

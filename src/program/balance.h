@@ -24,9 +24,9 @@ typedef struct YkBalanceSystem {
     YkRef *system;               // [n][n + sides]; while it is made, [3 for each moving body][n + sides]
     YkRef *solution;             // [n][sides], once it is solved
     size_t first_dry, dry_count; // right sides of dry friction; 0: none
-    YkRef *factor;               // [sides], with dry friction: by which a right side counts
-    YkRefVec *radial;            // [sides]: what a gear's radial force is on its second wheel
-    bool ran_out;                // of memory, where making or solving it failed
+    YkRef *factor;               // [sides], with dry friction: the factor of a right side
+    YkRefVec *radial;            // [sides]: a gear's radial force on its second wheel
+    bool ran_out;                // of memory, while it was made or solved
 } YkBalanceSystem;
 
 // reactions.c: makes the unknowns, then the equations for a pose with these rates, with this unit of length. Returns

@@ -1,5 +1,5 @@
 // Solves the balance in symbols. Entries that are plain numbers - the forces of pins, couples - are eliminated first:
-// that takes few operations and no division by what may vanish. What is left falls apart into small blocks, one for
+// that takes few operations and no division by a quantity that may vanish. The rest falls apart into small blocks, one for
 // every group of links, which are solved one after the other (Duff & Reid 1978, block triangular form).
 #include <math.h>
 #include "num/components.h"

@@ -22,7 +22,7 @@ static YkRefVec swing(YkGraph *g, Arm arm, YkRefVec e, YkRef w)
     return yk_graph_vec_multiply(g, yk_graph_vec_add(g, arm.accel, coriolis), e);
 }
 
-// Returns (d e)'' without d'': what a turning line adds to the acceleration.
+// Returns (d e)'' without d'': the part of the acceleration that comes from the turning of the line.
 static YkRefVec drift(YkGraph *g, YkRefVec e, YkRef d, YkRef v, YkRef spin, YkRef spin_rate)
 {
     YkRef two = yk_graph_number(g, 2), twice = yk_graph_multiply(g, two, yk_graph_multiply(g, v, spin));

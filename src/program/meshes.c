@@ -53,8 +53,8 @@ static YkRefVec center_of(YkProgram *p, int32_t body)
     return yk_program_at(p, body, yk_graph_vec_number(&p->graph, 0, 0));
 }
 
-// Adds the force of teeth on the second wheel and its opposite on the first. Where planets share it, the carrier's axis
-// bears the opposite of what acts on the planet, and the wheel about the axis takes their couple.
+// Adds the force of teeth on the second wheel and its opposite on the first. If planets share it, the carrier's axis
+// bears the opposite of the force on the planet, and the wheel about the axis takes their couple.
 static void push_teeth(YkBalanceSystem *w, size_t column, const YkGear *gear, YkRefVec pitch, YkRefVec force)
 {
     YkProgram *p = w->f->program;

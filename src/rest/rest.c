@@ -161,15 +161,18 @@ size_t yk_rest_freedom(const YkRest *rest)
 }
 size_t yk_rest_input(const YkRest *rest, size_t k)
 {
+    if (k >= rest->freedom) return YK_NOT_FOUND;
     return (size_t)rest->mech->inputs[rest->input[k]];
 }
 YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index)
 {
+    if (index >= rest->count) return (YkEquilibrium){.potential = (double)NAN, .force = (double)NAN};
     return rest->points[index].at;
 }
 
 YkState *yk_rest_state(YkRest *rest, size_t index)
 {
+    if (index >= rest->count) return NULL;
     YkState *s = rest->state;
     const YkRestPoint *point = &rest->points[index];
     memcpy(s->input, point->inputs, 3 * rest->mech->input_count * sizeof *s->input);
@@ -187,25 +190,28 @@ YkState *yk_rest_state(YkRest *rest, size_t index)
 
 const double *yk_rest_mass(const YkRest *rest, size_t index)
 {
-    return rest->points[index].mass;
+    return index < rest->count ? rest->points[index].mass : NULL;
 }
 const double *yk_rest_damping(const YkRest *rest, size_t index)
 {
-    return rest->points[index].damping;
+    return index < rest->count ? rest->points[index].damping : NULL;
 }
 const double *yk_rest_stiffness(const YkRest *rest, size_t index)
 {
-    return rest->points[index].stiffness;
+    return index < rest->count ? rest->points[index].stiffness : NULL;
 }
 
 YkMode yk_rest_mode(const YkRest *rest, size_t index, size_t k)
 {
+    if (index >= rest->count || k >= rest->freedom) return (YkMode){(double)NAN, (double)NAN, NULL};
     const YkRestPoint *p = &rest->points[index];
     return (YkMode){p->frequency[k], p->ratio[k], p->shape + k * rest->freedom};
 }
 
 void yk_rest_root(const YkRest *rest, size_t index, size_t k, double *real, double *imaginary)
 {
+    *real = *imaginary = (double)NAN;
+    if (index >= rest->count || k >= 2 * rest->freedom) return;
     *real = rest->points[index].real[k];
     *imaginary = rest->points[index].imaginary[k];
 }

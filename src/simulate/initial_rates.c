@@ -78,7 +78,7 @@ static void report(YkSimulation *sim, const YkStartRate *given, const double *wa
     }
 }
 
-// Fits the given rates by least squares; what they leave open stays 0.
+// Fits the given rates by least squares; rates that they leave open stay 0.
 static bool project(YkSimulation *sim, const YkStartRate *given, size_t m, YkProblems *problems)
 {
     size_t f = sim->free_count;

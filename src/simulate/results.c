@@ -65,6 +65,7 @@ size_t yk_simulation_happening_count(const YkSimulation *sim)
 }
 YkHappening yk_simulation_happening(const YkSimulation *sim, size_t index)
 {
+    if (index >= sim->happening_count) return (YkHappening){.time = (double)NAN, .value = (double)NAN};
     return sim->happenings[index];
 }
 
@@ -122,6 +123,7 @@ size_t yk_simulation_work_count(const YkSimulation *sim)
 
 const char *yk_simulation_work_name(const YkSimulation *sim, size_t index)
 {
+    if (index >= sim->work_count) return NULL;
     if (index < sim->item_count) return sim->dynamics->loads->items[index].name;
     if (index + 1 == sim->work_count) return "stops";
     if (sim->options.pulls > 0 && index + 2 == sim->work_count) return "pulls";
@@ -133,5 +135,5 @@ const char *yk_simulation_work_name(const YkSimulation *sim, size_t index)
 
 double yk_simulation_work(const YkSimulation *sim, size_t index)
 {
-    return sim->work[index];
+    return index < sim->work_count ? sim->work[index] : (double)NAN;
 }

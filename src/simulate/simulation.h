@@ -255,8 +255,8 @@ void yk_simulation_watch_start(YkSimulation *sim);
 // --- standstill.c: after a failure
 // Takes the pose of the last time that was reached, with the accelerations found there.
 void yk_simulation_stand_still(YkSimulation *simulation);
-// Explains, if no reason is known, what the pose shows, in the report: status YK_SINGULAR near a dead point, elsewhere
-// the simulation's own.
+// Explains the pose in the report if no reason is known yet: status YK_SINGULAR near a dead point, elsewhere the
+// simulation's own.
 void yk_simulation_explain(YkSimulation *simulation);
 
 #endif

@@ -5,6 +5,11 @@
 #include "solve/pose.h"
 #include "solve/state.h"
 
+// The answers for a coordinate, a body or a point that does not exist.
+static const YkMotion unknown = {(double)NAN, (double)NAN, (double)NAN};
+static const YkPointMotion unknown_point = {
+    {(double)NAN, (double)NAN}, {(double)NAN, (double)NAN}, {(double)NAN, (double)NAN}};
+
 YK_INLINE YkMotion without_rates(YkMotion m, bool has_rates)
 {
     return (YkMotion){m.position, has_rates ? m.velocity : 0, has_rates ? m.acceleration : 0};
@@ -43,6 +48,7 @@ YkMotion yk_coordinate_in(const YkState *s, const YkSpace *space, size_t coordin
 
 YkMotion yk_state_coordinate(const YkState *s, size_t coordinate)
 {
+    if (coordinate >= s->mech->coordinate_count) return unknown;
     const YkTreeCoordinate *c = &s->mech->coordinates[coordinate];
     if (c->input == YK_NONE) return without_rates(coordinate_in(s, &s->space, c), s->has_rates);
     const double *in = s->valid_input + 3 * c->input; // as it was set, to the last bit and turn
@@ -69,6 +75,7 @@ static YkMotion motion_of(const YkState *s, size_t body, double angle)
 // yk_state_bodies and batches add them: the same bits.
 YkMotion yk_state_body(const YkState *s, size_t body)
 {
+    if (body >= s->mech->model->body_count) return unknown;
     int32_t path[YK_TREE_PATH];
     double angle = 0;
     for (size_t from = 1, n; (n = yk_tree_path(s->mech, (int32_t)body, from, path)) > 0; from += n)
@@ -97,6 +104,7 @@ void yk_state_bodies(const YkState *s, YkMotion *motions)
 // Uses the lanes' arithmetic, as the batch does: the same bits.
 YkPointMotion yk_state_point(const YkState *s, size_t point)
 {
+    if (point >= s->mech->model->point_count) return unknown_point;
     double x[6];
     YkSpace view = s->space;
     YkRun run = {.mech = s->mech, .space = &view, .lanes = 1};
@@ -134,6 +142,7 @@ static double sine2(const YkState *s, const YkBlock *b, double margin)
 
 double yk_state_transmission(const YkState *s, size_t block)
 {
+    if (block >= s->mech->block_count) return (double)NAN;
     double m = sine2(s, &s->mech->blocks[block], s->space.block_margin[block]);
     return yk_asin(sqrt(fmin(1, fmax(0, m))));
 }

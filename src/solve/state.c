@@ -116,6 +116,7 @@ YkStatus yk_state_copy(YkState *to, const YkState *from)
 
 void yk_state_hold_input(YkState *s, size_t input, int order, double value)
 {
+    if (input >= s->mech->input_count || order < 0 || order > 2) return;
     size_t k = 3 * input + (size_t)order;
     s->is_held[k] = true;
     s->held[k] = s->input[k] = value;
@@ -128,6 +129,7 @@ double yk_state_time(const YkState *s)
 
 void yk_state_set_input_to(YkState *s, size_t input, double position, double velocity, double acceleration)
 {
+    if (input >= s->mech->input_count) return;
     s->input[3 * input] = position;
     s->input[3 * input + 1] = velocity;
     s->input[3 * input + 2] = acceleration;
@@ -140,6 +142,7 @@ void yk_state_set_input(YkState *s, size_t input, YkMotion m)
 
 YkMotion yk_state_input(const YkState *s, size_t input)
 {
+    if (input >= s->mech->input_count) return (YkMotion){(double)NAN, (double)NAN, (double)NAN};
     return (YkMotion){s->input[3 * input], s->input[3 * input + 1], s->input[3 * input + 2]};
 }
 
@@ -293,10 +296,12 @@ const YkMechanism *yk_state_mechanism(const YkState *s)
 }
 int yk_state_branch(const YkState *s, size_t block)
 {
+    if (block >= s->mech->block_count) return 0;
     return s->branch[block];
 }
 void yk_state_set_branch(YkState *s, size_t block, int branch)
 {
+    if (block >= s->mech->block_count) return;
     s->branch[block] = (signed char)((branch > 0) - (branch < 0));
 }
 bool yk_state_has_pose(const YkState *s)

@@ -74,8 +74,8 @@ typedef struct YkWorker {
     size_t planned,
         first_stretch;     // lanes of the whole way (0: they are others); of these, those up to its first stretch
     double *planned_from;  // [input]: where they start
-    const double **row;    // [3 * input + k]: what the batch reads,
-    double **row_output;   // [channel]: and writes
+    const double **row;    // [3 * input + k]: the rows that the batch reads
+    double **row_output;   // [channel]: and those that it writes
     double *value;         // [parameter]
     bool is_fine;          // the poses of the job lie close together
     const double **inputs; // [3 * input + k]

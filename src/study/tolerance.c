@@ -181,11 +181,12 @@ size_t yk_tolerances_count(const YkTolerances *t)
 }
 const char *yk_tolerances_name(const YkTolerances *t, size_t index)
 {
-    return t->entries[index].name;
+    return index < t->count ? t->entries[index].name : NULL;
 }
 YkDistribution yk_tolerances_at(const YkTolerances *t, size_t index)
 {
-    return t->entries[index].distribution;
+    return index < t->count ? t->entries[index].distribution
+                            : (YkDistribution){.low = (double)NAN, .high = (double)NAN};
 }
 uint64_t yk_tolerances_seed(const YkTolerances *t)
 {

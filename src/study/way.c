@@ -1,5 +1,5 @@
 // Follows the way of a design from its start through its poses. Lanes run along it, at most some degrees apart, as long
-// as no branches can have met. Where they can, and for machines that lanes cannot follow, the state moves pose by pose.
+// as no branches can have met. If they can, and for machines that lanes cannot follow, the state moves pose by pose.
 #include <string.h>
 #include "study/study.h"
 

@@ -41,5 +41,6 @@ void yk_sweep_read_events(YkSweep *w, double here)
 
 double yk_sweep_event_value(const YkSweep *w, size_t event, size_t channel)
 {
-    return event < w->events_read ? w->event_values[event * w->channel_count + channel] : (double)NAN;
+    bool is_known = event < w->events_read && channel < w->channel_count;
+    return is_known ? w->event_values[event * w->channel_count + channel] : (double)NAN;
 }

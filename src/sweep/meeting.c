@@ -1,5 +1,5 @@
 // Change points that are known by the place of the input that leads to them. On each side of it the block has one sign,
-// however often and however little the motion goes over it: the pose follows from where the input is, not from its past. Where a
+// however often and however little the motion goes over it: the pose follows from where the input is, not from its past. If a
 // drive turns back just at a limit, time takes the place of the input.
 #include "sweep/meeting.h"
 

@@ -70,8 +70,8 @@ bool yk_path_turns_back(const YkPath *path, double at);
 // Finds the last value that closes, to rounding, between a pose that closes and one that does not. The state ends
 // there.
 double yk_path_limit(YkPath *path, double good, double bad);
-// Returns one unit of path for tolerances: a radian, or the machine's size; for time and for a line, what the fastest
-// input now takes for it (for time at most 1 s).
+// Returns one unit of path for tolerances: a radian, or the machine's size; for time and for a line, the amount in which
+// the fastest input now covers it (for time at most 1 s).
 double yk_path_scale(const YkPath *path);
 
 #endif

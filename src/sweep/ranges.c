@@ -139,7 +139,7 @@ static bool widen(Scan *scan, YkState *home, double here)
 static size_t find_ranges(YkState *state, size_t coordinate, YkRange *ranges, size_t capacity)
 {
     const YkMechanism *mech = state->mech;
-    int32_t input = mech->coordinates[coordinate].input;
+    int32_t input = coordinate < mech->coordinate_count ? mech->coordinates[coordinate].input : YK_NONE;
     YkState *probe = input == YK_NONE ? NULL : yk_state_new(mech);
     Scan scan = {.ranges = ranges, .capacity = capacity};
     if (!probe) return input == YK_NONE ? 0 : YK_NOT_FOUND;

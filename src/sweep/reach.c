@@ -1,6 +1,6 @@
 // Finds which equilibria a machine reaches from its start: it moves there in its own inputs and, with one freedom, also
-// in every other coordinate, since a dead point of one is not one of another. Where a way ends at a limit of its
-// coordinate, ways in other coordinates start.
+// in every other coordinate, since a dead point of one is not a dead point of another. When a way ends at a limit of
+// its coordinate, ways in other coordinates start.
 #include <stdlib.h>
 #include <string.h>
 #include <yoke/move.h>

@@ -157,11 +157,11 @@ size_t yk_sweep_row_count(const YkSweep *w)
 }
 double yk_sweep_at(const YkSweep *w, size_t row)
 {
-    return *yk_sweep_row(w, row);
+    return row < w->row_count ? *yk_sweep_row(w, row) : (double)NAN;
 }
 double yk_sweep_value(const YkSweep *w, size_t row, size_t channel)
 {
-    return yk_sweep_row(w, row)[1 + channel];
+    return row < w->row_count && channel < w->channel_count ? yk_sweep_row(w, row)[1 + channel] : (double)NAN;
 }
 const double *yk_sweep_rows(const YkSweep *w)
 {
@@ -169,7 +169,7 @@ const double *yk_sweep_rows(const YkSweep *w)
 }
 YkStatus yk_sweep_row_status(const YkSweep *w, size_t row)
 {
-    return (YkStatus)w->row_status[row];
+    return row < w->row_count ? (YkStatus)w->row_status[row] : YK_BAD_ARGUMENT;
 }
 size_t yk_sweep_event_total(const YkSweep *w)
 {
@@ -181,6 +181,7 @@ size_t yk_sweep_event_count(const YkSweep *w)
 }
 YkEvent yk_sweep_event(const YkSweep *w, size_t index)
 {
+    if (index >= w->walk.event_count) return (YkEvent){.at = (double)NAN, .block = -1, .value = (double)NAN};
     return w->walk.events[index];
 }
 double yk_sweep_worst_residual(const YkSweep *w)

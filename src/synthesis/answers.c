@@ -1,4 +1,4 @@
-// What a synthesis answers to its caller.
+// Answers questions about a synthesis.
 #include <math.h>
 #include <string.h>
 #include "elementary/elementary.h"

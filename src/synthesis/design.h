@@ -63,7 +63,7 @@ typedef struct YkVerdict {
 // design.c
 bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design);
 YkFourBarClass yk_design_class(const YkDesign *design);
-// Finds where A, B, the traced point, and of a machine with a dyad C, D, E are at the first position, m. Where the kind has no B, it is
+// Finds where A, B and the traced point are at the first position, m, and C, D, E if the machine has a dyad. If the kind has no B, it is
 // the end of the output, or the output pivot.
 typedef struct YkDesignPlaces {
     YkVec A, B, P, C, D, E;

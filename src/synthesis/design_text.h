@@ -14,7 +14,7 @@ void yk_write_number(const YkDesignWriter *w, double value);
 void yk_write_length(const YkDesignWriter *w, const char *before, double value);
 void yk_write_angle(const YkDesignWriter *w, const char *before, double value, const char *after);
 
-// design_dyad_text.c: what a machine with a dyad has beside its first loop, and nothing for others.
+// design_dyad_text.c: the parts of a machine with a dyad beside its first loop; nothing for other machines.
 void yk_write_dyad_parameters(const YkDesignWriter *w, const YkDesign *design);
 // Adds the points at which link and arm begin to those of a body (YkChainBody).
 void yk_write_dyad_points(const YkDesignWriter *w, const YkDesign *design, int body);

@@ -1,4 +1,4 @@
-// The inside of a synthesis: what was found, best first, and what was left out.
+// The inside of a synthesis: the machines that were found, best first, and those that were left out.
 #ifndef SYNTHESIS_SYNTHESIS_H
 #define SYNTHESIS_SYNTHESIS_H
 #include "base/pace.h"

@@ -47,7 +47,8 @@ static void random_decimals_read_as_strtod_reads_them(void **state)
             if (k == point) text[length++] = '.';
             text[length++] = (char)('0' + check_random(&seed) % 10);
         }
-        int exponent = (int)(check_random(&seed) % (check_random(&seed) % 2 ? 700 : 40));
+        int most = check_random(&seed) % 2 ? 700 : 40;
+        int exponent = (int)(check_random(&seed) % (uint64_t)most);
         if (check_random(&seed) % 4)
             snprintf(text + length, 12, "e%d", exponent - 350 + 330 * (exponent < 40));
         else

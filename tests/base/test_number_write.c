@@ -16,7 +16,8 @@ static double random_double(uint64_t *seed)
 static double everyday_double(uint64_t *seed)
 {
     static const double scales[] = {1e-9, 1e-3, 1, 7, 1e3, 1e6, 1e12};
-    double value = check_uniform(seed, -1, 1) * scales[check_random(seed) % 7];
+    double value = check_uniform(seed, -1, 1);
+    value *= scales[check_random(seed) % 7];
     return check_random(seed) % 2 ? value : rint(value * 1000) / 1000;
 }
 
@@ -233,8 +234,9 @@ static void significant_digits_round_as_printf_does(void **state)
     (void)state;
     uint64_t seed = 13;
     for (int i = 0; i < 100000; i++) {
-        check_digits(random_double(&seed), 1 + (int)(check_random(&seed) % 17));
-        check_digits(everyday_double(&seed), 1 + (int)(check_random(&seed) % 17));
+        int digits = 1 + (int)(check_random(&seed) % 17), more = 1 + (int)(check_random(&seed) % 17);
+        check_digits(random_double(&seed), digits);
+        check_digits(everyday_double(&seed), more);
     }
     for (int i = 0; i < HARD; i++)
         for (int digits = 1; digits <= 17; digits++) {
@@ -288,8 +290,9 @@ static void fixed_decimals_equal_printf(void **state)
     (void)state;
     uint64_t seed = 14;
     for (int i = 0; i < 100000; i++) {
-        check_fixed(everyday_double(&seed), (int)(check_random(&seed) % 18));
-        double any = ldexp(check_uniform(&seed, -1, 1), (int)(check_random(&seed) % 170) - 120);
+        int decimals = (int)(check_random(&seed) % 18), exponent = (int)(check_random(&seed) % 170) - 120;
+        check_fixed(everyday_double(&seed), decimals);
+        double any = ldexp(check_uniform(&seed, -1, 1), exponent);
         if (fabs(any) < 1e15) check_fixed(any, (int)(check_random(&seed) % 18));
     }
     for (int i = 0; i < HARD; i++)

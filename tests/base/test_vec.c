@@ -1,10 +1,11 @@
 // Plane vectors as complex numbers.
 #include "check.h"
+#include "../check_vec.h"
 #include "base/vec.h"
 
 static YkVec random_vec(uint64_t *seed)
 {
-    return yk_vec(check_uniform(seed, -3, 3), check_uniform(seed, -3, 3));
+    return check_vec(seed, -3, 3, -3, 3);
 }
 
 static void multiplying_by_a_unit_vector_turns(void **state)

@@ -66,15 +66,17 @@ static inline bool geared_wheels(Geared *g, int carrier)
         return false;
     }
     int kind = geared_below(g, 4), n = g->relations++;
-    if (kind == 0)
+    if (kind == 0) {
+        bool is_crossed = geared_below(g, 2);
+        double second = geared_draw(g, 0.02, 0.3), first = geared_draw(g, 0.02, 0.3);
         GEARED_ADD(g->gears[GEARED_BELTS],
                    "  m%d: {between: [b%d, b%d], radii: [%.3f, %.3f], crossed: %s, carrier: b%d}\n", n, carrier - 1,
-                   carrier + 1, geared_draw(g, 0.02, 0.3), geared_draw(g, 0.02, 0.3),
-                   geared_below(g, 2) ? "true" : "false", carrier);
-    else
+                   carrier + 1, first, second, is_crossed ? "true" : "false", carrier);
+    } else {
+        int large = 40 + geared_below(g, 40), small = 12 + geared_below(g, 20);
         GEARED_ADD(g->gears[GEARED_GEARS], "  m%d: {mesh: [b%d, b%d], teeth: [%d, %d], carrier: b%d%s}\n", n,
-                   carrier - 1, carrier + 1, 12 + geared_below(g, 20), 40 + geared_below(g, 40), carrier,
-                   kind == 1 ? ", internal: true" : "");
+                   carrier - 1, carrier + 1, small, large, carrier, kind == 1 ? ", internal: true" : "");
+    }
     return true;
 }
 
@@ -113,8 +115,9 @@ static inline void geared_point(Geared *g, char *points, size_t size, int pin, i
 
 static inline void geared_add_body(Geared *g, const char *name, const char *points)
 {
+    double inertia = geared_draw(g, 0.05, 0.3), y = geared_draw(g, -0.3, 0.3), x = geared_draw(g, -0.3, 0.3);
     GEARED_ADD(g->bodies, "  %s: {points: {%s}, mass: %.3f, center: [%.3f, %.3f], inertia: %.3f}\n", name, points,
-               geared_draw(g, 0.5, 2), geared_draw(g, -0.3, 0.3), geared_draw(g, -0.3, 0.3), geared_draw(g, 0.05, 0.3));
+               geared_draw(g, 0.5, 2), x, y, inertia);
 }
 
 static inline void geared_link(Geared *g, int k)

@@ -113,12 +113,21 @@ static inline void random_joint(RandomMachine *m, int a, int b, bool slides, boo
     RANDOM_ADD(m->joint_text, "}\n");
 }
 
+// The same at a place that is drawn. What is drawn is kept in variables before it is passed on, here and below, since the
+// order in which arguments are evaluated is the compiler's choice.
+static inline void random_joint_anywhere(RandomMachine *m, int a, int b, bool slides, bool named)
+{
+    double y = random_draw(m, -2, 2), x = random_draw(m, -2, 2);
+    random_joint(m, a, b, slides, named, false, x, y);
+}
+
 static inline void random_open(RandomMachine *m, int parent, bool may_slide)
 {
     int b = random_body(m, 1);
     m->open++;
-    random_joint(m, parent, b, may_slide && random_chance(m, 0.25), true, true, random_draw(m, -2, 2),
-                 random_draw(m, -2, 2));
+    double y = random_draw(m, -2, 2), x = random_draw(m, -2, 2);
+    bool slides = may_slide && random_chance(m, 0.25);
+    random_joint(m, parent, b, slides, true, true, x, y);
 }
 
 static inline void random_dyad(RandomMachine *m, int i, int j)
@@ -126,9 +135,9 @@ static inline void random_dyad(RandomMachine *m, int i, int j)
     static const bool slides[6][3] = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {1, 0, 1}, {1, 1, 0}};
     const bool *s = slides[random_chance(m, 0.4) ? 0 : random_below(m, 6)];
     int a = random_body(m, 0.8), b = random_body(m, 0.8), names = random_below(m, 3);
-    random_joint(m, i, a, s[0], names > 0, false, random_draw(m, -2, 2), random_draw(m, -2, 2));
-    random_joint(m, a, b, s[1], names > 1, false, random_draw(m, -2, 2), random_draw(m, -2, 2));
-    random_joint(m, j, b, s[2], names == 1, false, random_draw(m, -2, 2), random_draw(m, -2, 2));
+    random_joint_anywhere(m, i, a, s[0], names > 0);
+    random_joint_anywhere(m, a, b, s[1], names > 1);
+    random_joint_anywhere(m, j, b, s[2], names == 1);
 }
 
 static inline void random_triad(RandomMachine *m, int i, int j, int k)
@@ -136,8 +145,8 @@ static inline void random_triad(RandomMachine *m, int i, int j, int k)
     int body[3] = {i, j, k}, middle = random_body(m, 0.9);
     for (int s = 0; s < 3; s++) {
         int link = random_body(m, 0.7);
-        random_joint(m, body[s], link, false, s == 0, false, random_draw(m, -2, 2), random_draw(m, -2, 2));
-        random_joint(m, link, middle, false, false, false, random_draw(m, -2, 2), random_draw(m, -2, 2));
+        random_joint_anywhere(m, body[s], link, false, s == 0);
+        random_joint_anywhere(m, link, middle, false, false);
     }
 }
 
@@ -146,7 +155,8 @@ static inline void random_pin_slot(RandomMachine *m, int i, int j)
     int b = random_body(m, 0.9);
     double along = random_draw(m, -3, 3), d = random_draw(m, -1, 1), x = random_draw(m, -2, 2),
            y = random_draw(m, -2, 2);
-    random_joint(m, i, b, false, random_chance(m, 0.5), false, random_draw(m, -2, 2), random_draw(m, -2, 2));
+    double pin_y = random_draw(m, -2, 2), pin_x = random_draw(m, -2, 2);
+    random_joint(m, i, b, false, random_chance(m, 0.5), false, pin_x, pin_y);
     char from[8], at[8];
     snprintf(from, sizeof from, "F%d", m->joints);
     snprintf(at, sizeof at, "A%d", m->joints);
@@ -184,9 +194,9 @@ static inline void random_drives(RandomMachine *m)
         if (!m->is_open[c]) continue;
         const char *u = m->is_distance[c] ? "m" : "rad";
         if (random_chance(m, 0.25)) {
+            double faster = random_draw(m, 1, 3), swing = random_draw(m, -0.1, 0.1), rate = random_draw(m, -1, 1);
             RANDOM_ADD(m->drive_text, "  %s: %.17g %s + %.3g %s/s * t + %.3g %s * sin(%.3g rad/s * t)\n",
-                       m->coordinate[c], m->at[c], u, random_draw(m, -1, 1), u, random_draw(m, -0.1, 0.1), u,
-                       random_draw(m, 1, 3));
+                       m->coordinate[c], m->at[c], u, rate, u, swing, u, faster);
             m->is_driven[c] = true;
             m->reversible = false;
         }
@@ -219,8 +229,9 @@ static inline void random_springs(RandomMachine *m)
             snprintf(one, sizeof one, "%s", random_point_name(m));
             const char *two = random_point_name(m);
             if (strcmp(one, two) == 0) continue;
+            double length = random_chance(m, 0.2) ? 0 : random_draw(m, 0.5, 2);
             RANDOM_ADD(m->load_text, "  s%d: {between: [%s, %s], stiffness: %.3g N/m, length: %.3g m", k, one, two,
-                       random_draw(m, 5, 60), random_chance(m, 0.2) ? 0 : random_draw(m, 0.5, 2));
+                       random_draw(m, 5, 60), length);
             if (damped) RANDOM_ADD(m->load_text, ", damping: %.3g N*s/m", random_draw(m, 0.1, 2));
         } else if (m->declared > 0) {
             int c = random_below(m, m->declared);
@@ -243,9 +254,10 @@ static inline void random_forces(RandomMachine *m)
         const RandomPoint *p = &m->point[random_below(m, m->points)];
         bool timed = random_chance(m, 0.4), body = random_chance(m, 0.5);
         m->reversible = m->reversible && !timed;
+        double moment = random_draw(m, -4, 4), y = random_draw(m, -9, 9), x = random_draw(m, -9, 9);
         RANDOM_ADD(m->load_text, "  f%d: {body: %s, at: %s, value: [%.3g N%s, %.3g N], moment: %.3g N*m, axes: %s}\n",
-                   k, random_name(p->body), p->name, random_draw(m, -9, 9), timed ? " * cos(3 rad/s * t)" : "",
-                   random_draw(m, -9, 9), random_draw(m, -4, 4), body ? "body" : "world");
+                   k, random_name(p->body), p->name, x, timed ? " * cos(3 rad/s * t)" : "", y, moment,
+                   body ? "body" : "world");
     }
 }
 
@@ -256,8 +268,9 @@ static inline void random_efforts(RandomMachine *m)
         if (m->is_driven[c] || !random_chance(m, 0.4)) continue;
         int of = random_below(m, m->declared);
         const char *u = m->is_distance[c] ? "N" : "N*m", *per = m->is_distance[of] ? "m" : "rad";
-        RANDOM_ADD(m->load_text, "  %s: %.3g %s + %.3g %s/%s * %s", m->coordinate[c], random_draw(m, -5, 5), u,
-                   random_draw(m, -5, 5), u, per, m->coordinate[of]);
+        double slope = random_draw(m, -5, 5), constant = random_draw(m, -5, 5);
+        RANDOM_ADD(m->load_text, "  %s: %.3g %s + %.3g %s/%s * %s", m->coordinate[c], constant, u, slope, u, per,
+                   m->coordinate[of]);
         if (random_chance(m, 0.4)) {
             RANDOM_ADD(m->load_text, " - %.3g %s*s/%s * %s.rate", random_draw(m, 0, 1), u, per, m->coordinate[of]);
             m->reversible = false;
@@ -294,8 +307,10 @@ static inline void random_coordinate(RandomMachine *m, double value)
 static inline void random_write(RandomMachine *m)
 {
     if (random_numbers == RANDOM_NAMED && m->points > 0) random_parameters(m);
-    if (random_chance(m, 0.8))
-        RANDOM_ADD(m->text, "gravity: [%.3g, %.3g]\n", random_draw(m, -2, 2), random_draw(m, -10, 0));
+    if (random_chance(m, 0.8)) {
+        double y = random_draw(m, -10, 0), x = random_draw(m, -2, 2);
+        RANDOM_ADD(m->text, "gravity: [%.3g, %.3g]\n", x, y);
+    }
     RANDOM_ADD(m->text, "bodies:\n");
     for (int b = 0; b < m->bodies; b++) {
         RANDOM_ADD(m->text, "  %s: {points: {Z: [0, 0]", random_name(b));
@@ -308,9 +323,11 @@ static inline void random_write(RandomMachine *m)
                 RANDOM_ADD(m->text, "]");
             }
         RANDOM_ADD(m->text, "}");
-        if (b > 0 && m->has_mass[b])
-            RANDOM_ADD(m->text, ", mass: %.4g, center: [%.4g, %.4g], inertia: %.4g", random_draw(m, 0.2, 4),
-                       random_draw(m, -2, 2), random_draw(m, -2, 2), random_draw(m, 0.05, 2));
+        if (b > 0 && m->has_mass[b]) {
+            double inertia = random_draw(m, 0.05, 2), y = random_draw(m, -2, 2), x = random_draw(m, -2, 2);
+            RANDOM_ADD(m->text, ", mass: %.4g, center: [%.4g, %.4g], inertia: %.4g", random_draw(m, 0.2, 4), x, y,
+                       inertia);
+        }
         RANDOM_ADD(m->text, "}\n");
     }
     RANDOM_ADD(m->text, "joints:\n%s", m->joint_text);

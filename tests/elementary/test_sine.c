@@ -74,6 +74,13 @@ static void sine_keeps_the_sign_of_zero(void **state)
     assert_true(s == 0 && !signbit(s) && c == 1);
 }
 
+// Draws a number in [-1, 1], times 2 to a power drawn from `powers` of them, from 2^-down on. It draws the power first.
+static double scaled(uint64_t *seed, int powers, int down)
+{
+    int power = powers ? (int)(check_random(seed) % (unsigned)powers) - down : 0;
+    return ldexp(check_uniform(seed, -1, 1), power);
+}
+
 static void lanes_have_the_bits_of_one_at_a_time(void **state)
 {
     (void)state;
@@ -82,8 +89,7 @@ static void lanes_have_the_bits_of_one_at_a_time(void **state)
     uint64_t seed = 12;
     for (int far = 0; far < 2; far++)
         for (size_t n = 1; n <= N; n = n < 20 ? n + 1 : n * 3 / 2) {
-            for (size_t i = 0; i < n; i++)
-                x[i] = ldexp(check_uniform(&seed, -1, 1), (int)(check_random(&seed) % 40) - 24);
+            for (size_t i = 0; i < n; i++) x[i] = scaled(&seed, 40, 24);
             if (far) x[n / 2] = n % 2 ? 1e7 : INFINITY;
             yk_sincos_lanes(x, s, c, n);
             for (size_t i = 0; i < n; i++) {
@@ -102,10 +108,7 @@ static void atan2_is_within_one_unit(void **state)
     double worst = 0;
     for (int i = 0; i < 1000000; i++) {
         int spread = i % 3 == 0 ? 0 : i % 3 == 1 ? 8 : 900; // both alike, and with any ratio
-        double y =
-            ldexp(check_uniform(&seed, -1, 1), spread ? (int)(check_random(&seed) % (unsigned)spread) - spread / 2 : 0);
-        double x =
-            ldexp(check_uniform(&seed, -1, 1), spread ? (int)(check_random(&seed) % (unsigned)spread) - spread / 2 : 0);
+        double y = scaled(&seed, spread, spread / 2), x = scaled(&seed, spread, spread / 2);
         worst = fmax(worst, units_off(yk_atan2(y, x), atan2l(y, x)));
     }
     CHECK_NEAR(worst, 0, 1);

@@ -92,7 +92,8 @@ static inline YkPartKind random_kind(uint64_t *seed, TreeRecipe recipe)
 
 static inline void add_point(Text *text, uint64_t *seed, size_t joint)
 {
-    add(text, "J%zu: [%.17g, %.17g], ", joint, check_uniform(seed, -1, 1), check_uniform(seed, -1, 1));
+    double y = check_uniform(seed, -1, 1), x = check_uniform(seed, -1, 1);
+    add(text, "J%zu: [%.17g, %.17g], ", joint, x, y);
 }
 
 // A body carries one point for each of its joints. Only what is welded may be without mass.
@@ -102,9 +103,10 @@ static inline void add_body(Text *text, uint64_t *seed, const RandomJoint *joint
     for (size_t k = 1; k < bodies; k++)
         if (k == body || joint[k].parent == body) add_point(text, seed, k);
     add(text, "own: [0, 0]}");
-    if (body > 0 && !(joint[body].kind == YK_WELD && check_random(seed) % 3 == 0))
-        add(text, ", mass: %.17g, center: [%.17g, %.17g], inertia: %.17g", check_uniform(seed, 0.2, 3),
-            check_uniform(seed, -1, 1), check_uniform(seed, -1, 1), check_uniform(seed, 0.05, 1));
+    if (body > 0 && !(joint[body].kind == YK_WELD && check_random(seed) % 3 == 0)) {
+        double inertia = check_uniform(seed, 0.05, 1), y = check_uniform(seed, -1, 1), x = check_uniform(seed, -1, 1);
+        add(text, ", mass: %.17g, center: [%.17g, %.17g], inertia: %.17g", check_uniform(seed, 0.2, 3), x, y, inertia);
+    }
     add(text, "}\n");
 }
 
@@ -146,7 +148,8 @@ static inline OpenTree random_tree(uint64_t *seed, TreeRecipe recipe)
         joint[k].parent = is_next ? k - 1 : check_random(seed) % k;
         joint[k].is_reversed = check_random(seed) % 2;
     }
-    add(&text, "gravity: [%.17g, %.17g]\nbodies:\n", check_uniform(seed, -10, 10), check_uniform(seed, -10, 10));
+    double gravity_y = check_uniform(seed, -10, 10), gravity_x = check_uniform(seed, -10, 10);
+    add(&text, "gravity: [%.17g, %.17g]\nbodies:\n", gravity_x, gravity_y);
     for (size_t k = 0; k < recipe.bodies; k++) add_body(&text, seed, joint, k, recipe.bodies);
     add(&text, "joints:\n");
     for (size_t k = 1; k < recipe.bodies; k++) add_joint(&text, seed, &joint[k], k);

@@ -2,6 +2,7 @@
 // each other's inverse, least norm, the same numbers in another place of the world; and cost that grows with the
 // machine alone.
 #include "loads_check.h"
+#include "../check_vec.h"
 #include "compile/ladder.h"
 #include "free_bodies/inside.h"
 #include "num/dense.h"
@@ -16,7 +17,7 @@ static void give_masses(Machine *m, uint64_t *seed, bool all)
         body->has_mass = true;
         body->mass = check_uniform(seed, 0.2, 3);
         body->inertia = body->mass * size * size * check_uniform(seed, 0.02, 0.2);
-        body->center = yk_vec(size * check_uniform(seed, -0.5, 0.5), size * check_uniform(seed, -0.5, 0.5));
+        body->center = yk_scale(size, check_vec(seed, -0.5, 0.5, -0.5, 0.5));
     }
 }
 
@@ -48,8 +49,8 @@ static void load_at_random(Rig *r, uint64_t *seed)
     load_clear(r);
     load_gravity(r, yk_vec(check_uniform(seed, -3, 3), -9.81));
     for (size_t b = 1; b < r->m.model->body_count; b++) {
-        YkVec at = yk_scale(r->m.mech->size, yk_vec(check_uniform(seed, -1, 1), check_uniform(seed, -1, 1)));
-        load_force(r, b, place_of(r, b, at), yk_vec(check_uniform(seed, -5, 5), check_uniform(seed, -5, 5)));
+        YkVec at = yk_scale(r->m.mech->size, check_vec(seed, -1, 1, -1, 1));
+        load_force(r, b, place_of(r, b, at), check_vec(seed, -5, 5, -5, 5));
     }
 }
 

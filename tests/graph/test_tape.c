@@ -65,8 +65,9 @@ static void grow(Case *c, uint64_t *seed)
     size_t count = LEAVES + PARAMETERS;
     memcpy(values, c->leaves, sizeof c->leaves);
     for (; count < LEAVES + PARAMETERS + VALUES; count++) {
-        YkRef a = values[check_random(seed) % count], b = values[check_random(seed) % count];
-        values[count] = combine(&c->graph, (int)(check_random(seed) % 11), a, b, values[check_random(seed) % count]);
+        YkRef a = values[check_random(seed) % count], b = values[check_random(seed) % count],
+              third = values[check_random(seed) % count];
+        values[count] = combine(&c->graph, (int)(check_random(seed) % 11), a, b, third);
     }
     for (int k = 0; k < ROOTS; k++) c->roots[k] = values[count - 1 - check_random(seed) % (VALUES / 2)];
     c->roots[ROOTS - 1] = c->roots[0];

@@ -1,5 +1,6 @@
 // Bodies' reference points and their motion, against the answers for points and angles.
 #include "loads/loads.h"
+#include "../check_vec.h"
 #include "solve/machine.h"
 #include "solve/state.h"
 
@@ -8,7 +9,7 @@ static void give_masses(Machine *m, uint64_t *seed)
     for (size_t b = 1; b < m->model->body_count; b++) {
         YkBody *body = &m->model->bodies[b];
         body->has_mass = check_random(seed) % 4 != 0;
-        body->center = yk_vec(check_uniform(seed, -1, 1), check_uniform(seed, -1, 1));
+        body->center = check_vec(seed, -1, 1, -1, 1);
     }
 }
 

@@ -1,5 +1,6 @@
 // The size of a machine is the largest distance within one body, however many points it has.
 #include "base/text.h"
+#include "../check_vec.h"
 #include "model/fixture.h"
 
 static double largest_distance(const YkVec *points, size_t count) // of all pairs
@@ -39,10 +40,17 @@ static void hull_and_calipers_equal_all_pairs_on_random_points(void **state)
         size_t count = 2 + check_random(&seed) % 58;
         double flat = round % 3 == 0 ? 0 : round % 3 == 1 ? 1 : 1e-9; // also on a line, and nearly so
         for (size_t i = 0; i < count; i++) {
-            points[i] = yk_vec(check_uniform(&seed, -1, 1), flat * check_uniform(&seed, -1, 1));
+            points[i] = check_vec(&seed, -1, 1, -1, 1);
+            points[i].y *= flat;
         }
         CHECK_NEAR(size_of(points, count), largest_distance(points, count), 1e-15);
     }
+}
+
+static YkVec grid_place(uint64_t *seed)
+{
+    double y = (double)(check_random(seed) % 4), x = (double)(check_random(seed) % 4);
+    return yk_vec(x, y);
 }
 
 static void hull_and_calipers_equal_all_pairs_on_a_grid_and_a_circle(void **state)
@@ -53,8 +61,7 @@ static void hull_and_calipers_equal_all_pairs_on_a_grid_and_a_circle(void **stat
     for (int round = 0; round < 200; round++) {
         size_t count = 3 + check_random(&seed) % 57;
         for (size_t i = 0; i < count; i++) {
-            points[i] = round % 2 ? yk_vec((double)(check_random(&seed) % 4), (double)(check_random(&seed) % 4))
-                                  : yk_unit(2 * YK_PI * (double)i / (double)count);
+            points[i] = round % 2 ? grid_place(&seed) : yk_unit(2 * YK_PI * (double)i / (double)count);
         }
         double expected = largest_distance(points, count);
         if (expected > 0) CHECK_NEAR(size_of(points, count), expected, 1e-15);
@@ -97,7 +104,7 @@ static void size_grows_with_the_machine(void **state)
     uint64_t seed = 3;
     YkVec points[20], scaled[20];
     for (size_t i = 0; i < 20; i++) {
-        points[i] = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1));
+        points[i] = check_vec(&seed, -1, 1, -1, 1);
         scaled[i] = yk_mul(yk_scale(8, yk_unit(0.7)), points[i]); // turned and eight times as large
     }
     CHECK_NEAR(size_of(scaled, 20), 8 * size_of(points, 20), 1e-14);

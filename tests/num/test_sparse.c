@@ -78,8 +78,10 @@ static Matrix random_matrix(size_t n, double density, uint64_t *seed)
     size_t offset = check_random(seed) % n;
     for (size_t j = 0; j < n; j++)
         for (size_t i = 0; i < n; i++)
-            if (i == (j + offset) % n || check_uniform(seed, 0, 1) < density)
-                put(&m, i, j, check_uniform(seed, -1, 1) * pow(10, check_uniform(seed, -2, 2)));
+            if (i == (j + offset) % n || check_uniform(seed, 0, 1) < density) {
+                double value = check_uniform(seed, -1, 1);
+                put(&m, i, j, value * pow(10, check_uniform(seed, -2, 2)));
+            }
     return m;
 }
 

@@ -117,8 +117,9 @@ static void fractions_obey_the_laws_of_a_field(void **state)
         for (int k = 0; k < 3; k++) {
             f[k] = yk_fraction(1, 1);
             for (int j = 0; j <= trial % 8; j++) {
-                YkFraction by =
-                    yk_fraction((int64_t)(check_random(&seed) % 2001) - 1000, (int64_t)(check_random(&seed) % 999) + 1);
+                int64_t under = (int64_t)(check_random(&seed) % 999) + 1;
+                int64_t over = (int64_t)(check_random(&seed) % 2001) - 1000;
+                YkFraction by = yk_fraction(over, under);
                 if (yk_fraction_is_zero(&by)) by = yk_fraction(7, 3);
                 f[k] = yk_fraction_multiply(&f[k], &by, &overflow);
             }

@@ -73,7 +73,8 @@ static inline Element random_unit(Fixture *f)
 static inline Element random_term(Fixture *f, bool negative_powers)
 {
     YkRing *ring = f->ring;
-    Element term = number(f, below(f, 21) - 10, 1 + below(f, 6));
+    int under = 1 + below(f, 6);
+    Element term = number(f, below(f, 21) - 10, under);
     for (int i = below(f, 4); i > 0; i--) {
         int power = 1 + below(f, 2);
         if (negative_powers && below(f, 4) == 0) power = -power;

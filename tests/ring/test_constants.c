@@ -100,9 +100,12 @@ static void numbers_divide_even_when_they_hold_roots(void **state)
     check_same(r, read_text(&f, "1/(sqrt(2) + sqrt(3))"), read_text(&f, "sqrt(3) - sqrt(2)"));
     check_same(r, read_text(&f, "2/(1 + i)"), read_text(&f, "1 - i"));
     for (int i = 0; i < 200; i++) {
-        Element a = number(&f, 1 + below(&f, 9), 1 + below(&f, 9));
-        for (int k = 0; k < 3; k++)
-            a = yk_ring_add(r, a, yk_ring_scale(r, yk_ring_turn(r, below(&f, 24), 12), 1 + below(&f, 4), 1));
+        int under = 1 + below(&f, 9);
+        Element a = number(&f, 1 + below(&f, 9), under);
+        for (int k = 0; k < 3; k++) {
+            int times = 1 + below(&f, 4);
+            a = yk_ring_add(r, a, yk_ring_scale(r, yk_ring_turn(r, below(&f, 24), 12), times, 1));
+        }
         if (!yk_ring_is_zero(a)) check_same(r, yk_ring_multiply(r, yk_ring_power(r, a, -1), a), number(&f, 1, 1));
     }
     yk_ring_free(r);

@@ -15,16 +15,21 @@ static bool fits(long double exact)
     return exact <= (long double)INT64_MAX && exact >= -(long double)INT64_MAX;
 }
 
+// A number that is not negative, of 1 to 63 bits.
+static int64_t any_length(uint64_t *seed)
+{
+    uint64_t bits = check_random(seed);
+    return (int64_t)(bits >> (1 + check_random(seed) % 63));
+}
+
 static void sums_and_products_fit_or_are_refused(void **state)
 {
     (void)state;
     if (sizeof(long double) <= sizeof(double)) skip();
     uint64_t seed = 1;
     for (int i = 0; i < 100000; i++) {
-        int64_t a =
-            i < EDGES * EDGES ? edges[i / EDGES] : (int64_t)(check_random(&seed) >> (1 + check_random(&seed) % 63));
-        int64_t b =
-            i < EDGES * EDGES ? edges[i % EDGES] : -(int64_t)(check_random(&seed) >> (1 + check_random(&seed) % 63));
+        int64_t a = i < EDGES * EDGES ? edges[i / EDGES] : any_length(&seed);
+        int64_t b = i < EDGES * EDGES ? edges[i % EDGES] : -any_length(&seed);
         int64_t sum = 0, product = 0;
         assert_true(yk_exact_add(a, b, &sum) == fits((long double)a + (long double)b));
         bool well = yk_exact_multiply(a, b, &product);

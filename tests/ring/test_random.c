@@ -144,7 +144,8 @@ static Element large_term(Fixture *f)
 {
     int shift = below(f, 62);
     int64_t over = (int64_t)(check_random(&f->seed) >> 1) >> shift, under = 1 + (below(f, 4) ? 0 : below(f, 1 << 20));
-    return yk_ring_multiply(f->ring, number(f, below(f, 2) ? over : -over, under), random_term(f, true));
+    Element term = random_term(f, true);
+    return yk_ring_multiply(f->ring, number(f, below(f, 2) ? over : -over, under), term);
 }
 
 static Element large_element(Fixture *f)
@@ -180,7 +181,8 @@ static void large_numbers_are_exact_or_refused(Fixture *f)
     result = yk_ring_sum(r, parts, 3);
     check_field(f, result, yk_field_add(yk_field_add(in_a, in_a), in_b), point, "a large sum");
     check_refusal(f, result, YK_RING_OVERFLOW);
-    int64_t over = (int64_t)(check_random(&f->seed) >> 1) >> below(f, 62), under = 1 + below(f, 1 << 30);
+    int64_t all_digits = (int64_t)(check_random(&f->seed) >> 1), over = all_digits >> below(f, 62),
+            under = 1 + below(f, 1 << 30);
     result = yk_ring_scale(r, a, over, under);
     uint64_t factor = yk_field_multiply(yk_field_of(over), yk_field_invert(yk_field_of(under)));
     check_field(f, result, yk_field_multiply(in_a, factor), point, "a large multiple");
@@ -218,7 +220,8 @@ static Element plain_element(Fixture *f, YkAngleTerm *turn)
     YkRing *r = f->ring;
     Element sum = number(f, 0, 1);
     for (int k = below(f, 6); k > 0; k--) {
-        Element term = number(f, below(f, 41) - 20, 1 + below(f, 6));
+        int under = 1 + below(f, 6);
+        Element term = number(f, below(f, 41) - 20, under);
         for (int i = below(f, 4); i > 0; i--) {
             int32_t x = any_symbol(f);
             if (!yk_ring_is_angle(r, x))

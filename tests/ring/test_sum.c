@@ -7,15 +7,16 @@ enum { DIGITS = 62 };
 static Element large_number(Fixture *f, int bits)
 {
     int64_t over = (int64_t)(check_random(&f->seed) >> (64 - bits));
-    return number(f, below(f, 2) ? over : -over, 1 + below(f, 12));
+    int under = 1 + below(f, 12);
+    return number(f, below(f, 2) ? over : -over, under);
 }
 
 static Element large_element(Fixture *f)
 {
     Element sum = number(f, 0, 1);
     for (int i = 0; i < 3; i++) {
-        Element term = yk_ring_multiply(f->ring, large_number(f, 1 + below(f, DIGITS)),
-                                        yk_ring_of(f->ring, f->parameter[below(f, 3)]));
+        Element mass = yk_ring_of(f->ring, f->parameter[below(f, 3)]);
+        Element term = yk_ring_multiply(f->ring, large_number(f, 1 + below(f, DIGITS)), mass);
         sum = yk_ring_add(f->ring, sum, term);
         if (!sum) return NULL;
     }

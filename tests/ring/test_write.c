@@ -45,12 +45,14 @@ static Element random_energy(Fixture *f)
     Element sum = number(f, 0, 1);
     for (int i = 1 + below(f, 4); i > 0; i--) {
         Element mass = yk_ring_of(r, f->parameter[below(f, 3)]), linear = number(f, 0, 1);
-        for (int k = 0; k < ANGLES; k++)
-            linear =
-                yk_ring_add(r, linear, yk_ring_scale(r, yk_ring_of(r, f->rate[k]), below(f, 5) - 2, 1 + below(f, 2)));
+        for (int k = 0; k < ANGLES; k++) {
+            int under = 1 + below(f, 2), over = below(f, 5) - 2;
+            linear = yk_ring_add(r, linear, yk_ring_scale(r, yk_ring_of(r, f->rate[k]), over, under));
+        }
         Element other = below(f, 2) ? linear : yk_ring_of(r, f->rate[below(f, ANGLES)]);
         Element term = yk_ring_multiply(r, mass, yk_ring_multiply(r, linear, other));
-        term = yk_ring_multiply(r, term, yk_ring_power(r, yk_ring_of(r, f->parameter[3 + below(f, 3)]), below(f, 3)));
+        int power = below(f, 3);
+        term = yk_ring_multiply(r, term, yk_ring_power(r, yk_ring_of(r, f->parameter[3 + below(f, 3)]), power));
         if (below(f, 2)) term = yk_ring_multiply(r, term, yk_ring_real(r, random_unit(f)));
         sum = yk_ring_add(r, sum, yk_ring_scale(r, term, 1 + below(f, 3), 2));
     }

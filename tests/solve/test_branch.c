@@ -81,7 +81,8 @@ static void test_random_grashof_four_bars_keep_their_branch(void **unused)
         uint64_t seed = 1000003u * (uint64_t)k + 17;
         FourBar f = random_grashof(&seed);
         if (grashof_excess(f) > -1e-5) continue; // a change point but for rounding: see test_change_points.c
-        check_four_bar(f, check_uniform(&seed, -YK_PI, YK_PI), check_random(&seed) & 1 ? 1 : -1);
+        int side = check_random(&seed) & 1 ? 1 : -1;
+        check_four_bar(f, check_uniform(&seed, -YK_PI, YK_PI), side);
     }
 }
 

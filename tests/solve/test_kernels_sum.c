@@ -1,5 +1,6 @@
 // Sums of vectors against the product rule in long double.
 #include "lanes_check.h"
+#include "../check_vec.h"
 
 typedef struct Case {
     YkPlane out, plus, minus;
@@ -11,8 +12,8 @@ typedef struct Case {
 static Case make(Pool *pool, uint64_t seed)
 {
     Case c = {pool_plane(pool), pool_plane(pool), pool_plane(pool), pool_turn(pool), pool_slide(pool), {0, 0}, {0, 0}};
-    c.constant = yk_vec(check_uniform(&seed, -2, 2), check_uniform(&seed, -2, 2));
-    c.v = yk_vec(check_uniform(&seed, -2, 2), check_uniform(&seed, -2, 2));
+    c.constant = check_vec(&seed, -2, 2, -2, 2);
+    c.v = check_vec(&seed, -2, 2, -2, 2);
     if (seed % 2) c.v.y = 0; // along an axis, as most are
     for (size_t i = 0; i < LANES; i++) {
         put_plane(c.plus, i, random_plane(&seed, 2)), put_plane(c.minus, i, random_plane(&seed, 2));

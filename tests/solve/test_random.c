@@ -92,11 +92,11 @@ static void check_one(uint64_t seed)
     char text[2048];
     double l[5];
     for (int k = 0; k < 5; k++) l[k] = draw_length(&seed);
+    double v = draw_angle(&seed), u = draw_angle(&seed), theta = draw_angle(&seed);
     snprintf(
         text, sizeof text,
         "parameters: {a: %.17g, b: %.17g, c: %.17g, d: %.17g, e: %.17g}\n%sstart: {theta: %.17g, u: %.17g, v: %.17g}\n",
-        l[0], l[1], l[2], l[3], l[4], bodies[check_random(&seed) % KINDS], draw_angle(&seed), draw_angle(&seed),
-        draw_angle(&seed));
+        l[0], l[1], l[2], l[3], l[4], bodies[check_random(&seed) % KINDS], theta, u, v);
     Machine m = machine_parse(text, false);
     YkStatus status = yk_state_assemble(m.state);
     check_report(&m, status);

@@ -178,7 +178,8 @@ static void move_to_and_fro(const Linkage *l, uint64_t *seed)
     Machine m = make(l, "0.3", 0.3);
     size_t before = wrong;
     for (size_t k = 0; k < 12 && wrong == before; k++) {
-        double u = pow(10, check_uniform(seed, -9, 0)) * (check_random(seed) % 2 ? 1 : -1);
+        double u = pow(10, check_uniform(seed, -9, 0));
+        if (check_random(seed) % 2 == 0) u = -u;
         if (k % 5 == 3) u = 0;
         if (k % 5 == 4) u = check_uniform(seed, -1, 1);
         YkMotion goal = {l->change + u, 1, 0};
@@ -194,8 +195,10 @@ static void sweep_to_and_fro(const Linkage *l, uint64_t *seed)
     const char *of[] = {"theta2", follower_name(l)};
     size_t before = wrong;
     for (size_t k = 0; k < 6 && wrong == before; k++) {
-        double from = pow(10, check_uniform(seed, -9, -1)) * (check_random(seed) % 2 ? 1 : -1);
-        double to = pow(10, check_uniform(seed, -9, 0)) * (check_random(seed) % 2 ? 1 : -1);
+        double from = pow(10, check_uniform(seed, -9, -1));
+        if (check_random(seed) % 2 == 0) from = -from;
+        double to = pow(10, check_uniform(seed, -9, 0));
+        if (check_random(seed) % 2 == 0) to = -to;
         YkSweep *sweep =
             machine_sweep(&m, "theta2", l->change + from, l->change + to, 1 + check_random(seed) % 9, of, 2);
         for (size_t row = 0; row < yk_sweep_row_count(sweep) && wrong == before; row++)

@@ -93,7 +93,8 @@ static void test_narrow_gaps_are_not_jumped(void **unused)
     uint64_t seed = 20261123;
     size_t limits = 0;
     for (uint64_t k = 0; k < check_cases(2000);) {
-        double off = pow(10, check_uniform(&seed, -8, -3)) * (check_random(&seed) & 1 ? 1 : -1);
+        double off = pow(10, check_uniform(&seed, -8, -3));
+        if (check_random(&seed) % 2 == 0) off = -off;
         FourBar f = {check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1), check_uniform(&seed, 0.1, 1), 0};
         f.d = (check_random(&seed) & 1 ? f.b + f.c - f.a : fabs(f.b - f.c) + f.a) + off;
         double theta = check_uniform(&seed, -YK_PI, YK_PI), to = check_uniform(&seed, -3 * YK_PI, 3 * YK_PI);

@@ -87,8 +87,9 @@ static void slider_cranks_have_one(void **state)
     uint64_t seed = 32;
     for (int round = 0; round < 8; round++) {
         char text[1000];
-        snprintf(text, sizeof text, slider_crank, check_uniform(&seed, -.2, .4), check_uniform(&seed, .4, .8),
-                 check_uniform(&seed, 1.5, 2), check_uniform(&seed, -1, 2), check_uniform(&seed, .2, 1));
+        double py = check_uniform(&seed, .2, 1), px = check_uniform(&seed, -1, 2), rod = check_uniform(&seed, 1.5, 2),
+               crank = check_uniform(&seed, .4, .8), offset = check_uniform(&seed, -.2, .4);
+        snprintf(text, sizeof text, slider_crank, offset, crank, rod, px, py);
         check(text, 1);
     }
 }

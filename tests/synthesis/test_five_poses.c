@@ -1,5 +1,6 @@
 // Dyads through five and four positions against published ones, and against dyads whose positions were made.
 #include "check.h"
+#include "../check_vec.h"
 #include "synthesis/motions/poses.h"
 
 #define DEG (YK_PI / 180)
@@ -88,8 +89,8 @@ static void random_positions_have_none_two_or_four_dyads(void **state)
 static bool four_bar_poses(YkPose *pose, size_t count, YkVec F[2], YkVec z[2], uint64_t *seed)
 {
     for (size_t i = 0; i < 2; i++) {
-        F[i] = yk_vec(check_uniform(seed, -2, 2), check_uniform(seed, -2, 2));
-        z[i] = yk_vec(check_uniform(seed, -2, 2), check_uniform(seed, -2, 2));
+        F[i] = check_vec(seed, -2, 2, -2, 2);
+        z[i] = check_vec(seed, -2, 2, -2, 2);
     }
     double a = check_uniform(seed, .5, 2), c = check_uniform(seed, .5, 2), from = check_uniform(seed, -3, 3);
     YkVec across = yk_sub(z[1], z[0]);
@@ -133,7 +134,7 @@ static void a_body_moved_on_a_line_has_a_dyad_with_a_slide(void **state)
     uint64_t seed = 3;
     for (int round = 0; round < 50; round++) {
         YkPose pose[5] = {{.angle = 0}};
-        YkVec z = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1)), along = yk_unit(.3 + round);
+        YkVec z = check_vec(&seed, -1, 1, -1, 1), along = yk_unit(.3 + round);
         for (size_t k = 0; k < 5; k++) { // z on a line, and turned at will
             YkVec on_line = yk_add(yk_vec(.2, .7), yk_scale(check_uniform(&seed, -2, 2), along));
             pose[k].angle = check_uniform(&seed, -1, 1);
@@ -227,7 +228,7 @@ static void a_given_pivot_leaves_one_dyad_of_three_positions_and_a_line_of_two(v
     for (int round = 0; round < 300; round++) {
         YkPose pose[3] = {{.angle = 0}};
         YkDyad d;
-        YkVec F = yk_vec(check_uniform(&seed, -3, 3), check_uniform(&seed, -3, 3));
+        YkVec F = check_vec(&seed, -3, 3, -3, 3);
         random_poses(pose, 3, &seed);
         assert_true(yk_pose_pivot(pose, 3, F, 0, &d));
         CHECK_NEAR(slack(pose, 3, &d), 0, 1e-9);

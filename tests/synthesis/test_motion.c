@@ -1,5 +1,6 @@
 // Four-bars through positions: the published six, machines found again, and every candidate driven in another way.
 #include "synthesis/answer.h"
+#include "../check_vec.h"
 #include "synthesis/synthesis.h"
 
 static const char five[] =
@@ -80,7 +81,7 @@ static void crank_rocker_poses(YkPose *pose, size_t count, double lengths[4], ui
 {
     double a = check_uniform(seed, .2, .5), g = 2, b = check_uniform(seed, 1.6, 2.2), c = check_uniform(seed, 1.2, 1.8);
     if (g + a > b + c || a + b > g + c || a + c > g + b) c = b = 2; // not Grashof
-    YkVec P = yk_vec(check_uniform(seed, -1, 2), check_uniform(seed, -1, 1));
+    YkVec P = check_vec(seed, -1, 2, -1, 1);
     double from = check_uniform(seed, -3, 3), step = check_uniform(seed, .3, 1);
     for (size_t k = 0; k < count; k++) {
         YkVec A = yk_scale(a, yk_unit(from + step * (double)k)), AF = yk_sub(yk_vec(g, 0), A);
@@ -124,7 +125,7 @@ static void signs_agree_with_the_engine(uint64_t seed, int rounds, size_t count,
         YkPose pose[5] = {{.angle = 0}};
         char text[2000];
         for (size_t k = 0; k < count; k++) {
-            pose[k].at = yk_vec(check_uniform(&seed, -1, 1), check_uniform(&seed, -1, 1));
+            pose[k].at = check_vec(&seed, -1, 1, -1, 1);
             pose[k].angle = check_uniform(&seed, -1, 1);
         }
         write_task(text, sizeof text, pose, count);
@@ -214,7 +215,7 @@ static void slider_crank_poses(YkPose *pose, size_t count, double *line, uint64_
 {
     double a = check_uniform(seed, .4, .8), b = check_uniform(seed, 1.2, 2), offset = check_uniform(seed, -.3, .3);
     double from = check_uniform(seed, -3, 3), step = check_uniform(seed, .3, 1);
-    YkVec P = yk_vec(check_uniform(seed, -1, 2), check_uniform(seed, -1, 1)), at = yk_vec(.3, -.2);
+    YkVec P = check_vec(seed, -1, 2, -1, 1), at = yk_vec(.3, -.2);
     *line = check_uniform(seed, -1.5, 1.5);
     for (size_t k = 0; k < count; k++) {
         YkVec A = yk_scale(a, yk_unit(from + step * (double)k)), out = yk_unit(*line);

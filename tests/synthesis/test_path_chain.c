@@ -167,7 +167,8 @@ static void a_curve_drawn_by_hand_gets_the_best_of_all_kinds(void **state)
     YkText all = {0}, simple = {0};
     for (int k = 0; k < 48; k++) {
         double t = 2 * YK_PI * k / 48, r = 40 + 9 * cos(2 * t + .4) + 6 * sin(3 * t);
-        curve[k] = r * (1.3 * cos(t) + I * sin(t)) + check_uniform(&seed, -.5, .5) + I * check_uniform(&seed, -.5, .5);
+        double off = check_uniform(&seed, -.5, .5), aside = check_uniform(&seed, -.5, .5);
+        curve[k] = r * (1.3 * cos(t) + I * sin(t)) + off + I * aside;
     }
     write_task(curve, 48, 1, "all", &all);
     write_task(curve, 48, 1, "four-bar", &simple);

@@ -10,6 +10,7 @@ size_t yk_cam_segment_count(const YkCamDesign *design)
 
 YkCamSegment yk_cam_segment(const YkCamDesign *design, size_t segment)
 {
+    if (segment >= yk_cam_segment_count(design)) return (YkCamSegment){.from = (double)NAN, .to = (double)NAN};
     static const char *const kinds[] = {"polynomial",        "spline", "dwell",   "rise", "fall",
                                         "constant-velocity", "table",  "formula", "arc"};
     YkLawSegment s = yk_law_segment(design->law->law, segment);
@@ -22,6 +23,8 @@ YkCamSegment yk_cam_segment(const YkCamDesign *design, size_t segment)
 
 YkCamCondition yk_cam_condition(const YkCamDesign *design, size_t segment, size_t condition)
 {
+    if (condition >= yk_cam_segment(design, segment).condition_count)
+        return (YkCamCondition){.at = (double)NAN, .value = (double)NAN};
     YkLawCondition c = yk_law_segment(design->law->law, segment).conditions[condition];
     return (YkCamCondition){c.at, c.order, c.value};
 }

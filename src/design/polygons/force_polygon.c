@@ -1,4 +1,4 @@
-// Constructs force polygons: what is known first, then what holds the body.
+// Constructs force polygons: the known forces first, then those that hold the body.
 #include "design/polygons/force_polygon.h"
 #include <stdlib.h>
 #include "base/problems.h"

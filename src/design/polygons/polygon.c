@@ -13,7 +13,7 @@ typedef struct Walk {
     const YkMechanism *mech;
     const YkModel *model;
     YkBodyMotion *motion; // [body]
-    double *rate;         // [body]: of what is drawn
+    double *rate;         // [body]: its rate or angular acceleration, as the kind asks
 } Walk;
 
 // --- motions

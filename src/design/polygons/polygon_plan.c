@@ -1,4 +1,4 @@
-// Plans velocity and acceleration polygons: body after body, from what is known.
+// Plans velocity and acceleration polygons: body after body, beginning with those whose motion is known.
 #include "design/polygons/polygon_plan.h"
 #include <ctype.h>
 #include <string.h>
@@ -13,7 +13,7 @@ typedef struct Walk {
     bool *is_placed; // [block]
     bool *was_known; // [body]
     bool *is_base;   // [joint]
-    size_t *key;     // [image]: of which joint or point
+    size_t *key;     // [image]: the joint or point that it shows
     bool failed;     // out of memory
 } Walk;
 
@@ -84,7 +84,7 @@ static bool is_taken(const YkPolygonPlan *p, const char *name)
     return false;
 }
 
-// Names the image of an end, which is added unless it is there. key: what it is the image of. A name that another image
+// Names the image of an end, which is added unless it is there. key: the joint or point that it shows. A name that another image
 // has gets one more dash.
 static YkPolygonEnd add_image(Walk *w, size_t key, const char *head, const char *tail, YkPolygonEnd end)
 {

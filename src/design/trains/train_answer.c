@@ -29,6 +29,7 @@ size_t yk_train_input_count(const YkTrain *train)
 
 YkTrainInput yk_train_input(const YkTrain *train, size_t input)
 {
+    if (input >= yk_train_input_count(train)) return (YkTrainInput){.speed = (double)NAN};
     return train->drives[input].shown;
 }
 
@@ -39,11 +40,14 @@ size_t yk_train_body_count(const YkTrain *train)
 
 YkTrainBody yk_train_body(const YkTrain *train, size_t member)
 {
+    if (member >= yk_train_body_count(train)) return (YkTrainBody){.body = YK_NOT_FOUND, .speed = (double)NAN};
     return train->bodies[member];
 }
 
 YkTrainShare yk_train_share(const YkTrain *train, size_t member, size_t input)
 {
+    if (member >= yk_train_body_count(train) || input >= yk_train_input_count(train))
+        return (YkTrainShare){.value = (double)NAN};
     return train->shares[member * (size_t)train->drive_count + input];
 }
 
@@ -104,6 +108,7 @@ static void add_power(const YkTrainMeshPower *power, YkTrainMesh *mesh)
 
 YkTrainMesh yk_train_mesh(const YkTrain *train, size_t index)
 {
+    if (index >= yk_train_mesh_count(train)) return (YkTrainMesh){.carrier = YK_NOT_FOUND, .driver = -1};
     const YkModel *model = train->model;
     YkTrainMesh mesh = {.willis = train->willis ? train->willis[index] : NULL};
     if (index < model->gear_count) {
@@ -123,7 +128,7 @@ YkTrainMesh yk_train_mesh(const YkTrain *train, size_t index)
 
 double yk_train_rack_speed(const YkTrain *train, size_t mesh)
 {
-    return train->rack_speeds[mesh];
+    return mesh < yk_train_mesh_count(train) ? train->rack_speeds[mesh] : (double)NAN;
 }
 
 YkTrainRatio yk_train_ratio(const YkTrain *train)
@@ -138,6 +143,7 @@ size_t yk_train_gear_count(const YkTrain *train)
 
 YkTrainGear yk_train_gear(const YkTrain *train, size_t gear)
 {
+    if (gear >= train->gear_count) return (YkTrainGear){.lock = NULL};
     return train->gears[gear];
 }
 
@@ -148,6 +154,7 @@ size_t yk_train_table_count(const YkTrain *train)
 
 YkTrainTable yk_train_table(const YkTrain *train, size_t table)
 {
+    if (table >= train->group_count) return (YkTrainTable){.carrier = YK_NOT_FOUND};
     const YkTrainGroup *group = &train->groups[table];
     return (YkTrainTable){.carrier = (size_t)group->carrier,
                           .count = (size_t)group->count,
@@ -168,6 +175,7 @@ size_t yk_train_torque_count(const YkTrain *train)
 
 YkTrainTorque yk_train_torque(const YkTrain *train, size_t torque)
 {
+    if (torque >= train->torque_count) return (YkTrainTorque){.on = YK_NOT_FOUND, .from = YK_NOT_FOUND};
     return train->torques[torque];
 }
 
@@ -183,5 +191,6 @@ size_t yk_train_remark_count(const YkTrain *train)
 
 YkTrainRemark yk_train_remark(const YkTrain *train, size_t remark)
 {
+    if (remark >= train->remark_count) return (YkTrainRemark){.text = NULL};
     return train->remarks[remark];
 }

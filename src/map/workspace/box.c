@@ -150,7 +150,7 @@ static bool enumerate(YkTracer *t, size_t level, const YkVec *middle)
     t->out_of_memory |= status == YK_GROUP_NO_MEMORY;
     if (t->out_of_memory || yk_pace_is_stopped(t->pace) || !all->is_complete) return false;
     if (all->expected < t->expected[level]) return false; // some have gone to infinity just here
-    // More than anywhere before: what was counted there was not all.
+    // More than anywhere before: some were missed there.
     if (t->expected[level] > 0 && all->expected > t->expected[level]) yk_note_unproved(t, 0, level);
     t->expected[level] = all->expected;
     return true;

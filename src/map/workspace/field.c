@@ -78,7 +78,7 @@ static bool divide_all(YkField *f, size_t n, bool has_curves)
     return good;
 }
 
-// Lets what is counted after all tiles begin alike, whoever computed them.
+// Makes the counts that follow all tiles begin alike, whoever computed the tiles.
 static bool settle(YkField *f)
 {
     for (size_t k = 0; k < f->tracer.piece_count; k++) f->memory.expected[k] = f->most[k];

@@ -61,8 +61,8 @@ static bool plan(YkField *f, size_t x, size_t y, size_t size, size_t smallest)
     return true;
 }
 
-// Takes note of how many solutions a piece was found to have, 0 if it was not solved. Where that is not the same
-// everywhere, not all of them were known somewhere.
+// Takes note of how many solutions a piece was found to have, 0 if it was not solved. If that number is not the
+// same everywhere, some solutions were not known somewhere.
 static void expect(YkField *f, size_t piece, size_t count)
 {
     if (count > 0 && f->most[piece] > 0 && count != f->most[piece]) yk_note_unproved(&f->tracer, 0, piece);

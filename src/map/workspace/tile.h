@@ -1,5 +1,5 @@
-// Tiles: the squares into which a field is divided first. Each is divided further by itself: what comes out depends on the
-// plane and on the tile alone, so it does not matter who does it, or when.
+// Tiles: the squares into which a field is divided first. Each is divided further by itself: the result depends on the
+// plane and on the tile alone, so it does not matter who computes it, or when.
 #ifndef MAP_TILE_H
 #define MAP_TILE_H
 #include "map/workspace/field.h"

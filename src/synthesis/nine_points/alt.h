@@ -76,8 +76,8 @@ typedef struct YkAltRoute {
 } YkAltRoute;
 // Lays route `number` of a task, 0 to YK_ALT_ROUTES - 1.
 void yk_alt_lay(const YkAltTask *task, size_t number, YkAltRoute *route);
-// Follows path `piece` of YK_ALT_ROUTES * YK_ALT_TRIPLES: start solution piece % YK_ALT_TRIPLES along one of the routes. Where
-// it comes too near to infinity, its other names are tried, for which it need not. Returns whether it arrived.
+// Follows path `piece` of YK_ALT_ROUTES * YK_ALT_TRIPLES: start solution piece % YK_ALT_TRIPLES along one of the routes. If
+// it comes too close to infinity, its other names are tried, which may stay away from it. Returns whether it arrived.
 bool yk_alt_path(const YkAltTask *task, size_t piece, YkPace *pace, YkVec *x);
 
 #endif

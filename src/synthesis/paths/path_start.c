@@ -1,6 +1,6 @@
-// Bars to begin with. The ratios of a bar's lengths and the input's angles from the ground are drawn; what remains - the
-// pivot, size and direction of the bar, and the coupler point - enters the path linearly, as complex numbers:
-// P = A0 + S e^(i theta) + Q e^(i phi). Where dimensions have bounds, every other bar is drawn within them.
+// Bars to begin with. The ratios of a bar's lengths and the input's angles from the ground are drawn. The rest, which is
+// the pivot, size and direction of the bar and the coupler point, enters the path linearly, as complex numbers:
+// P = A0 + S e^(i theta) + Q e^(i phi). If dimensions have bounds, every second bar is drawn within them.
 #include "synthesis/paths/path_chain.h"
 #include "synthesis/paths/path_start.h"
 #include <math.h>
