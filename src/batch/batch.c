@@ -7,7 +7,7 @@
 // Lanes in a block: enough to hide the dispatch of a step, few enough that a small machine stays in the first-level
 // cache. Tunable. Rows are a little further apart: rows a multiple of 4096 bytes apart compete for the same cache
 // lines.
-enum { LANES = 96, LANES_MIN = 8, LANES_APART = 8 };
+enum { LANES = 192, LANES_MIN = 8, LANES_APART = 8 };
 #define CACHE_BYTES ((size_t)1 << 18)
 
 static size_t lanes_for(const YkMechanism *mech)
@@ -77,6 +77,10 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         if (!yk_channel_needs_forces(channels[k])) b->plain[b->plain_count++] = k;
     }
     b->needs_state = needs_state(b);
+    if (!yk_batch_find_rates_alone(b)) {
+        yk_batch_free(b);
+        return NULL;
+    }
     yk_batch_restart(b, state);
     return b;
 }
@@ -109,6 +113,7 @@ void yk_batch_free(YkBatch *b)
     free(b->turns);
     free(b->row);
     free(b->plain);
+    free(b->rates_alone);
     free(b->constant);
     free(b->lanes_of);
     free(b->point_lanes);
@@ -210,7 +215,7 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
 
 static YkRun run_of(const YkBatch *b)
 {
-    return (YkRun){b->mech, NULL, b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference};
+    return (YkRun){b->mech, NULL, b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference, b->rates_alone};
 }
 
 YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,

@@ -8,7 +8,7 @@
 #include "graph/graph.h"
 
 typedef struct YkTape YkTape;
-enum { YK_TAPE_BLOCK = 96 }; // the number of lanes for which it is fastest
+enum { YK_TAPE_BLOCK = 192 }; // the number of lanes for which it is fastest
 
 // What the graph's calls of laws mean: result = value, first and second derivative.
 typedef struct YkTapeLaws {

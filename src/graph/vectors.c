@@ -58,6 +58,11 @@ YkRef yk_graph_cross(YkGraph *g, YkRefVec a, YkRefVec b)
     return yk_graph_subtract(g, xy, yx);
 }
 
+void yk_graph_is_unit(YkGraph *g, YkRefVec v)
+{
+    if (g->values[v.x].op != YK_VALUE_NUMBER) g->values[v.x].sine = v.y;
+}
+
 bool yk_graph_is_zero_vec(const YkGraph *g, YkRefVec v)
 {
     return yk_graph_is_number(g, v.x, 0) && yk_graph_is_number(g, v.y, 0);
