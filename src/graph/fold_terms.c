@@ -34,10 +34,15 @@ static bool take(const YkGraph *g, YkRef value, Product *p)
     return true;
 }
 
+// Multiplies squares first, which are likely to exist.
 static YkRef product_of(YkGraph *g, const Product *p)
 {
     YkRef value = YK_NONE;
-    for (size_t k = 0; k < p->count; k++) value = k == 0 ? p->factor[k] : yk_graph_multiply(g, value, p->factor[k]);
+    for (size_t k = 0; k < p->count; k++) {
+        YkRef next = p->factor[k];
+        if (k + 1 < p->count && p->factor[k + 1] == next) next = yk_graph_multiply(g, next, p->factor[++k]);
+        value = value == YK_NONE ? next : yk_graph_multiply(g, value, next);
+    }
     YkRef number = yk_graph_number(g, p->number);
     return p->count == 0 || p->number == 0 ? number : yk_graph_multiply(g, number, value);
 }

@@ -109,6 +109,9 @@ static size_t run_of(const YkLaw *law, const double *x, size_t n, const YkPiece 
     *piece = find(law, *x);
     if (*piece + 1 < law->pieces + law->piece_count && (*piece)[1].from < end) end = (*piece)[1].from;
     if ((*piece)->waves > 0 || (*piece)->terms == 0) return 0;
+    bool within;
+    yk_law_within(&within, x, (*piece)->from, end, n);
+    if (within) return n;
     while (count < n && x[count] >= (*piece)->from && x[count] < end) count++;
     return count < WIDE ? 0 : count;
 }

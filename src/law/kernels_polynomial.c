@@ -15,20 +15,28 @@ YK_INLINE Sums next(Sums s, double u, double c)
     return (Sums){{value, first, second}, {s.b[0], s.b[1], s.b[2]}};
 }
 
-enum { STEPS = 7 }; // up to eight terms: the rises of the textbooks
+// Sums for the two highest terms, after which nothing is zero any more.
+YK_INLINE Sums begin(const double *c, size_t terms, double u)
+{
+    Sums s = {{0 + c[terms - 1], 0, 0}, {0, 0, 0}};
+    if (terms == 2) return s;
+    return (Sums){{2 * u * s.b[0] + c[terms - 2], 2 * s.b[0], 0}, {s.b[0], 0, 0}};
+}
+
+enum { STEPS = 5 }; // up to eight terms: the rises of the textbooks
 
 // Written without a loop, so that lanes stay in registers where `terms` is known.
 YK_INLINE Sums recur(const double *c, size_t terms, double u)
 {
     Sums s = {{0, 0, 0}, {0, 0, 0}};
-    for (size_t k = terms - 1; k > STEPS; k--) s = next(s, u, c[k]);
-    if (terms > 7) s = next(s, u, c[7]);
-    if (terms > 6) s = next(s, u, c[6]);
-    if (terms > 5) s = next(s, u, c[5]);
-    if (terms > 4) s = next(s, u, c[4]);
-    if (terms > 3) s = next(s, u, c[3]);
-    if (terms > 2) s = next(s, u, c[2]);
-    if (terms > 1) s = next(s, u, c[1]);
+    if (terms < 2) return s;
+    s = begin(c, terms, u);
+    for (size_t k = terms - 3; terms > STEPS + 3 && k > STEPS; k--) s = next(s, u, c[k]);
+    if (terms > 7) s = next(s, u, c[5]);
+    if (terms > 6) s = next(s, u, c[4]);
+    if (terms > 5) s = next(s, u, c[3]);
+    if (terms > 4) s = next(s, u, c[2]);
+    if (terms > 3) s = next(s, u, c[1]);
     return s;
 }
 
@@ -64,3 +72,12 @@ YK_INLINE void yk_law_polynomial_body(const double *c, size_t terms, double midd
 YK_KERNEL(yk_law_polynomial,
           (const double *c, size_t terms, double middle, double scale, const double *x, double *const *d, size_t n),
           (c, terms, middle, scale, x, d))
+
+YK_INLINE void yk_law_within_body(bool *within, const double *x, double from, double to, size_t n)
+{
+    uint64_t outside = 0;
+    YK_EACH_LANE
+    for (size_t i = 0; i < n; i++) outside |= x[i] >= from && x[i] < to ? 0u : 1u;
+    *within = outside == 0;
+}
+YK_KERNEL(yk_law_within, (bool *within, const double *x, double from, double to, size_t n), (within, x, from, to))

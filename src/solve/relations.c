@@ -20,14 +20,18 @@ static YkScalar source_of(const YkRun *run, const YkRelationSource *s, double *a
     return (YkScalar){angle, t.w, t.a};
 }
 
-// Adds up sources.
+static void hold_still(const YkRun *run, double value, YkScalar out)
+{
+    for (size_t k = 0; k < run->lanes; k++) {
+        out.x[k] = value;
+        out.v[k] = out.a[k] = 0;
+    }
+}
+
+// Adds up sources, if there are any.
 static void add_sources(const YkRun *run, uint32_t first, uint32_t count, double offset, YkScalar out, double *angle)
 {
     size_t n = run->lanes;
-    for (size_t k = 0; count == 0 && k < n; k++) {
-        out.x[k] = offset;
-        out.v[k] = out.a[k] = 0;
-    }
     for (uint32_t k = first; k < first + count; k++) {
         const YkRelationSource *s = &run->mech->sources[k];
         yk_lanes_multiple(out, offset, k == first, s->factor, source_of(run, s, angle), n);
@@ -43,7 +47,7 @@ static void add_law(const YkRun *run, const YkRelation *r, YkScalar argument, Yk
         size_t n = run->lanes - at < SOME ? run->lanes - at : SOME;
         YkScalar to = {out.x + at, out.v + at, out.a + at}, x = {argument.x + at, argument.v + at, argument.a + at};
         yk_law_eval_lanes(r->law, x.x, d, n);
-        yk_lanes_add_law(to, r->gain, (const double *const *)d, x, slope + at, n);
+        yk_lanes_add_law(to, r->offset, r->source_count == 0, r->gain, (const double *const *)d, x, slope + at, n);
     }
 }
 
@@ -52,10 +56,12 @@ static void evaluate(const YkRun *run, size_t index, YkScalar out)
 {
     const YkRelation *r = &run->mech->relations[index];
     YkPlane argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
+    YkScalar turned = {argument.x, argument.vx, argument.ax};
     double *angle = yk_space_scratch(run->space, YK_SCRATCH_ARM_2).x;
+    if (r->source_count == 0 && !r->law) hold_still(run, r->offset, out);
     add_sources(run, r->first_source, r->source_count, r->offset, out, angle);
     if (!r->law) return;
-    YkScalar turned = {argument.x, argument.vx, argument.ax};
+    if (r->argument_source_count == 0) hold_still(run, r->argument_offset, turned);
     add_sources(run, r->first_argument_source, r->argument_source_count, r->argument_offset, turned, angle);
     add_law(run, r, turned, out, run->space->gain + index * run->space->stride);
 }

@@ -113,8 +113,10 @@ void yk_lanes_rrr_turned(const YkTurned *K, YkArm U, YkArm W, double branch, YkT
 
 // Relations: out += factor x, with the rates; out = offset + factor x if it is the first.
 void yk_lanes_multiple(YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n);
-// Adds gain f(x) and its rates; law: f(x), f'(x), f''(x). slope = gain f'(x).
-void yk_lanes_add_law(YkScalar out, double gain, const double *const *law, YkScalar x, double *slope, size_t n);
+// Computes out += gain f(x), with its rates; out = offset + gain f(x) if it is the first. law: f(x), f'(x), f''(x).
+// slope = gain f'(x).
+void yk_lanes_add_law(YkScalar out, double offset, bool is_first, double gain, const double *const *law, YkScalar x,
+                      double *slope, size_t n);
 
 // Answers. angle = arg(e_b conj(e_a)) + offset, nearest to `reference` modulo a turn.
 void yk_lanes_angle(double *out, YkTurn a, YkTurn b, double offset, double reference, size_t n);

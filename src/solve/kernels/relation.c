@@ -30,19 +30,28 @@ YK_KERNEL(yk_lanes_multiple,
           (YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n),
           (out, offset, is_first, factor, x))
 
-YK_INLINE void yk_lanes_add_law_body(YkScalar out, double gain, const double *const *law, YkScalar x,
-                                     double *slope, size_t n)
+// Adds what the law gives to `base`, an array or a number.
+#define ADD_LAW(base_x, base_v, base_a)                                                                                \
+    YK_EACH_LANE                                                                                                       \
+    for (size_t i = 0; i < n; i++) {                                                                                   \
+        double w = x.v[i];                                                                                             \
+        out.x[i] = (base_x) + gain * value[i];                                                                         \
+        out.v[i] = (base_v) + gain * first[i] * w;                                                                     \
+        out.a[i] = (base_a) + gain * (first[i] * x.a[i] + second[i] * w * w);                                          \
+        slope[i] = gain * first[i];                                                                                    \
+    }
+
+YK_INLINE void yk_lanes_add_law_body(YkScalar out, double offset, bool is_first, double gain, const double *const *law,
+                                     YkScalar x, double *slope, size_t n)
 {
     const double *value = law[0], *first = law[1], *second = law[2];
-    YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) {
-        double w = x.v[i];
-        out.x[i] += gain * value[i];
-        out.v[i] += gain * first[i] * w;
-        out.a[i] += gain * (first[i] * x.a[i] + second[i] * w * w);
-        slope[i] = gain * first[i];
+    if (is_first) {
+        ADD_LAW(offset, 0, 0)
+    } else {
+        ADD_LAW(out.x[i], out.v[i], out.a[i])
     }
 }
 YK_KERNEL(yk_lanes_add_law,
-          (YkScalar out, double gain, const double *const *law, YkScalar x, double *slope, size_t n),
-          (out, gain, law, x, slope))
+          (YkScalar out, double offset, bool is_first, double gain, const double *const *law, YkScalar x, double *slope,
+           size_t n),
+          (out, offset, is_first, gain, law, x, slope))

@@ -40,12 +40,12 @@ YK_INLINE void turn_rates(double *out, const double *base, const double *change,
     if (base && change) {
         YK_EACH_LANE
         for (size_t i = 0; i < n; i++) out[i] = base[i] + sign * change[i];
-    } else if (change) {
+    } else if (change && !(change == out && sign == 1)) {
         YK_EACH_LANE
         for (size_t i = 0; i < n; i++) out[i] = sign * change[i];
     } else if (base) {
         memcpy(out, base, n * sizeof *out);
-    } else {
+    } else if (!change) {
         memset(out, 0, n * sizeof *out);
     }
 }
