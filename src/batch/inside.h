@@ -56,6 +56,8 @@ YkStatus yk_batch_write_settled(YkBatch *batch, double *const *outputs, size_t a
 // batch_forces.c: computes the forces of a block of lanes, before its channels are masked: of those that are wanted;
 // NULL: of all.
 void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at, const bool *wanted);
+// Writes the positions on which loads depend.
+void yk_batch_write_positions(const YkBatch *batch, const YkRun *run);
 // Returns how many lanes have finite forces, from the first.
 size_t yk_batch_finite_lanes(const YkBatch *batch, double *const *outputs, size_t at, size_t n);
 // Replaces forces that are not finite by those of one pose, or tells its status. Returns the worst.
