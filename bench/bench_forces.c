@@ -39,7 +39,7 @@ static void by_hand(Bench *b, const double *theta)
 {
     double *out[OUTS];
     for (size_t k = 0; k < OUTS; k++) out[k] = b->by_hand[k];
-    quick_return_forces(theta, RATE, ACCEL, out, CHUNK);
+    quick_return_forces(theta, b->rate, b->accel, out, CHUNK);
 }
 
 static void by_batch(Bench *b, const double *theta)

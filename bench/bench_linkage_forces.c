@@ -14,7 +14,7 @@ typedef struct Task {
     const char *name, *file, *channels[MOST];
     size_t count;
     double from, to, rate, accel, tolerance; // of the crank: its angles, rad
-    void (*by_hand)(const double *, double, double, double *const *, size_t);
+    void (*by_hand)(const double *, const double *, const double *, double *const *, size_t);
 } Task;
 
 typedef struct Bench {
@@ -44,7 +44,7 @@ static void by_hand(Bench *b, const double *crank)
 {
     double *out[MOST];
     for (size_t k = 0; k < b->task->count; k++) out[k] = b->by_hand[k];
-    b->task->by_hand(crank, b->task->rate, b->task->accel, out, CHUNK);
+    b->task->by_hand(crank, b->rate, b->accel, out, CHUNK);
 }
 
 static void by_batch(Bench *b, const double *crank)

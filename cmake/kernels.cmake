@@ -2,7 +2,7 @@
 # that one (packing neighbouring statements of one lane costs more than it gains). Instruction sets are chosen at run time, see
 # src/elementary/kernel.h; the numbers do not depend on any of this. What solves one pose and tells of it wants the same:
 # numbers stored one by one and read back in pairs wait for each other.
-file(GLOB YOKE_KERNELS CONFIGURE_DEPENDS src/solve/kernels/*.c src/equations/kernels_*.c src/study/kernels_*.c src/graph/tape_run.c)
+file(GLOB YOKE_KERNELS CONFIGURE_DEPENDS src/solve/kernels/*.c src/equations/kernels_*.c src/study/kernels_*.c src/law/kernels_*.c src/graph/tape_run.c)
 list(APPEND YOKE_KERNELS src/elementary/sine.c src/solve/single.c src/solve/run.c src/solve/state.c src/solve/answer.c)
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32") # scalar and small there, but for what solves one pose
   list(FILTER YOKE_KERNELS INCLUDE REGEX "(sine|single|run|state|answer)\\.c$")

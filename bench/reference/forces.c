@@ -39,7 +39,8 @@ ALWAYS void quick_return(double s1, double c1, double w, double al, Forces *f)
     f->torque = (i1 + m1 * g1 * g1) * al + m1 * g1 * c1 * G + l1 * (c1 * fy - s1 * fx);
 }
 
-void quick_return_forces(const double *restrict theta, double w, double al, double *const *out, size_t n)
+void quick_return_forces(const double *restrict theta, const double *restrict w, const double *restrict al,
+                         double *const *out, size_t n)
 {
     double *restrict o0 = out[0], *restrict o1 = out[1], *restrict o2 = out[2], *restrict o3 = out[3],
                      *restrict o4 = out[4], *restrict o5 = out[5], *restrict o6 = out[6], *restrict o7 = out[7],
@@ -50,7 +51,7 @@ void quick_return_forces(const double *restrict theta, double w, double al, doub
         double s, c;
         Forces f;
         lane_sincos(theta[i], &s, &c);
-        quick_return(s, c, w, al, &f);
+        quick_return(s, c, w[i], al[i], &f);
         o0[i] = f.o1x, o1[i] = f.o1y, o2[i] = f.o2x, o3[i] = f.o2y, o4[i] = f.sx, o5[i] = f.sy, o6[i] = f.couple;
         o7[i] = f.ax, o8[i] = f.ay, o9[i] = f.bx, o10[i] = f.by, o11[i] = f.cx, o12[i] = f.cy, o13[i] = f.ry;
         o14[i] = f.torque;

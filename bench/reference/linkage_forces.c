@@ -189,12 +189,12 @@ ALWAYS Pins watt(V e, Lanes w, Lanes al)
     return p;
 }
 
-static void watt_block(const double *alpha, double rate, double accel, double (*out)[BLOCK])
+static void watt_block(const double *alpha, const double *rate, const double *accel, double (*out)[BLOCK])
 {
     double c[BLOCK], s[BLOCK];
     turns(alpha, c, s);
     for (size_t i = 0; i < BLOCK; i += WIDE) {
-        Pins f = watt(vec(lanes_at(c + i), lanes_at(s + i)), lanes(rate), lanes(accel));
+        Pins f = watt(vec(lanes_at(c + i), lanes_at(s + i)), lanes_at(rate + i), lanes_at(accel + i));
         PUT(0, f.p0);
         PUT(1, f.p1);
         PUT(2, f.p2);
@@ -206,11 +206,11 @@ static void watt_block(const double *alpha, double rate, double accel, double (*
     }
 }
 
-void watt_forces(const double *alpha, double rate, double accel, double *const *out, size_t n)
+void watt_forces(const double *alpha, const double *rate, const double *accel, double *const *out, size_t n)
 {
     double block[WATT_FORCES][BLOCK];
     for (size_t from = 0; from < n; from += BLOCK) {
-        watt_block(alpha + from, rate, accel, block);
+        watt_block(alpha + from, rate + from, accel + from, block);
         for (size_t k = 0; k < WATT_FORCES; k++) memcpy(out[k] + from, block[k], sizeof block[k]);
     }
 }
@@ -250,12 +250,12 @@ ALWAYS Pins andrews(V e, Lanes w, Lanes al)
     return p;
 }
 
-static void andrews_block(const double *beta, double rate, double accel, double (*out)[BLOCK])
+static void andrews_block(const double *beta, const double *rate, const double *accel, double (*out)[BLOCK])
 {
     double c[BLOCK], s[BLOCK];
     turns(beta, c, s);
     for (size_t i = 0; i < BLOCK; i += WIDE) {
-        Pins f = andrews(vec(lanes_at(c + i), lanes_at(s + i)), lanes(rate), lanes(accel));
+        Pins f = andrews(vec(lanes_at(c + i), lanes_at(s + i)), lanes_at(rate + i), lanes_at(accel + i));
         PUT(0, f.p0);
         PUT(1, f.p1);
         PUT(2, f.p2);
@@ -270,11 +270,11 @@ static void andrews_block(const double *beta, double rate, double accel, double 
     }
 }
 
-void andrews_forces(const double *beta, double rate, double accel, double *const *out, size_t n)
+void andrews_forces(const double *beta, const double *rate, const double *accel, double *const *out, size_t n)
 {
     double block[ANDREWS_FORCES][BLOCK];
     for (size_t from = 0; from < n; from += BLOCK) {
-        andrews_block(beta + from, rate, accel, block);
+        andrews_block(beta + from, rate + from, accel + from, block);
         for (size_t k = 0; k < ANDREWS_FORCES; k++) memcpy(out[k] + from, block[k], sizeof block[k]);
     }
 }

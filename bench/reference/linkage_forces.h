@@ -5,9 +5,9 @@
 
 // A x, y; B; C; D; E; F; G; torque: what the first body of each pin exerts on the second.
 enum { WATT_FORCES = 15 };
-void watt_forces(const double *alpha, double rate, double accel, double *const *out, size_t n);
+void watt_forces(const double *alpha, const double *rate, const double *accel, double *const *out, size_t n);
 // O x, y; F; B; A5; G; A7; H; E2; E4; E6; torque, besides the constant effort of the file.
 enum { ANDREWS_FORCES = 21 };
-void andrews_forces(const double *beta, double rate, double accel, double *const *out, size_t n);
+void andrews_forces(const double *beta, const double *rate, const double *accel, double *const *out, size_t n);
 
 #endif

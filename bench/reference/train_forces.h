@@ -5,9 +5,9 @@
 
 // S x, y; C x, y; P x, y; R x, y, moment; torque of the sun.
 enum { PLANETARY_FORCES = 10 };
-void planetary_forces(const double *theta, double rate, double accel, double *const *out, size_t n);
-// C x, y; V x, moment; torque of the camshaft; for angles of its lift, 0 to 120 degrees.
+void planetary_forces(const double *theta, const double *rate, const double *accel, double *const *out, size_t n);
+// C x, y; V x, moment; torque of the camshaft; for any angle.
 enum { VALVE_FORCES = 5 };
-void valve_forces(const double *theta, double rate, double accel, double *const *out, size_t n);
+void valve_forces(const double *theta, const double *rate, const double *accel, double *const *out, size_t n);
 
 #endif

@@ -7,7 +7,7 @@
 // Lanes in a block: enough to hide the dispatch of a step, few enough that a small machine stays in the first-level
 // cache. Tunable. Rows are a little further apart: rows a multiple of 4096 bytes apart compete for the same cache
 // lines.
-enum { LANES = 96, LANES_MIN = 8, LANES_APART = 8 };
+enum { LANES = 192, LANES_MIN = 8, LANES_APART = 8 };
 #define CACHE_BYTES ((size_t)1 << 18)
 
 static size_t lanes_for(const YkMechanism *mech)
@@ -77,6 +77,10 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         if (!yk_channel_needs_forces(channels[k])) b->plain[b->plain_count++] = k;
     }
     b->needs_state = needs_state(b);
+    if (!yk_batch_find_rates_alone(b)) {
+        yk_batch_free(b);
+        return NULL;
+    }
     yk_batch_restart(b, state);
     return b;
 }
@@ -109,6 +113,7 @@ void yk_batch_free(YkBatch *b)
     free(b->turns);
     free(b->row);
     free(b->plain);
+    free(b->rates_alone);
     free(b->constant);
     free(b->lanes_of);
     free(b->point_lanes);
@@ -174,8 +179,7 @@ static void end_at_forces(YkBatch *b, const YkRun *run, double *const *outputs, 
     if (finite == b->clear) return;
     b->clear = finite;
     memcpy(b->next, b->state->reference, b->mech->coordinate_count * sizeof *b->next);
-    for (size_t k = 0; k < b->mech->coordinate_count; k++)
-        if (b->forces->position[k]) yk_batch_write_angle(b, run, k, b->forces->position[k], run->lanes);
+    yk_batch_write_positions(b, run);
 }
 
 // masks: some lanes may have no answer; then forces are masked as well.
@@ -210,7 +214,30 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
 
 static YkRun run_of(const YkBatch *b)
 {
-    return (YkRun){b->mech, NULL, b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference};
+    return (YkRun){b->mech, NULL, b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference, b->rates_alone};
+}
+
+// Runs one pose that is well: nothing to mask or settle, no block of lanes. Returns false if it may not be; the outputs
+// then hold garbage.
+static bool run_alone(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs)
+{
+    YkSpace *space = &b->single;
+    YkPoseForces *f = b->forces;
+    for (size_t i = 0; i < 3 * b->mech->input_count; i++)
+        b->lanes_of[i] = inputs[i] ? inputs[i] : b->constant + i * b->lanes;
+    run->lanes = 1;
+    run->space = b->now = space;
+    b->times = NULL;
+    yk_run_begin(run);
+    yk_run_steps(run, 0, b->mech->step_count);
+    bool is_well = *space->margin > yk_state_close_margin(b->state) && *space->gap <= b->mech->size * YK_CLOSING_TOLERANCE;
+    for (size_t k = 0; is_well && k < b->plain_count; k++)
+        yk_batch_write_channel(b, run, b->plain[k], false, outputs[b->plain[k]]);
+    if (!is_well || !f) return is_well;
+    yk_pose_forces_follow(f);
+    if (f->position_count > 0) yk_batch_write_positions(b, run);
+    YkLanePose pose = {space, run->inputs, b->state->time, NULL, (const double *const *)f->position, NULL};
+    return yk_pose_forces_run_one(f, &pose, outputs, 0);
 }
 
 YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
@@ -219,6 +246,10 @@ YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *ou
     YkStatus worst = YK_OK;
     if (b->needs_state) return run_poses(b, inputs, outputs, status, count);
     YkRun run = run_of(b);
+    if (count == 1 && run_alone(b, &run, inputs, outputs)) {
+        if (status) *status = YK_OK;
+        return YK_OK;
+    }
     for (size_t at = 0; at < count; at += b->lanes) {
         run.lanes = count - at < b->lanes ? count - at : b->lanes;
         worst = yk_worse(worst, run_lanes(b, &run, inputs, outputs, status, (YkAlong){NULL, NULL}, at));

@@ -25,12 +25,17 @@ static void run_some(YkPoseForces *f, YkLanePose *pose, double *const *outputs, 
     }
 }
 
+void yk_batch_write_positions(const YkBatch *b, const YkRun *run)
+{
+    for (size_t k = 0; k < b->mech->coordinate_count; k++)
+        if (b->forces->position[k]) yk_batch_write_angle(b, run, k, b->forces->position[k], run->lanes);
+}
+
 void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, size_t at, const bool *wanted)
 {
     YkPoseForces *f = b->forces;
     yk_pose_forces_follow(f);
-    for (size_t k = 0; k < b->mech->coordinate_count; k++)
-        if (f->position[k]) yk_batch_write_angle(b, run, k, f->position[k], run->lanes);
+    yk_batch_write_positions(b, run);
     YkLanePose pose = {b->now, run->inputs, b->state->time, b->times, (const double *const *)f->position, NULL};
     size_t count = wanted ? list_lanes(f, wanted, run->lanes) : run->lanes;
     if (count < run->lanes) {
@@ -39,7 +44,7 @@ void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, s
     }
     for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + at;
     if (b->now == &b->single)
-        yk_lane_forces_run_one(f->lanes, &pose, f->out);
+        yk_pose_forces_run_one(f, &pose, outputs, at);
     else
         yk_lane_forces_run(f->lanes, &pose, f->out, run->lanes);
 }

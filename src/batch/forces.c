@@ -80,6 +80,7 @@ static void place_pose(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
     p->unit[0] = yk_graph_vec_number(g, 1, 0);
     for (size_t k = 1; k < mech->slot_count; k++) {
         p->unit[k] = two_leaves(f, g, YK_LEAF_OF_TURN, k, 0);
+        yk_graph_is_unit(g, p->unit[k]);
         r->turn[k] = leaf(f, g, YK_LEAF_OF_TURN, k, 2);
         s->turn[k] = leaf(f, g, YK_LEAF_OF_TURN, k, 3);
     }
@@ -171,6 +172,7 @@ static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_
     const YkRecipe *recipe = f->variant ? &f->variant->recipe : NULL;
     bool good = arena && start_leaves(f) && yk_program_start(&p, f->mech, recipe, arena, NULL);
     good = good && prepare(&p, f->variant);
+    p.graph.joins_terms = true;
     if (good) yk_program_constants(&p);
     YkRef *roots = good ? make_roots(f, &p, channels, count, fits) : NULL;
     if (roots && !f->failed && !p.failed && !yk_arena_failed(arena))
@@ -216,4 +218,15 @@ size_t yk_lane_forces_length(const YkLaneForces *f)
 bool yk_lane_forces_needs(const YkLaneForces *f, size_t coordinate)
 {
     return f->needs[coordinate];
+}
+
+bool yk_lane_forces_need_direction(const YkLaneForces *f, int32_t slot)
+{
+    for (const YkLeafSource *s = f->needed; s < f->needed + f->needed_count; s++) {
+        if (s->kind == YK_LEAF_OF_TURN && s->index == slot && s->part < 2) return true;
+        if (s->kind != YK_LEAF_OF_COORDINATE) continue;
+        YkJointAngle angle = f->mech->coordinates[s->index].angle;
+        if (angle.a == slot || angle.b == slot) return true;
+    }
+    return false;
 }

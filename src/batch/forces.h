@@ -26,9 +26,12 @@ typedef struct YkLanePose {
 } YkLanePose;
 // Returns whether the loads depend on the position of a coordinate that is neither an input nor a distance.
 bool yk_lane_forces_needs(const YkLaneForces *forces, size_t coordinate);
+// Returns whether they read the direction of an orientation.
+bool yk_lane_forces_need_direction(const YkLaneForces *forces, int32_t slot);
 // Computes out[channel][0 .. n) for n lanes of a pose. Forces of poses at dead points are not finite, or meaningless.
 void yk_lane_forces_run(YkLaneForces *forces, const YkLanePose *pose, double *const *out, size_t n);
-// Does the same for one pose in a space of one lane, with the same bits.
-void yk_lane_forces_run_one(YkLaneForces *forces, const YkLanePose *pose, double *const *out);
+// Does the same for one pose in a space of one lane, with the same bits. Returns where the channels' numbers stand until
+// the next run.
+const double *const *yk_lane_forces_run_one(YkLaneForces *forces, const YkLanePose *pose);
 
 #endif

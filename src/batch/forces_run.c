@@ -96,12 +96,12 @@ static double number_beside(const YkLeafSource *s, const YkLanePose *pose)
     return pose->times ? *pose->times : pose->time;
 }
 
-void yk_lane_forces_run_one(YkLaneForces *f, const YkLanePose *pose, double *const *out)
+const double *const *yk_lane_forces_run_one(YkLaneForces *f, const YkLanePose *pose)
 {
     const YkLeafSource *s = f->needed, *end = s + f->in_space;
     const double *numbers = pose->space->data;
     for (; s < end; s++) *s->one = numbers[s->number];
     for (end = f->needed + f->needed_count; s < end; s++)
         if (s->kind != YK_LEAF_OF_PARAMETER) *s->one = number_beside(s, pose);
-    yk_tape_run_one(f->tape, out);
+    return yk_tape_run_one(f->tape);
 }

@@ -21,6 +21,7 @@ struct YkBatch {
     size_t channel_count, lanes;
     size_t *plain; // the channels that need no forces
     size_t plain_count;
+    bool *rates_alone;       // [slot]: no step and no channel needs its direction; NULL: all may be needed
     bool needs_state;        // every pose is solved by a state
     double *constant;        // [3 * input + k][lane]: for NULL arrays
     const double **lanes_of; // the runner's view of the inputs of this block
@@ -35,6 +36,8 @@ struct YkBatch {
     YkPoseForces *forces; // of the channels that need them; NULL if none does
 };
 
+// needed.c: finds the orientations whose directions nobody reads. Returns false when out of memory.
+bool yk_batch_find_rates_alone(YkBatch *batch);
 // channels.c: prepares the angles of a channel, and finds the lanes that already hold it.
 void yk_batch_prepare_angle(YkBatch *batch, size_t channel);
 double **yk_batch_free_row_of(YkBatch *batch, size_t channel);
@@ -53,6 +56,8 @@ YkStatus yk_batch_write_settled(YkBatch *batch, double *const *outputs, size_t a
 // batch_forces.c: computes the forces of a block of lanes, before its channels are masked: of those that are wanted;
 // NULL: of all.
 void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at, const bool *wanted);
+// Writes the positions on which loads depend.
+void yk_batch_write_positions(const YkBatch *batch, const YkRun *run);
 // Returns how many lanes have finite forces, from the first.
 size_t yk_batch_finite_lanes(const YkBatch *batch, double *const *outputs, size_t at, size_t n);
 // Replaces forces that are not finite by those of one pose, or tells its status. Returns the worst.

@@ -2,6 +2,7 @@
 #include "batch/pose_forces.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t count)
 {
@@ -22,6 +23,7 @@ static bool make_lanes(YkPoseForces *f, size_t lanes)
     size_t coordinates = f->mech->coordinate_count, count = 0;
     f->position = calloc(coordinates + 1, sizeof *f->position);
     for (size_t k = 0; k < coordinates; k++) count += yk_lane_forces_needs(f->lanes, k);
+    f->position_count = count;
     f->position_lanes = calloc(count * lanes + 1, sizeof *f->position_lanes);
     f->which = calloc(lanes, sizeof *f->which);
     f->packed = calloc(f->count * lanes, sizeof *f->packed);
@@ -85,14 +87,27 @@ void yk_pose_forces_follow(YkPoseForces *f)
 
 // --- one pose
 
-// Runs one lane: the state's own space.
-static void run_lane(YkPoseForces *f, const YkState *state, double *const *outputs, size_t pose)
+bool yk_pose_forces_run_one(YkPoseForces *f, const YkLanePose *at, double *const *outputs, size_t pose)
 {
-    for (size_t k = 0; k < f->mech->coordinate_count; k++)
+    const uint64_t exponent = (uint64_t)0x7ff << 52, one = (uint64_t)1 << 52;
+    const double *const *result = yk_lane_forces_run_one(f->lanes, at);
+    uint64_t found = 0; // the highest bit is set if one is not finite
+    for (size_t k = 0; k < f->count; k++) {
+        uint64_t bits;
+        memcpy(&bits, result[k], sizeof bits);
+        found |= (bits & exponent) + one;
+        outputs[f->place[k]][pose] = *result[k];
+    }
+    return found >> 63 == 0;
+}
+
+// Runs one lane: the state's own space.
+static bool run_lane(YkPoseForces *f, const YkState *state, double *const *outputs, size_t pose)
+{
+    for (size_t k = 0; f->position_count > 0 && k < f->mech->coordinate_count; k++)
         if (f->position[k]) f->position[k][0] = yk_state_coordinate(state, k).position;
-    for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + pose;
     YkLanePose at = {&state->space, state->input_lanes, state->time, NULL, (const double *const *)f->position, NULL};
-    yk_lane_forces_run_one(f->lanes, &at, f->out);
+    return yk_pose_forces_run_one(f, &at, outputs, pose);
 }
 
 bool yk_pose_forces_are_finite(const YkPoseForces *f, double *const *outputs, size_t pose)
@@ -131,9 +146,7 @@ static YkStatus by_dynamics(YkPoseForces *f, YkState *state, double *const *outp
 YkStatus yk_pose_forces_at(YkPoseForces *f, YkState *state, double *const *outputs, size_t pose)
 {
     yk_pose_forces_follow(f);
-    if (f->lanes && state->has_rates && !yk_state_blurs_forces(state)) {
-        run_lane(f, state, outputs, pose);
-        if (yk_pose_forces_are_finite(f, outputs, pose)) return YK_OK;
-    }
+    if (f->lanes && state->has_rates && !yk_state_blurs_forces(state) && run_lane(f, state, outputs, pose))
+        return YK_OK;
     return by_dynamics(f, state, outputs, pose);
 }

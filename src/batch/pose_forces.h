@@ -15,6 +15,7 @@ typedef struct YkPoseForces {
     YkDynamics *dynamics; // made when a pose needs it
     bool is_stale;        // dynamics is that of another design
     uint64_t changes;     // of the variant, when its values were taken
+    size_t position_count;
     double **position;    // [coordinate]: lanes of a position that the loads depend on, or NULL
     double *position_lanes;
     double **out;   // [k]: of the channels that need forces
@@ -33,6 +34,9 @@ void yk_pose_forces_follow(YkPoseForces *forces);
 // Returns whether the forces of a pose are all finite; makes them 0.
 bool yk_pose_forces_are_finite(const YkPoseForces *forces, double *const *outputs, size_t pose);
 void yk_pose_forces_clear(const YkPoseForces *forces, double *const *outputs, size_t pose);
+// Finds the forces of one pose in a space of one lane, without a status: outputs[channel][pose]. Returns whether all of
+// them are finite.
+bool yk_pose_forces_run_one(YkPoseForces *forces, const YkLanePose *at, double *const *outputs, size_t pose);
 // Finds the forces at the pose of a solved state: outputs[channel][pose] of the caller's channels, 0 if the status is
 // not YK_OK. Returns YK_OK; YK_SINGULAR at a dead point; or that of yk_dynamics_solve. The bits are those of a lane.
 YkStatus yk_pose_forces_at(YkPoseForces *forces, YkState *state, double *const *outputs, size_t pose);

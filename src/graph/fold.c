@@ -57,6 +57,8 @@ YkRef yk_graph_add(YkGraph *g, YkRef a, YkRef b)
     if (is_number(g, a) && is_number(g, b)) return yk_graph_number(g, at(g, a)->number + at(g, b)->number);
     if (is_negative(g, b)) return yk_graph_subtract(g, a, yk_graph_minus(g, b));
     if (is_negative(g, a)) return yk_graph_subtract(g, b, yk_graph_minus(g, a));
+    YkRef joined = yk_graph_join(g, a, b, 1);
+    if (joined != YK_NONE) return joined;
     order(&a, &b);
     return operation(g, YK_VALUE_ADD, a, b, YK_NONE);
 }
@@ -69,6 +71,8 @@ YkRef yk_graph_subtract(YkGraph *g, YkRef a, YkRef b)
     if (yk_graph_is_number(g, a, 0)) return yk_graph_minus(g, b);
     if (is_negative(g, b)) return yk_graph_add(g, a, yk_graph_minus(g, b));
     if (is_negative(g, a)) return yk_graph_minus(g, yk_graph_add(g, yk_graph_minus(g, a), b));
+    YkRef joined = yk_graph_join(g, a, b, -1);
+    if (joined != YK_NONE) return joined;
     if (g->shares_signs) {
         YkRef opposite = yk_graph_find(g, (YkValue){.op = YK_VALUE_SUBTRACT, .a = b, .b = a, .c = YK_NONE});
         if (opposite != YK_NONE) return operation(g, YK_VALUE_MINUS, opposite, YK_NONE, YK_NONE);
@@ -91,6 +95,8 @@ YkRef yk_graph_multiply(YkGraph *g, YkRef a, YkRef b)
         return yk_graph_minus(g, yk_graph_multiply(g, yk_graph_number(g, -at(g, a)->number), b));
     if (is_minus(g, a)) return yk_graph_minus(g, yk_graph_multiply(g, at(g, a)->a, b));
     if (is_minus(g, b)) return yk_graph_minus(g, yk_graph_multiply(g, a, at(g, b)->a));
+    YkRef joined = is_number(g, a) ? yk_graph_join_numbers(g, a, b) : YK_NONE;
+    if (joined != YK_NONE) return joined;
     order(&a, &b);
     return operation(g, YK_VALUE_MULTIPLY, a, b, YK_NONE);
 }

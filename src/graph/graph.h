@@ -53,6 +53,7 @@ typedef struct YkValue {
     int32_t section;    // under which heading it is computed
     bool of_parameters; // depends on parameters alone
     int32_t leaf_class; // of a leaf: YkLeafClass
+    YkRef sine;         // of the first part of a unit vector: the second part, or 0
 } YkValue;
 
 typedef enum YkLeafClass {
@@ -104,6 +105,7 @@ typedef struct YkGraph {
     YkNames leaves;    // values by name
     YkPace *pace;      // of the long call that fills it, or NULL
     bool failed;       // out of memory, or stopped
+    bool joins_terms;  // sums join multiples of the same factors, and c^2 + s^2 = 1 of unit vectors
     bool shares_signs; // b - a becomes -(a - b) where a - b is there, and sums with negative numbers are differences
 } YkGraph;
 
@@ -135,6 +137,12 @@ YkRef yk_graph_unary(YkGraph *graph, YkValueKind op, YkRef a);
 YkRef yk_graph_binary(YkGraph *graph, YkValueKind op, YkRef a, YkRef b); // ANGLE: y, x; NEAREST, LEAST, LARGEST
 YkRef yk_graph_choose(YkGraph *graph, YkRef sign, YkRef negative, YkRef otherwise);
 YkRefVec yk_graph_unit(YkGraph *graph, YkRef angle); // (cos, sin)
+// Notes that these values are the parts of a unit vector.
+void yk_graph_is_unit(YkGraph *graph, YkRefVec v);
+// fold_terms.c: return a + sign b in a simpler form, or number times product; YK_NONE if there is none, or the graph
+// does not join terms.
+YkRef yk_graph_join(YkGraph *graph, YkRef a, YkRef b, double sign);
+YkRef yk_graph_join_numbers(YkGraph *graph, YkRef number, YkRef product);
 // A call; the result `k` of it.
 int32_t yk_graph_call(YkGraph *graph, YkCall call);
 YkRef yk_graph_result(YkGraph *graph, int32_t call, size_t k);

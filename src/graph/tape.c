@@ -233,7 +233,8 @@ static void run_first_lane(YkTape *t, double *const *out)
         double *one = yk_tape_leaf_of_one(t, k);
         if (one) *one = *t->row[k];
     }
-    yk_tape_run_one(t, out);
+    const double *const *result = yk_tape_run_one(t);
+    for (size_t k = 0; k < t->root_count; k++) *out[k] = *result[k];
 }
 
 void yk_tape_run(YkTape *t, double *const *out, size_t n)

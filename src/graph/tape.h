@@ -8,7 +8,7 @@
 #include "graph/graph.h"
 
 typedef struct YkTape YkTape;
-enum { YK_TAPE_BLOCK = 96 }; // the number of lanes for which it is fastest
+enum { YK_TAPE_BLOCK = 192 }; // the number of lanes for which it is fastest
 
 // What the graph's calls of laws mean: result = value, first and second derivative.
 typedef struct YkTapeLaws {
@@ -40,7 +40,7 @@ void yk_tape_run(YkTape *tape, double *const *out, size_t n);
 // One lane runs from numbers instead of rows, with the same bits. Returns where the number of a leaf stands, to be
 // written before each run; NULL if the lanes of a pose do not depend on it.
 double *yk_tape_leaf_of_one(YkTape *tape, size_t leaf);
-// Computes *out[root].
-void yk_tape_run_one(YkTape *tape, double *const *out);
+// Computes the roots. Returns where their numbers stand until the next run: *result[root].
+const double *const *yk_tape_run_one(YkTape *tape);
 
 #endif

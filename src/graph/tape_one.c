@@ -1,8 +1,8 @@
 // One lane of a tape: the same operations on single numbers, in an order in which operations of one kind stand together.
 //
-// Every value has a number of its own, so that operations may change places: those that wait for as many others stand
-// side by side, sorted by their kind. A group of one kind is one jump, and its operations do not wait for each other.
-#include <stdlib.h>
+// Every value has a number of its own, so that operations may change places. Those of one kind follow each other as long
+// as there are some that wait for nothing else; then the kind comes of which most are ready. A group of one kind is one
+// jump.
 #include "graph/tape_one.h"
 
 typedef struct Maker {
@@ -10,16 +10,16 @@ typedef struct Maker {
     YkTapeOne *one;
     YkTapeStep *steps; // by places
     int32_t *place;    // per row: of the value that it holds now, or YK_NONE
-    int32_t *level;    // per place: how many steps come before it, at least
-    int64_t *order;    // per step: level, kind and index in one number, for sorting
+    bool *is_taken;    // per step
+    bool *is_known;    // per place: its number is there before the steps that are still left
+    size_t *order;     // steps as they run
     size_t step_count, place_count, place_capacity;
 } Maker;
 
 // --- places
 
-static int32_t new_place(Maker *m, int32_t level)
+static int32_t new_place(Maker *m)
 {
-    m->level[m->place_count] = level;
     return (int32_t)m->place_count++;
 }
 
@@ -28,7 +28,8 @@ static int32_t place_of(Maker *m, int32_t row)
 {
     YkTapeOne *one = m->one;
     if (m->place[row] != YK_NONE) return m->place[row];
-    m->place[row] = new_place(m, 0);
+    m->place[row] = new_place(m);
+    m->is_known[m->place[row]] = true;
     if ((size_t)row < m->tape->leaf_count)
         one->leaf[row] = m->place[row];
     else
@@ -36,27 +37,19 @@ static int32_t place_of(Maker *m, int32_t row)
     return m->place[row];
 }
 
-static int32_t read_row(Maker *m, int32_t row, int32_t *level)
-{
-    int32_t place = place_of(m, row);
-    if (m->level[place] > *level) *level = m->level[place];
-    return place;
-}
-
 static void place_call(Maker *m, YkTapeStep *s)
 {
     const YkTapeCall *call = &m->tape->calls[s->call];
     YkTapeCall *own = &m->one->calls[s->call];
     YkArena *arena = m->tape->arena;
-    int32_t level = 0;
     *own = *call;
     own->arguments = YK_NEW(arena, int32_t, call->argument_count + 1);
     own->results = YK_NEW(arena, int32_t, call->result_count + 1);
     if (yk_arena_failed(arena)) return;
     for (size_t k = 0; k < YK_TAPE_OPERANDS; k++) s->in[k] = 0; // not read
-    for (size_t k = 0; k < call->argument_count; k++) own->arguments[k] = read_row(m, call->arguments[k], &level);
+    for (size_t k = 0; k < call->argument_count; k++) own->arguments[k] = place_of(m, call->arguments[k]);
     for (size_t k = 0; k < call->result_count; k++) {
-        own->results[k] = call->results[k] == YK_NONE ? YK_NONE : new_place(m, level + 1);
+        own->results[k] = call->results[k] == YK_NONE ? YK_NONE : new_place(m);
         if (own->results[k] != YK_NONE) s->out = m->place[call->results[k]] = own->results[k];
     }
 }
@@ -64,13 +57,13 @@ static void place_call(Maker *m, YkTapeStep *s)
 // Operands that an operation does not read name the row of its result.
 static void place_operands(Maker *m, YkTapeStep *s)
 {
-    int32_t level = 0, row = s->out;
+    int32_t row = s->out;
     bool is_read[YK_TAPE_OPERANDS];
     for (size_t k = 0; k < YK_TAPE_OPERANDS; k++) {
         is_read[k] = s->in[k] != row;
-        if (is_read[k]) s->in[k] = read_row(m, s->in[k], &level);
+        if (is_read[k]) s->in[k] = place_of(m, s->in[k]);
     }
-    s->out = m->place[row] = new_place(m, level + 1);
+    s->out = m->place[row] = new_place(m);
     for (size_t k = 0; k < YK_TAPE_OPERANDS; k++)
         if (!is_read[k]) s->in[k] = s->out;
 }
@@ -88,36 +81,71 @@ static void place_step(Maker *m, const YkTapeStep *step)
         place_call(m, s);
     else
         place_operands(m, s);
-    m->order[m->step_count] = (int64_t)m->level[s->out] << 40 | (int64_t)s->op << 32 | (int64_t)m->step_count;
     m->step_count++;
 }
 
 // --- groups
 
-static int compare_orders(const void *a, const void *b)
+// Returns whether nothing that a step reads is still to be made. A step that reads less names its own result.
+static bool is_ready(const Maker *m, const YkTapeStep *s)
 {
-    int64_t one = *(const int64_t *)a, other = *(const int64_t *)b;
-    return (one > other) - (one < other);
+    const YkTapeCall *call = s->call == YK_NONE ? NULL : &m->one->calls[s->call];
+    for (size_t k = 0; call && k < call->argument_count; k++)
+        if (!m->is_known[call->arguments[k]]) return false;
+    for (size_t k = 0; !call && k < YK_TAPE_OPERANDS; k++)
+        if (s->in[k] != s->out && !m->is_known[s->in[k]]) return false;
+    return true;
 }
 
-static void add_to_groups(YkTapeOne *one, YkTapeOp op, bool is_first)
+static void take(Maker *m, size_t step, size_t at)
 {
-    if (is_first || one->groups[one->group_count - 1].op != op) one->groups[one->group_count++] = (YkTapeGroup){op, 0};
-    one->groups[one->group_count - 1].count++;
+    const YkTapeStep *s = &m->steps[step];
+    const YkTapeCall *call = s->call == YK_NONE ? NULL : &m->one->calls[s->call];
+    m->is_taken[step] = true;
+    m->order[at] = step;
+    m->is_known[s->out] = true;
+    for (size_t k = 0; call && k < call->result_count; k++)
+        if (call->results[k] != YK_NONE) m->is_known[call->results[k]] = true;
+}
+
+// Returns the kind of which most steps are ready.
+static YkTapeOp largest_kind(const Maker *m)
+{
+    size_t ready[YK_TAPE_COPY + 1] = {0}, best = 0;
+    for (size_t k = 0; k < m->step_count; k++)
+        if (!m->is_taken[k] && is_ready(m, &m->steps[k])) ready[m->steps[k].op]++;
+    for (size_t op = 1; op <= YK_TAPE_COPY; op++)
+        if (ready[op] > ready[best]) best = op;
+    return (YkTapeOp)best;
+}
+
+static void order_steps(Maker *m)
+{
+    for (size_t count = 0; count < m->step_count;) {
+        YkTapeOp op = largest_kind(m);
+        for (size_t k = 0; k < m->step_count; k++)
+            if (!m->is_taken[k] && m->steps[k].op == op && is_ready(m, &m->steps[k])) take(m, k, count++);
+    }
+}
+
+static void add_to_groups(YkTapeOne *one, YkTapeOp op, const YkTapeOperation *end)
+{
+    if (one->group_count == 0 || one->groups[one->group_count - 1].op != op) one->group_count++;
+    one->groups[one->group_count - 1] = (YkTapeGroup){end, op};
 }
 
 static void sort_steps(Maker *m)
 {
     YkTapeOne *one = m->one;
     size_t rare = 0;
-    qsort(m->order, m->step_count, sizeof *m->order, compare_orders);
+    order_steps(m);
     for (size_t k = 0; k < m->step_count; k++) {
-        const YkTapeStep *s = &m->steps[m->order[k] & INT32_MAX];
+        const YkTapeStep *s = &m->steps[m->order[k]];
         const double *const *at = (const double *const *)one->at;
         one->operations[k] =
             (YkTapeOperation){at[s->in[0]], at[s->in[1]], at[s->in[2]], at[s->in[3]], at[s->in[4]], one->at[s->out]};
         if (s->op == YK_TAPE_RARE) one->rare[rare++] = *s;
-        add_to_groups(one, s->op, k == 0);
+        add_to_groups(one, s->op, &one->operations[k + 1]);
     }
 }
 
@@ -135,13 +163,14 @@ static bool start(Maker *m, YkArena *work)
     }
     m->place_capacity = t->row_count + steps + results;
     m->steps = YK_NEW(work, YkTapeStep, steps);
-    m->order = YK_NEW(work, int64_t, steps);
+    m->order = YK_NEW(work, size_t, steps);
+    m->is_taken = YK_NEW(work, bool, steps);
     m->place = YK_NEW(work, int32_t, t->row_count + 1);
-    m->level = YK_NEW(work, int32_t, m->place_capacity);
+    m->is_known = YK_NEW(work, bool, m->place_capacity);
     one->value = YK_NEW(t->arena, double, m->place_capacity);
     one->at = YK_NEW(t->arena, double *, m->place_capacity);
     one->leaf = YK_NEW(t->arena, int32_t, t->leaf_count + 1);
-    one->root = YK_NEW(t->arena, int32_t, t->root_count + 1);
+    one->result = YK_NEW(t->arena, const double *, t->root_count + 1);
     one->numbers = YK_NEW(t->arena, YkTapeNumber, t->row_count + 1);
     one->operations = YK_NEW(t->arena, YkTapeOperation, steps);
     one->groups = YK_NEW(t->arena, YkTapeGroup, steps);
@@ -161,7 +190,8 @@ bool yk_tape_make_one(YkTape *t, YkArena *work)
     Maker m = {.tape = t, .one = t->one};
     if (!start(&m, work)) return false;
     for (size_t k = t->prelude_count; k < t->step_count; k++) place_step(&m, &t->steps[k]);
-    for (size_t k = 0; k < t->root_count; k++) t->one->root[k] = place_of(&m, (int32_t)(t->leaf_count + k));
+    for (size_t k = 0; k < t->root_count; k++) 
+        t->one->result[k] = &t->one->value[place_of(&m, (int32_t)(t->leaf_count + k))];
     if (yk_arena_failed(t->arena)) return false;
     sort_steps(&m);
     yk_tape_prepare_one(t);

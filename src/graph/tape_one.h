@@ -13,15 +13,15 @@ typedef struct YkTapeOperation { // where it reads and writes
 } YkTapeOperation;
 
 typedef struct YkTapeGroup { // operations of one kind
+    const YkTapeOperation *end;
     YkTapeOp op;
-    int32_t count;
 } YkTapeGroup;
 
 struct YkTapeOne {
     double *value;         // per place
     double **at;           // per place: its address, as rows of one lane
     int32_t *leaf;         // per leaf: its place, or YK_NONE
-    int32_t *root;         // per root: its place
+    const double **result; // per root: its number
     YkTapeNumber *numbers; // what depends on parameters alone
     size_t number_count, group_count;
     YkTapeOperation *operations;

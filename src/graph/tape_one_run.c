@@ -2,7 +2,7 @@
 #include <math.h>
 #include "graph/tape_one.h"
 
-// One group of operations. None of them reads what another one writes.
+// One group of operations.
 #define EACH(expression)                                                                                               \
     do {                                                                                                               \
         *s->out = (expression);                                                                                        \
@@ -21,7 +21,7 @@ static void run_groups(const YkTape *t)
     const YkTapeOperation *s = one->operations;
     const YkTapeStep *rare = one->rare;
     for (const YkTapeGroup *g = one->groups, *last = g + one->group_count; g < last; g++) {
-        const YkTapeOperation *end = s + g->count;
+        const YkTapeOperation *end = g->end;
         switch (g->op) {
         case YK_TAPE_ADD:
             EACH(*s->a + *s->b);
@@ -74,16 +74,15 @@ static void run_groups(const YkTape *t)
         case YK_TAPE_COPY:
             EACH(*s->a);
         case YK_TAPE_RARE:
-            rare = run_rare(t, rare, (size_t)g->count);
+            rare = run_rare(t, rare, (size_t)(end - s));
             s = end;
             break;
         }
     }
 }
 
-void yk_tape_run_one(YkTape *t, double *const *out)
+const double *const *yk_tape_run_one(YkTape *t)
 {
-    const YkTapeOne *one = t->one;
     run_groups(t);
-    for (size_t k = 0; k < t->root_count; k++) *out[k] = one->value[one->root[k]];
+    return t->one->result;
 }

@@ -59,6 +59,11 @@ YkRef yk_graph_cross(YkGraph *g, YkRefVec a, YkRefVec b)
     return yk_graph_subtract(g, xy, yx);
 }
 
+void yk_graph_is_unit(YkGraph *g, YkRefVec v)
+{
+    if (g->values[v.x].op != YK_VALUE_NUMBER) g->values[v.x].sine = v.y;
+}
+
 bool yk_graph_is_zero_vec(const YkGraph *g, YkRefVec v)
 {
     return yk_graph_is_number(g, v.x, 0) && yk_graph_is_number(g, v.y, 0);
@@ -79,5 +84,7 @@ YkRefVec yk_graph_unit(YkGraph *g, YkRef angle)
     if (value->op == YK_VALUE_MINUS) return yk_graph_vec_conjugate(g, yk_graph_unit(g, value->a));
     YkRef sine = yk_graph_intern(g, (YkValue){.op = YK_VALUE_SINE, .a = angle, .b = YK_NONE, .c = YK_NONE});
     YkValue cosine = {.op = YK_VALUE_COSINE, .a = angle, .b = sine, .c = YK_NONE};
-    return (YkRefVec){yk_graph_intern(g, cosine), sine};
+    YkRefVec e = {yk_graph_intern(g, cosine), sine};
+    yk_graph_is_unit(g, e);
+    return e;
 }

@@ -1,7 +1,6 @@
 // Evaluates a law: finds the piece, sums its polynomial and its waves.
 #include <math.h>
 #include "elementary/elementary.h"
-#include "elementary/kernel.h"
 #include "law/inside.h"
 
 enum { ORDERS = YK_LAW_ORDER + 1 };
@@ -99,33 +98,7 @@ void yk_law_eval(const YkLaw *law, double x, double d[ORDERS])
 
 // --- many places
 
-enum { WIDE = 8 }; // places in one pass
-
-// The recurrences of add_polynomial for the value and two derivatives. n: a multiple of WIDE.
-YK_INLINE void yk_law_polynomial_body(const double *c, size_t terms, double middle, double scale, const double *x,
-                                      double *const *d, size_t n)
-{
-    for (size_t at = 0; at < n; at += WIDE) {
-        double u[WIDE], b[3][WIDE] = {{0}}, before[3][WIDE] = {{0}};
-        for (size_t i = 0; i < WIDE; i++) u[i] = (x[at + i] - middle) * scale;
-        for (size_t k = terms - 1; k > 0; k--)
-            for (size_t i = 0; i < WIDE; i++) {
-                double value = 2 * u[i] * b[0][i] - before[0][i] + c[k];
-                double first = 2 * u[i] * b[1][i] - before[1][i] + 2 * b[0][i];
-                double second = 2 * u[i] * b[2][i] - before[2][i] + 4 * b[1][i];
-                before[0][i] = b[0][i], before[1][i] = b[1][i], before[2][i] = b[2][i];
-                b[0][i] = value, b[1][i] = first, b[2][i] = second;
-            }
-        for (size_t i = 0; i < WIDE; i++) {
-            d[0][at + i] = 0 + (u[i] * b[0][i] - before[0][i]) + c[0];
-            d[1][at + i] = (0 + (u[i] * b[1][i] - before[1][i]) + b[0][i]) * scale;
-            d[2][at + i] = (0 + (u[i] * b[2][i] - before[2][i]) + 2 * b[1][i]) * (scale * scale);
-        }
-    }
-}
-YK_KERNEL(yk_law_polynomial,
-          (const double *c, size_t terms, double middle, double scale, const double *x, double *const *d, size_t n),
-          (c, terms, middle, scale, x, d))
+enum { WIDE = 8 }; // fewer places are not worth a pass
 
 // Returns how many places, from the first, lie in one piece that is a polynomial; less than WIDE count as none.
 static size_t run_of(const YkLaw *law, const double *x, size_t n, const YkPiece **piece)
@@ -136,8 +109,11 @@ static size_t run_of(const YkLaw *law, const double *x, size_t n, const YkPiece 
     *piece = find(law, *x);
     if (*piece + 1 < law->pieces + law->piece_count && (*piece)[1].from < end) end = (*piece)[1].from;
     if ((*piece)->waves > 0 || (*piece)->terms == 0) return 0;
+    bool within;
+    yk_law_within(&within, x, (*piece)->from, end, n);
+    if (within) return n;
     while (count < n && x[count] >= (*piece)->from && x[count] < end) count++;
-    return count / WIDE * WIDE;
+    return count < WIDE ? 0 : count;
 }
 
 void yk_law_eval_lanes(const YkLaw *law, const double *x, double *const d[3], size_t n)

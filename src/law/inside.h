@@ -39,9 +39,11 @@ struct YkLawBuilder {
 // eval.c: computes the value and derivatives of one piece with respect to x, at any x.
 void yk_piece_eval(const YkPiece *piece, const double *numbers, double x, double d[YK_LAW_ORDER + 1]);
 
-// eval.c: computes the value and two derivatives of a polynomial, without waves, at n places, a multiple of 8.
+// kernels_polynomial.c: computes the value and two derivatives of a polynomial, without waves, at n places.
 void yk_law_polynomial(const double *c, size_t terms, double middle, double scale, const double *x, double *const *d,
                        size_t n);
+// Tells whether n places are all in [from, to).
+void yk_law_within(bool *within, const double *x, double from, double to, size_t n);
 // build.c: adds a piece with its numbers (terms + 3 waves of them); frame gives the rest. Returns false when out of
 // memory.
 bool yk_law_add_piece(YkLawBuilder *builder, const YkPiece *frame, const double *numbers);

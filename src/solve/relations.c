@@ -1,91 +1,90 @@
 // Evaluates relations: over lanes, in groups, and the references of their angles.
 #include "solve/relations.h"
-#include <string.h>
 
-static void add_scaled(YkPlane out, double factor, const double *x, const double *v, const double *a, size_t n)
+// Inputs are only read.
+static YkScalar input_of(const YkRun *run, int32_t input)
 {
-    for (size_t k = 0; k < n; k++) {
-        out.x[k] += factor * x[k];
-        out.vx[k] += factor * v[k];
-        out.ax[k] += factor * a[k];
+    const double *const *in = run->inputs + 3 * input;
+    return (YkScalar){(double *)(uintptr_t)in[0], (double *)(uintptr_t)in[1], (double *)(uintptr_t)in[2]};
+}
+
+static YkScalar source_of(const YkRun *run, const YkRelationSource *s, double *angle)
+{
+    if (s->kind == YK_SOURCE_INPUT) return input_of(run, s->index);
+    if (s->kind == YK_SOURCE_DISTANCE) {
+        YkSlide d = yk_space_slide(run->space, s->index);
+        return (YkScalar){d.d, d.v, d.a};
+    }
+    YkTurn t = yk_space_turn(run->space, s->index);
+    yk_lanes_angle(angle, yk_space_turn(run->space, 0), t, 0, run->references[s->reference], run->lanes);
+    return (YkScalar){angle, t.w, t.a};
+}
+
+static void hold_still(const YkRun *run, double value, YkScalar out)
+{
+    for (size_t k = 0; k < run->lanes; k++) {
+        out.x[k] = value;
+        out.v[k] = out.a[k] = 0;
     }
 }
 
-// Adds up sources in the x lanes of a plane.
-static void add_sources(const YkRun *run, uint32_t first, uint32_t count, double offset, YkPlane out, double *angle)
+// Adds up sources, if there are any.
+static void add_sources(const YkRun *run, uint32_t first, uint32_t count, double offset, YkScalar out, double *angle)
 {
     size_t n = run->lanes;
-    for (size_t k = 0; k < n; k++) out.x[k] = offset;
-    memset(out.vx, 0, n * sizeof(double));
-    memset(out.ax, 0, n * sizeof(double));
     for (uint32_t k = first; k < first + count; k++) {
         const YkRelationSource *s = &run->mech->sources[k];
-        if (s->kind == YK_SOURCE_INPUT) {
-            const double *const *in = run->inputs + 3 * s->index;
-            add_scaled(out, s->factor, in[0], in[1], in[2], n);
-        } else if (s->kind == YK_SOURCE_DISTANCE) {
-            YkSlide d = yk_space_slide(run->space, s->index);
-            add_scaled(out, s->factor, d.d, d.v, d.a, n);
-        } else {
-            YkTurn t = yk_space_turn(run->space, s->index);
-            yk_lanes_angle(angle, yk_space_turn(run->space, 0), t, 0, run->references[s->reference], n);
-            add_scaled(out, s->factor, angle, t.w, t.a, n);
-        }
+        yk_lanes_multiple(out, offset, k == first, s->factor, source_of(run, s, angle), n);
     }
 }
 
 // Adds gain * law(argument) to out, with the rates by the chain rule.
-static void add_law(const YkRun *run, const YkRelation *r, YkPlane argument, YkPlane out, double *slope)
+static void add_law(const YkRun *run, const YkRelation *r, YkScalar argument, YkScalar out, double *slope)
 {
     enum { SOME = 96 };
     double value[SOME], first[SOME], second[SOME], *const d[] = {value, first, second};
     for (size_t at = 0; at < run->lanes; at += SOME) {
         size_t n = run->lanes - at < SOME ? run->lanes - at : SOME;
-        yk_law_eval_lanes(r->law, argument.x + at, d, n);
-        for (size_t k = at; k < at + n; k++) {
-            double w = argument.vx[k];
-            out.x[k] += r->gain * value[k - at];
-            out.vx[k] += r->gain * first[k - at] * w;
-            out.ax[k] += r->gain * (first[k - at] * argument.ax[k] + second[k - at] * w * w);
-            slope[k] = r->gain * first[k - at];
-        }
+        YkScalar to = {out.x + at, out.v + at, out.a + at}, x = {argument.x + at, argument.v + at, argument.a + at};
+        yk_law_eval_lanes(r->law, x.x, d, n);
+        yk_lanes_add_law(to, r->offset, r->source_count == 0, r->gain, (const double *const *)d, x, slope + at, n);
     }
+}
+
+// Evaluates a relation's value with its rates.
+static void evaluate(const YkRun *run, size_t index, YkScalar out)
+{
+    const YkRelation *r = &run->mech->relations[index];
+    YkPlane argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
+    YkScalar turned = {argument.x, argument.vx, argument.ax};
+    double *angle = yk_space_scratch(run->space, YK_SCRATCH_ARM_2).x;
+    if (r->source_count == 0 && !r->law) hold_still(run, r->offset, out);
+    add_sources(run, r->first_source, r->source_count, r->offset, out, angle);
+    if (!r->law) return;
+    if (r->argument_source_count == 0) hold_still(run, r->argument_offset, turned);
+    add_sources(run, r->first_argument_source, r->argument_source_count, r->argument_offset, turned, angle);
+    add_law(run, r, turned, out, run->space->gain + index * run->space->stride);
 }
 
 void yk_run_relation(const YkRun *run, size_t index)
 {
-    const YkRelation *r = &run->mech->relations[index];
-    size_t n = run->lanes;
-    YkPlane out = yk_space_scratch(run->space, YK_SCRATCH_KNOWN),
-            argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
-    double *angle = yk_space_scratch(run->space, YK_SCRATCH_ARM_2).x;
-    add_sources(run, r->first_source, r->source_count, r->offset, out, angle);
-    if (r->law) {
-        add_sources(run, r->first_argument_source, r->argument_source_count, r->argument_offset, argument, angle);
-        add_law(run, r, argument, out, run->space->gain + index * run->space->stride);
-    }
-    if (!r->target.is_distance) {
-        YkTurn target = yk_space_turn(run->space, r->target.index);
-        yk_lanes_turn(target, yk_space_turn(run->space, 0), out.x, out.vx, out.ax, 0, 1, n);
+    YkRelationTerm to = run->mech->relations[index].target;
+    if (to.is_distance) {
+        YkSlide target = yk_space_slide(run->space, to.index);
+        evaluate(run, index, (YkScalar){target.d, target.v, target.a});
         return;
     }
-    YkSlide target = yk_space_slide(run->space, r->target.index);
-    memcpy(target.d, out.x, n * sizeof(double));
-    memcpy(target.v, out.vx, n * sizeof(double));
-    memcpy(target.a, out.ax, n * sizeof(double));
+    YkTurn target = yk_run_turn(run, to.index);
+    double *angle = yk_space_scratch(run->space, YK_SCRATCH_KNOWN).x;
+    evaluate(run, index, (YkScalar){angle, target.w, target.a});
+    yk_lanes_turn(target, yk_space_turn(run->space, 0), angle, target.w, target.a, 0, 1, run->lanes);
 }
 
 void yk_run_relation_check(const YkRun *run, size_t index)
 {
-    const YkRelation *r = &run->mech->relations[index];
-    YkPlane out = yk_space_scratch(run->space, YK_SCRATCH_KNOWN),
-            argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
-    double *angle = yk_space_scratch(run->space, YK_SCRATCH_ARM_2).x, *gap = run->space->gap;
-    add_sources(run, r->first_source, r->source_count, r->offset, out, angle);
-    if (r->law) {
-        add_sources(run, r->first_argument_source, r->argument_source_count, r->argument_offset, argument, angle);
-        add_law(run, r, argument, out, run->space->gain + index * run->space->stride);
-    }
+    YkPlane out = yk_space_scratch(run->space, YK_SCRATCH_KNOWN);
+    double *gap = run->space->gap;
+    evaluate(run, index, (YkScalar){out.x, out.vx, out.ax});
     for (size_t k = 0; k < run->lanes; k++) gap[k] = fmax(gap[k], fabs(out.x[k]));
 }
 

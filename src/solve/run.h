@@ -12,7 +12,16 @@ typedef struct YkRun {
     YkGroupWork *groups;         // for GROUP blocks (one lane only), or NULL
     size_t lanes;
     const double *references; // [mech->reference_count]: references of the angles from which relations start
+    const bool *rates_alone;  // [slot]: nobody reads its direction, so that lanes need not turn it; or NULL
 } YkRun;
+
+// Returns where an input or a relation turns an orientation: without its direction if nobody reads that.
+static inline YkTurn yk_run_turn(const YkRun *run, int32_t slot)
+{
+    YkTurn turn = yk_space_turn(run->space, slot);
+    if (run->rates_alone && run->rates_alone[slot]) turn.c = turn.s = NULL;
+    return turn;
+}
 
 // Runs steps [from, to). Margins and gaps continue from their present values: call yk_run_begin before step 0.
 void yk_run_begin(const YkRun *run);

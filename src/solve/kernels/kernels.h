@@ -23,6 +23,10 @@ typedef struct YkSlide {
 typedef struct YkPlane {
     double *x, *y, *vx, *vy, *ax, *ay;
 } YkPlane;
+// Lanes of a scalar and its derivatives.
+typedef struct YkScalar {
+    double *x, *v, *a;
+} YkScalar;
 // The arm of a dyad, in the axes of its unknown orientation: constant, or (lanes.x != NULL) varying with its inputs.
 typedef struct YkArm {
     YkVec constant;
@@ -46,7 +50,8 @@ typedef struct YkTurned {
     YkTurn turn;
 } YkTurned;
 
-// Computes out = parent turned by sign * (theta + offset). rate, accel NULL: zero. sign is +1 or -1.
+// Computes out = parent turned by sign * (theta + offset). rate, accel NULL: zero; they may be those of out. sign is +1
+// or -1. out.c NULL: the rates alone.
 void yk_lanes_turn(YkTurn out, YkTurn parent, const double *theta, const double *rate, const double *accel,
                    double offset, double sign, size_t n);
 // Computes out = a turned by b (rates add).
@@ -105,6 +110,13 @@ void yk_lanes_rpr_turned(const YkTurned *K, YkArm C, YkVec u, double branch, YkT
                          double *block_margin, size_t n);
 void yk_lanes_rrr_turned(const YkTurned *K, YkArm U, YkArm W, double branch, YkTurn out1, YkTurn out2, double *margin,
                          double *block_margin, size_t n);
+
+// Relations: out += factor x, with the rates; out = offset + factor x if it is the first.
+void yk_lanes_multiple(YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n);
+// Computes out += gain f(x), with its rates; out = offset + gain f(x) if it is the first. law: f(x), f'(x), f''(x).
+// slope = gain f'(x).
+void yk_lanes_add_law(YkScalar out, double offset, bool is_first, double gain, const double *const *law, YkScalar x,
+                      double *slope, size_t n);
 
 // Answers. angle = arg(e_b conj(e_a)) + offset, nearest to `reference` modulo a turn.
 void yk_lanes_angle(double *out, YkTurn a, YkTurn b, double offset, double reference, size_t n);

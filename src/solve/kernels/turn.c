@@ -40,12 +40,12 @@ YK_INLINE void turn_rates(double *out, const double *base, const double *change,
     if (base && change) {
         YK_EACH_LANE
         for (size_t i = 0; i < n; i++) out[i] = base[i] + sign * change[i];
-    } else if (change) {
+    } else if (change && !(change == out && sign == 1)) {
         YK_EACH_LANE
         for (size_t i = 0; i < n; i++) out[i] = sign * change[i];
     } else if (base) {
         memcpy(out, base, n * sizeof *out);
-    } else {
+    } else if (!change) {
         memset(out, 0, n * sizeof *out);
     }
 }
@@ -53,9 +53,12 @@ YK_INLINE void turn_rates(double *out, const double *base, const double *change,
 YK_INLINE void yk_lanes_turn_body(YkTurn out, YkTurn parent, const double *theta, const double *rate,
                                   const double *accel, double offset, double sign, size_t n)
 {
-    uint64_t far = parent.c ? turn_near(out, parent, true, theta, offset, sign, n)
-                            : turn_near(out, parent, false, theta, offset, sign, n);
-    if (sincos_is_far(far)) turn_one_by_one(out, parent, theta, offset, sign, n);
+    uint64_t far = 0;
+    if (out.c && parent.c)
+        far = turn_near(out, parent, true, theta, offset, sign, n);
+    else if (out.c)
+        far = turn_near(out, parent, false, theta, offset, sign, n);
+    if (out.c && sincos_is_far(far)) turn_one_by_one(out, parent, theta, offset, sign, n);
     turn_rates(out.w, parent.c ? parent.w : NULL, rate, sign, n);
     turn_rates(out.a, parent.c ? parent.a : NULL, accel, sign, n);
 }

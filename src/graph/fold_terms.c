@@ -1,0 +1,222 @@
+// Sums of products that are less than they seem: multiples of the same factors, and the squares of a unit vector's two
+// parts. What turns with one body is full of them: a gear's teeth, its arms and its accelerations all have the direction
+// of the line of centres, so that products of the two fold to numbers.
+#include <float.h>
+#include <math.h>
+#include "graph/graph.h"
+
+enum { FACTORS = 6 };
+static const double ALMOST = 4 * DBL_EPSILON; // coefficients that differ by less were rounded on different ways
+
+typedef struct Product { // number times factors, which ascend
+    double number;
+    size_t count;
+    YkRef factor[FACTORS];
+} Product;
+
+static const YkValue *at(const YkGraph *g, YkRef value)
+{
+    return &g->values[value];
+}
+
+// Multiplies by a value. Returns false if there are too many factors.
+static bool take(const YkGraph *g, YkRef value, Product *p)
+{
+    const YkValue *v = at(g, value);
+    if (v->op == YK_VALUE_NUMBER || v->op == YK_VALUE_MINUS) p->number *= v->op == YK_VALUE_MINUS ? -1 : v->number;
+    if (v->op == YK_VALUE_NUMBER) return true;
+    if (v->op == YK_VALUE_MINUS) return take(g, v->a, p);
+    if (v->op == YK_VALUE_MULTIPLY) return take(g, v->a, p) && take(g, v->b, p);
+    if (p->count == FACTORS) return false;
+    size_t k = p->count++;
+    for (; k > 0 && p->factor[k - 1] > value; k--) p->factor[k] = p->factor[k - 1];
+    p->factor[k] = value;
+    return true;
+}
+
+// Multiplies squares first, which are likely to exist.
+static YkRef product_of(YkGraph *g, const Product *p)
+{
+    YkRef value = YK_NONE;
+    for (size_t k = 0; k < p->count; k++) {
+        YkRef next = p->factor[k];
+        if (k + 1 < p->count && p->factor[k + 1] == next) next = yk_graph_multiply(g, next, p->factor[++k]);
+        value = value == YK_NONE ? next : yk_graph_multiply(g, value, next);
+    }
+    YkRef number = yk_graph_number(g, p->number);
+    return p->count == 0 || p->number == 0 ? number : yk_graph_multiply(g, number, value);
+}
+
+static bool is_almost(double a, double b)
+{
+    return fabs(a - b) <= ALMOST * fabs(a);
+}
+
+static bool have_same_factors(const Product *a, const Product *b)
+{
+    bool same = a->count == b->count && a->count > 0;
+    for (size_t k = 0; same && k < a->count; k++) same = a->factor[k] == b->factor[k];
+    return same;
+}
+
+// Removes from each product what both contain.
+static void remove_common(Product *a, Product *b, Product *common)
+{
+    Product left = {a->number, 0, {0}}, right = {b->number, 0, {0}};
+    size_t i = 0, k = 0;
+    *common = (Product){1, 0, {0}};
+    while (i < a->count || k < b->count) {
+        if (i < a->count && k < b->count && a->factor[i] == b->factor[k]) {
+            common->factor[common->count++] = a->factor[i];
+            i++, k++;
+        } else if (k == b->count || (i < a->count && a->factor[i] < b->factor[k])) {
+            left.factor[left.count++] = a->factor[i++];
+        } else {
+            right.factor[right.count++] = b->factor[k++];
+        }
+    }
+    *a = left, *b = right;
+}
+
+static bool is_square(const Product *p)
+{
+    return p->count == 2 && p->factor[0] == p->factor[1];
+}
+
+// Adds k s^2 x to k c^2 x, where c and s are the parts of a unit vector. Returns false for anything else.
+static bool add_squares(const YkGraph *g, Product *a, Product b)
+{
+    Product own = *a, common;
+    if (!is_almost(a->number, b.number)) return false;
+    remove_common(&own, &b, &common);
+    if (!is_square(&own) || !is_square(&b)) return false;
+    if (at(g, own.factor[0])->sine != b.factor[0] && at(g, b.factor[0])->sine != own.factor[0]) return false;
+    common.number = a->number;
+    *a = common;
+    return true;
+}
+
+// Adds b to a if they are multiples of the same factors, or squares. Returns whether they are.
+static bool add_product(const YkGraph *g, Product *a, Product b)
+{
+    if (!have_same_factors(a, &b)) return add_squares(g, a, b);
+    a->number = is_almost(a->number, -b.number) ? 0 : a->number + b.number;
+    return true;
+}
+
+static bool is_sum(const YkGraph *g, YkRef value)
+{
+    return at(g, value)->op == YK_VALUE_ADD || at(g, value)->op == YK_VALUE_SUBTRACT;
+}
+
+// --- products of sums
+
+enum { TERMS = 8 };
+typedef struct Terms {
+    size_t count;
+    Product term[TERMS];
+} Terms;
+
+static size_t find_sum(const YkGraph *g, const Product *p)
+{
+    size_t k = 0;
+    while (k < p->count && !is_sum(g, p->factor[k])) k++;
+    return k;
+}
+
+// Adds the terms of a product, whose factors may be sums. Returns false if there are too many.
+static bool expand(const YkGraph *g, const Product *p, Terms *out)
+{
+    size_t k = find_sum(g, p);
+    if (out->count == TERMS) return false;
+    if (k == p->count) {
+        out->term[out->count++] = *p;
+        return true;
+    }
+    const YkValue *sum = at(g, p->factor[k]);
+    Product one = *p, other;
+    one.count--;
+    for (; k < one.count; k++) one.factor[k] = one.factor[k + 1];
+    other = one;
+    if (sum->op == YK_VALUE_SUBTRACT) other.number = -other.number;
+    return take(g, sum->a, &one) && take(g, sum->b, &other) && expand(g, &one, out) && expand(g, &other, out);
+}
+
+static void collect(const YkGraph *g, Terms *t)
+{
+    for (size_t i = 0; i < t->count; i++)
+        for (size_t k = i + 1; k < t->count;) {
+            if (!add_product(g, &t->term[i], t->term[k])) {
+                k++;
+                continue;
+            }
+            t->term[k] = t->term[--t->count];
+            k = i + 1;
+        }
+    size_t left = 0;
+    for (size_t i = 0; i < t->count; i++)
+        if (t->term[i].number != 0) t->term[left++] = t->term[i];
+    t->count = left;
+}
+
+// Returns the sum of two products with sums as factors, multiplied out, if no more than two terms are left and as many
+// vanish: as where an arm's moment of its own inertia becomes a multiple of its angular acceleration.
+static YkRef join_expanded(YkGraph *g, const Product *p, const Product *q)
+{
+    Terms t = {0};
+    if (find_sum(g, p) == p->count || find_sum(g, q) == q->count) return YK_NONE;
+    if (!expand(g, p, &t) || !expand(g, q, &t)) return YK_NONE;
+    size_t before = t.count;
+    collect(g, &t);
+    if (t.count > 2 || 2 * t.count > before) return YK_NONE;
+    YkRef sum = yk_graph_number(g, 0);
+    for (size_t k = 0; k < t.count; k++) sum = yk_graph_add(g, sum, product_of(g, &t.term[k]));
+    return sum;
+}
+
+// --- sums
+
+// Returns a + sign b in a simpler form; YK_NONE if there is none.
+static YkRef join(YkGraph *g, YkRef a, YkRef b, double sign)
+{
+    Product p = {1, 0, {0}}, q = {sign, 0, {0}};
+    if (!take(g, a, &p) || !take(g, b, &q)) return YK_NONE;
+    if (p.count == 0 && q.count == 0) return yk_graph_number(g, p.number + q.number);
+    return add_product(g, &p, q) ? product_of(g, &p) : join_expanded(g, &p, &q);
+}
+
+// Looks for a term of a sum that b joins. depth: how many sums within each other are searched.
+static YkRef join_within(YkGraph *g, YkRef a, YkRef b, double sign, int depth)
+{
+    YkRef joined = join(g, a, b, sign);
+    if (joined != YK_NONE || !is_sum(g, a) || depth == 0) return joined;
+    YkValue sum = *at(g, a);
+    double own = sum.op == YK_VALUE_ADD ? 1 : -1;
+    if ((joined = join_within(g, sum.b, b, own * sign, depth - 1)) != YK_NONE)
+        return own > 0 ? yk_graph_add(g, sum.a, joined) : yk_graph_subtract(g, sum.a, joined);
+    if ((joined = join_within(g, sum.a, b, sign, depth - 1)) != YK_NONE)
+        return own > 0 ? yk_graph_add(g, joined, sum.b) : yk_graph_subtract(g, joined, sum.b);
+    return YK_NONE;
+}
+
+enum { DEPTH = 4 };
+
+YkRef yk_graph_join(YkGraph *g, YkRef a, YkRef b, double sign)
+{
+    if (!g->joins_terms) return YK_NONE;
+    YkRef joined = join_within(g, a, b, sign, DEPTH);
+    if (joined != YK_NONE || !is_sum(g, b)) return joined;
+    joined = join_within(g, b, a, sign, DEPTH); // sign (b + sign a) = a + sign b
+    return joined == YK_NONE || sign > 0 ? joined : yk_graph_minus(g, joined);
+}
+
+// A product of two numbers that ought to be 1 is rounded to it.
+YkRef yk_graph_join_numbers(YkGraph *g, YkRef number, YkRef product)
+{
+    const YkValue *v = at(g, product);
+    if (!g->joins_terms || v->op != YK_VALUE_MULTIPLY || at(g, v->a)->op != YK_VALUE_NUMBER) return YK_NONE;
+    double both = at(g, number)->number * at(g, v->a)->number;
+    YkRef rest = v->b;
+    if (is_almost(1, fabs(both))) both = both < 0 ? -1 : 1;
+    return yk_graph_multiply(g, yk_graph_number(g, both), rest);
+}
