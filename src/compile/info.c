@@ -2,6 +2,8 @@
 #include <string.h>
 #include "compile/mechanism.h"
 
+enum { LONGEST = 240 }; // name
+
 const YkModel *yk_mechanism_model(const YkMechanism *mech)
 {
     return mech->model;
@@ -14,16 +16,6 @@ double yk_mechanism_size(const YkMechanism *mech)
 size_t yk_coordinate_count(const YkMechanism *mech)
 {
     return mech->coordinate_count;
-}
-
-static bool has_start(const YkMechanism *mech, const YkTreeCoordinate *c)
-{
-    const YkModel *model = mech->model;
-    for (size_t k = 0; k < model->start_count; k++) {
-        const YkCoordinate *named = &model->coordinates[model->starts[k].coordinate];
-        if (!model->starts[k].is_rate && named->joint == c->joint && named->is_distance == c->is_distance) return true;
-    }
-    return false;
 }
 
 // Returns the joint of the file to which a joint belongs.
@@ -42,15 +34,8 @@ YkCoordinateInfo yk_coordinate_info(const YkMechanism *mech, size_t coordinate)
                               .is_declared = c->is_declared,
                               .has_drive = c->drive != YK_NONE,
                               .is_held = c->drive != YK_NONE && mech->model->drives[c->drive].is_hold,
-                              .has_start = has_start(mech, c),
+                              .has_start = c->has_start,
                               .input = c->input};
-}
-
-size_t yk_coordinate_find(const YkMechanism *mech, const char *name)
-{
-    for (size_t k = 0; k < mech->coordinate_count; k++)
-        if (strcmp(mech->coordinates[k].name, name) == 0) return k;
-    return YK_NOT_FOUND;
 }
 
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance)
@@ -69,6 +54,32 @@ int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_dista
     for (; low < mech->coordinate_count && shown_joint(model, c[low].joint) == shown; low++)
         if (c[low].joint == joint && c[low].is_distance == is_distance) return (int32_t)low;
     return YK_NONE;
+}
+
+// Returns the coordinate that a name may mean: one of the file, or one that is named after its joint.
+static int32_t namesake(const YkMechanism *mech, const char *name)
+{
+    const YkModel *model = mech->model;
+    int32_t declared = yk_names_find(&model->coordinate_names, name);
+    if (declared != YK_NONE)
+        return yk_tree_coordinate(mech, model->coordinates[declared].joint, model->coordinates[declared].is_distance);
+    const char *dot = strrchr(name, '.');
+    char joint[LONGEST];
+    if (!dot || (size_t)(dot - name) >= sizeof joint) return YK_NONE;
+    memcpy(joint, name, (size_t)(dot - name));
+    joint[dot - name] = 0;
+    int32_t found = yk_names_find(&model->joint_names, joint);
+    return found == YK_NONE ? YK_NONE : yk_tree_coordinate(mech, found, strcmp(dot, ".distance") == 0);
+}
+
+size_t yk_coordinate_find(const YkMechanism *mech, const char *name)
+{
+    int32_t found = namesake(mech, name);
+    if (found != YK_NONE && strcmp(mech->coordinates[found].name, name) == 0) return (size_t)found;
+    bool may_hide = mech->model->carriage_count > 0 || strlen(name) >= LONGEST;
+    for (size_t k = 0; may_hide && k < mech->coordinate_count; k++) // of joints that the file does not name
+        if (strcmp(mech->coordinates[k].name, name) == 0) return k;
+    return YK_NOT_FOUND;
 }
 
 size_t yk_tree_path(const YkMechanism *mech, int32_t body, size_t from, int32_t *path)

@@ -49,11 +49,11 @@ typedef struct YkJointAngle {
 typedef struct YkTreeCoordinate {
     const char *name;
     int32_t joint;
-    bool is_distance, is_declared;
-    int32_t drive;      // of the model, or YK_NONE
-    int32_t input;      // or YK_NONE
-    int32_t distance;   // its distance variable, or YK_NONE
-    YkJointAngle angle; // of its joint
+    bool is_distance, is_declared, has_start; // has_start: `start:` gives its value
+    int32_t drive;                            // of the model, or YK_NONE
+    int32_t input;                            // or YK_NONE
+    int32_t distance;                         // its distance variable, or YK_NONE
+    YkJointAngle angle;                       // of its joint
     // If gears and the like make the angle a sum of inputs: that sum, exact over any number of turns.
     bool is_sum;
     double sum_offset;

@@ -207,6 +207,16 @@ static void report_closing_coordinate(const YkMechanism *mech, int32_t joint, Yk
                     j->name, j->angle != YK_NONE ? "angle" : "distance");
 }
 
+static void mark_starts(YkMechanism *mech)
+{
+    const YkModel *model = mech->model;
+    for (size_t k = 0; k < model->start_count; k++) {
+        const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
+        int32_t q = model->starts[k].is_rate ? YK_NONE : yk_tree_coordinate(mech, c->joint, c->is_distance);
+        if (q != YK_NONE) mech->coordinates[q].has_start = true;
+    }
+}
+
 static bool build_tables(YkMechanism *mech, YkProblems *problems)
 {
     const YkModel *model = mech->model;
@@ -229,6 +239,7 @@ static bool build_tables(YkMechanism *mech, YkProblems *problems)
         }
     }
     yk_terms_free(&list);
+    mark_starts(mech);
     return ok && !yk_arena_failed(mech->arena);
 }
 

@@ -195,7 +195,7 @@ static YkStatus reduce_tree(YkDynamics *d, const YkState *state, double *acceler
         d->v[i] = state->input[3 * i + 1];
     }
     bool has_efforts = d->loads->item_count > 0;
-    if (has_efforts && !yk_loads_efforts(d->loads, state, d->effort, d->power, &culprit))
+    if (has_efforts && !yk_loads_efforts(d->loads, state, d->v, d->effort, d->power, &culprit))
         return yk_dynamics_fail_at_load(d, culprit);
     if (d->push != 0) {
         if (!has_efforts) memset(d->effort, 0, n * sizeof *d->effort);

@@ -38,13 +38,14 @@ static YkLoadValue value_of(YkLoads *loads, const YkStrength *strength)
     } else {
         value.formula = formula;
     }
+    loads->varies = loads->varies || value.formula || value.law;
     return value;
 }
 
 static YkLoadItem *add_item(YkLoads *loads, YkLoadKind kind, const char *name)
 {
     YkLoadItem *item = &loads->items[loads->item_count++];
-    *item = (YkLoadItem){.kind = kind, .name = name, .joint = YK_NONE, .coordinate = YK_NONE};
+    *item = (YkLoadItem){.kind = kind, .name = name, .joint = YK_NONE, .coordinate = YK_NONE, .input = YK_NONE};
     return item;
 }
 
@@ -60,6 +61,7 @@ static YkLoadItem *add_along(YkLoads *loads, YkLoadKind kind, const char *name, 
     item->joint = joint;
     item->is_distance = is_distance;
     item->coordinate = yk_tree_coordinate(loads->mech, joint, is_distance);
+    if (item->coordinate != YK_NONE) item->input = loads->mech->coordinates[item->coordinate].input;
     act_on(loads, yk_joint_end(model, (size_t)joint, 0)->body[0], yk_joint_end(model, (size_t)joint, 1)->body[1]);
     return item;
 }

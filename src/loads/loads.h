@@ -52,6 +52,7 @@ typedef struct YkLoadItem {
     int32_t joint;    // EFFORT, ALONG, VISCOUS, COULOMB
     bool is_distance;
     int32_t coordinate; // in the tree, if the joint has one there; otherwise YK_NONE
+    int32_t input;      // of the coordinate; YK_NONE if it is none
     int32_t body[2];    // FORCE: body[0]; SPRING
     YkLoadEnd end[2];   // likewise
     bool in_body_axes;
@@ -92,6 +93,7 @@ typedef struct YkLoads {
     size_t handle_count;
     double handle_power; // power that all handles delivered to the machine when last added, W
     bool has_dry;
+    bool varies; // a number follows a formula or a law
     bool failed;
 } YkLoads;
 
@@ -109,9 +111,10 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
 // Adds an effort along a joint's freedom to both bodies.
 void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
                          YkLoad *load);
-// Finds, for open trees whose only items are one effort for each coordinate, effort[input] at the state's inputs, and
-// their power.
-bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, double *power, size_t *culprit);
+// Finds, for open trees whose only items are one effort for each coordinate, effort[input], and their power at rate[input]. The
+// state's inputs and time count only where `varies` is set.
+bool yk_loads_efforts(YkLoads *loads, const YkState *state, const double *rate, double *effort, double *power,
+                      size_t *culprit);
 // Returns the argument of the law that a number of an item follows (value[part]) at a pose; NaN if it follows none.
 double yk_loads_law_argument(YkLoads *loads, const YkState *state, const YkSpace *space, size_t item, size_t part);
 // Returns what `efforts:` gave along a tree coordinate when the items were last added.

@@ -209,18 +209,23 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
     return true;
 }
 
-bool yk_loads_efforts(YkLoads *loads, const YkState *state, double *effort, double *power, size_t *culprit)
+static double find_effort(const YkLoads *loads, YkLoadItem *item, const double *rate, double *effort)
 {
-    read_variables(loads, state, &state->space);
+    item->last = loads->varies ? evaluate(loads, &item->value[0]) : item->value[0].constant;
+    effort[item->input] = item->last;
+    return item->last * rate[item->input];
+}
+
+bool yk_loads_efforts(YkLoads *loads, const YkState *state, const double *rate, double *effort, double *power,
+                      size_t *culprit)
+{
+    YkLoadItem *item = loads->items, *end = item + loads->item_count;
+    if (loads->varies) read_variables(loads, state, &state->space);
     if (loads->item_count < loads->mech->input_count) memset(effort, 0, loads->mech->input_count * sizeof *effort);
-    for (size_t k = 0; k < loads->item_count; k++) {
-        YkLoadItem *item = &loads->items[k];
-        int32_t input = loads->mech->coordinates[item->coordinate].input;
-        item->last = evaluate(loads, &item->value[0]);
-        effort[input] = item->last;
-        power[k] = item->last * state->input[3 * input + 1];
+    for (; item < end; item++) {
+        *power++ = find_effort(loads, item, rate, effort);
         if (isfinite(item->last)) continue;
-        *culprit = k;
+        *culprit = (size_t)(item - loads->items);
         return false;
     }
     return true;

@@ -24,10 +24,11 @@ static bool allocate(YkSimulation *sim)
     sim->contact_order = calloc(YK_BOUNDED_ORDER(items) + 1, sizeof *sim->contact_order);
     sim->contacts = calloc(items + 1, sizeof *sim->contacts);
     sim->near = sim->near_memory = calloc(2 * (sim->mech->block_count + 1), sizeof *sim->near);
+    sim->searches = calloc(sim->mech->block_count + 1, sizeof *sim->searches);
     size_t pose = 4 * sim->mech->slot_count + 3 * sim->mech->distance_count + 6 * sim->mech->node_count;
     sim->pose_sum = calloc(pose + 1, sizeof *sim->pose_sum);
-    if (!sim->free_input || !sim->y || !sim->response || !sim->contacts || !sim->near || !sim->bounds ||
-        !sim->contact_order || !sim->pose_sum)
+    if (!sim->free_input || !sim->y || !sim->response || !sim->contacts || !sim->near || !sim->searches ||
+        !sim->bounds || !sim->contact_order || !sim->pose_sum)
         return false;
     sim->dense = sim->y + all + 1;
     sim->rate = sim->dense + all + 1;
@@ -138,6 +139,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     free(sim->bounds);
     free(sim->contact_order);
     free(sim->near_memory);
+    free(sim->searches);
     free(sim->pose_sum);
     sim->ode = NULL;
     sim->dynamics = NULL;
@@ -150,6 +152,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     sim->bounds = NULL;
     sim->contact_order = NULL;
     sim->near = sim->near_next = sim->near_memory = NULL;
+    sim->searches = NULL;
     sim->pose_sum = NULL;
     sim->near_count = sim->contact_count = 0;
 }
@@ -276,6 +279,7 @@ bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_
     next.bounds = NULL;
     next.contact_order = NULL;
     next.near = next.near_next = next.near_memory = NULL;
+    next.searches = NULL;
     next.pose_sum = NULL;
     next.guide = NULL;
     next.near_count = 0;

@@ -44,16 +44,15 @@ static int move_lean(YkSimulation *sim, double t, const double *y, double *dydt)
 {
     YkDynamics *d = sim->dynamics;
     size_t n = sim->free_count, culprit;
-    memcpy(dydt, y + n, n * sizeof *dydt);
+    for (size_t k = 0; k < n; k++) dydt[k] = y[n + k];
     dydt[2 * n + sim->work_count - 1] = 0;
     if (sim->item_count > 0) {
-        yk_simulation_set(sim, t, y);
-        if (!yk_loads_efforts(d->loads, sim->state, d->effort, d->power, &culprit)) {
+        if (d->loads->varies || !sim->is_lean) yk_simulation_set(sim, t, y);
+        if (!yk_loads_efforts(d->loads, sim->state, y + n, d->effort, dydt + 2 * n, &culprit)) {
             yk_dynamics_fail_at_load(d, culprit);
             sim->report = d->report;
             return 1;
         }
-        memcpy(dydt + 2 * n, d->power, sim->item_count * sizeof *dydt);
     }
     int failed = yk_tree_accelerate(d->tree, y, y + n, sim->item_count > 0 ? d->effort : NULL, dydt + n);
     if (failed < 0) return 0;

@@ -14,6 +14,16 @@ typedef struct YkNear {
     double angle, rate, acceleration; // the sign of its sine is the branch
 } YkNear;
 
+// A search for the least margin of a near block (apart.c), from rounds of four samples around `at`.
+typedef struct YkSearch {
+    size_t block;
+    double at, h; // the outer samples are at +-h
+    double f[4];  // the margins in them
+    int rounds;
+    bool is_open, is_with; // not decided yet; takes part in this round
+    bool is_touched;       // the decision
+} YkSearch;
+
 // What holds a coordinate: a stop against which it rests, or dry friction that makes it stick; in an impact also a cam
 // that its follower reaches or touches.
 typedef struct YkContact {
@@ -84,6 +94,7 @@ struct YkSimulation {
     bool forces_are_known;    // false at a dead point or change point
     // Singular positions:
     YkNear *near, *near_next, *near_memory;
+    YkSearch *searches; // [block], scratch
     size_t near_count;
     bool keeps_apart; // the blocks that are near keep their signs: branches come close there, and do not meet (apart.c)
     double near_time; // of the step at which they were examined

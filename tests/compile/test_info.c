@@ -112,6 +112,39 @@ static void coordinates_are_found_by_joint_and_kind(void **state)
     }
 }
 
+// By its name and by going through all; and the start that the file gives, by going through these.
+static void every_coordinate_is_found_by_its_name(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < MACHINES; k++) {
+        Machine m = machine(machines[k].source);
+        for (size_t c = 0; c < m.mech->coordinate_count; c++) {
+            YkCoordinateInfo info = yk_coordinate_info(m.mech, c);
+            size_t first = 0;
+            while (strcmp(m.mech->coordinates[first].name, info.name) != 0) first++;
+            assert_int_equal(yk_coordinate_find(m.mech, info.name), first);
+            bool has_start = false;
+            for (size_t i = 0; i < m.model->start_count; i++) {
+                const YkCoordinate *named = &m.model->coordinates[m.model->starts[i].coordinate];
+                has_start |= !m.model->starts[i].is_rate && named->joint == m.mech->coordinates[c].joint &&
+                             named->is_distance == info.is_distance;
+            }
+            assert_int_equal(info.has_start, has_start);
+        }
+        machine_free(&m);
+    }
+    Machine m = machine("bodies: {a: {points: {P: [1, 0]}}, b: {}}\njoints: {A: {pin: [ground, a]}, "
+                        "B: {free: [ground, b], at: [x, y, phi]}}\nstart: {x: 1}\n");
+    static const char *const names[] = {"A.angle", "x", "y", "phi"};
+    for (size_t c = 0; c < 4; c++) assert_int_equal(yk_coordinate_find(m.mech, names[c]), c);
+    assert_false(yk_coordinate_info(m.mech, 0).has_start);
+    assert_true(yk_coordinate_info(m.mech, 1).has_start);
+    static const char *const others[] = {"A", "A.distance", "A.", ".angle", "A.angle.rate", "B.angle", "a.P"};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        assert_int_equal(yk_coordinate_find(m.mech, others[k]), YK_NOT_FOUND);
+    machine_free(&m);
+}
+
 static void a_slot_in_the_tree_has_an_angle_and_a_distance(void **state)
 {
     (void)state;
@@ -141,6 +174,7 @@ int main(void)
         cmocka_unit_test(lists_are_cut_to_the_room_there_is),
         cmocka_unit_test(coordinates_know_their_joint_and_drive),
         cmocka_unit_test(coordinates_are_found_by_joint_and_kind),
+        cmocka_unit_test(every_coordinate_is_found_by_its_name),
         cmocka_unit_test(a_slot_in_the_tree_has_an_angle_and_a_distance),
         cmocka_unit_test(kinds_of_blocks_have_names),
     };

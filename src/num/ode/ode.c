@@ -110,6 +110,7 @@ YkOde *yk_ode_new(size_t n, const YkOdeOptions *options, YkOdeFunction f, void *
     if (!ode) return NULL;
     *ode = (YkOde){.options = *options, .n = n, .f = f, .context = context};
     ode->controlled = options->controlled ? options->controlled : n;
+    ode->room = n + n % 2;
     if (!get_memory(ode)) {
         free(ode);
         return NULL;

@@ -2,10 +2,10 @@
 #include "num/ode/ode_combine.h"
 
 // Each loop writes out the sum over the slopes, so that only the loop over components is left and can be vectorised.
-#define K(m) const double *restrict k##m = k[m]
+#define K(m) const double *restrict k##m = k[of[m]]
 #define LOOP(name, slopes, sum)                                                                                        \
-    static void name(size_t n, const double *restrict a, const double *const *k, double h, const double *restrict y,   \
-                     double *restrict z)                                                                               \
+    static void name(size_t n, const double *restrict a, const size_t *of, const double *const *k, double h,           \
+                     const double *restrict y, double *restrict z)                                                     \
     {                                                                                                                  \
         slopes;                                                                                                        \
         for (size_t j = 0; j < n; j++) z[j] = y[j] + h * (sum);                                                        \
@@ -40,36 +40,36 @@ LOOP(combine_7, K7, SUM7)
 LOOP(combine_8, K8, SUM8)
 LOOP(combine_9, K9, SUM9)
 
-void yk_ode_combine(size_t n, size_t terms, const double *a, const double *const *k, double h, const double *y,
-                    double *z)
+void yk_ode_combine(size_t n, size_t terms, const double *a, const size_t *of, const double *const *k, double h,
+                    const double *y, double *z)
 {
     switch (terms) {
     case 1:
-        combine_1(n, a, k, h, y, z);
+        combine_1(n, a, of, k, h, y, z);
         break;
     case 2:
-        combine_2(n, a, k, h, y, z);
+        combine_2(n, a, of, k, h, y, z);
         break;
     case 3:
-        combine_3(n, a, k, h, y, z);
+        combine_3(n, a, of, k, h, y, z);
         break;
     case 4:
-        combine_4(n, a, k, h, y, z);
+        combine_4(n, a, of, k, h, y, z);
         break;
     case 5:
-        combine_5(n, a, k, h, y, z);
+        combine_5(n, a, of, k, h, y, z);
         break;
     case 6:
-        combine_6(n, a, k, h, y, z);
+        combine_6(n, a, of, k, h, y, z);
         break;
     case 7:
-        combine_7(n, a, k, h, y, z);
+        combine_7(n, a, of, k, h, y, z);
         break;
     case 8:
-        combine_8(n, a, k, h, y, z);
+        combine_8(n, a, of, k, h, y, z);
         break;
     case 9:
-        combine_9(n, a, k, h, y, z);
+        combine_9(n, a, of, k, h, y, z);
         break;
     }
 }

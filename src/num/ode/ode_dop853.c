@@ -11,11 +11,9 @@ static void list_slopes(const YkOde *ode, const double *first, const double *las
     k[12] = last;
 }
 
-static void combine_row(size_t n, const YkDop853Row *row, const double *const *k, double h, const double *y, double *z)
+static void combine_row(const YkOde *ode, const YkDop853Row *row, const double *const *k, double h, const double *y)
 {
-    const double *slope[YK_DOP853_TERMS];
-    for (size_t m = 0; m < row->terms; m++) slope[m] = k[row->stage[m]];
-    yk_ode_combine(n, row->terms, row->weight, slope, h, y, z);
+    yk_ode_combine(ode->room, row->terms, row->weight, row->stage, k, h, y, ode->z);
 }
 
 // Combines the estimates of order 5 and 3 as Hairer does: behaves as order 8 where both are small.
@@ -47,10 +45,10 @@ YkOdeTrial yk_ode_dop853_try(YkOde *ode, double h, double *error)
     list_slopes(ode, ode->rate, NULL, k);
     for (size_t i = 1; i <= 11; i++) {
         const YkDop853Row *row = &yk_dop853_a[i - 1];
-        combine_row(ode->n, row, k, h, ode->y, ode->z);
+        combine_row(ode, row, k, h, ode->y);
         if (!yk_ode_evaluate(ode, ode->t + row->node * h, ode->z, ode->stage[i])) return YK_TRIAL_F_FAILED;
     }
-    combine_row(ode->n, &yk_dop853_b, k, h, ode->y, ode->z);
+    combine_row(ode, &yk_dop853_b, k, h, ode->y);
     *error = error_norm(ode, k, h);
     return YK_TRIAL_DONE;
 }
@@ -80,7 +78,7 @@ static bool prepare_dense(YkOde *ode)
     list_slopes(ode, ode->rate_previous, ode->rate, k);
     for (size_t i = 13; i < 16; i++) {
         const YkDop853Row *row = &yk_dop853_extra[i - 13];
-        combine_row(ode->n, row, k, h, ode->y_previous, ode->z);
+        combine_row(ode, row, k, h, ode->y_previous);
         if (!yk_ode_evaluate(ode, ode->previous + row->node * h, ode->z, ode->stage[i])) return false;
     }
     make_coefficients(ode, k, h);

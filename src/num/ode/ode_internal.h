@@ -31,6 +31,7 @@ typedef struct YkOdeNewton {
 struct YkOde {
     YkOdeOptions options;
     size_t n, controlled;
+    size_t room; // n, up to the next whole pair: columns have that many components, of which the last may not count
     YkOdeFunction f;
     void *context;
     double t, previous, start, end;
@@ -50,6 +51,8 @@ struct YkOde {
     YkOdeNewton newton;
     void *memory;
 };
+
+static const size_t yk_ode_in_order[] = {0, 1, 2, 3, 4};
 
 // Returns whether v[n] has no NaN and no infinity.
 static inline bool yk_ode_finite(size_t n, const double *v)

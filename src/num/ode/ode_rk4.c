@@ -8,10 +8,10 @@ YkOdeTrial yk_ode_rk4_try(YkOde *ode, double h)
     static const double half[] = {0.5}, one[] = {1}, weights[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
     const double *k[] = {ode->rate, ode->stage[0], ode->stage[1], ode->stage[2]}, *const node[] = {half, half, one};
     for (size_t i = 0; i < 3; i++) {
-        yk_ode_combine(ode->n, 1, node[i], k + i, h, ode->y, ode->z);
+        yk_ode_combine(ode->room, 1, node[i], yk_ode_in_order, k + i, h, ode->y, ode->z);
         if (!yk_ode_evaluate(ode, ode->t + *node[i] * h, ode->z, ode->stage[i])) return YK_TRIAL_F_FAILED;
     }
-    yk_ode_combine(ode->n, 4, weights, k, h, ode->y, ode->z);
+    yk_ode_combine(ode->room, 4, weights, yk_ode_in_order, k, h, ode->y, ode->z);
     return YK_TRIAL_DONE;
 }
 

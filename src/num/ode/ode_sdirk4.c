@@ -33,7 +33,7 @@ static YkOdeTrial solve_stages(YkOde *ode, double h)
     for (size_t i = 0; i < 5; i++) {
         const double *base = ode->y;
         if (i > 0) {
-            yk_ode_combine(ode->n, i, A[i], k, h, ode->y, known);
+            yk_ode_combine(ode->room, i, A[i], yk_ode_in_order, k, h, ode->y, known);
             base = known;
         }
         guess_slope(ode, i, ode->rate, g);
@@ -85,5 +85,5 @@ void yk_ode_sdirk4_dense(const YkOde *ode, double s, double *y)
                    11.0 / 2 + s * (-385.0 / 16 + s * (661.0 / 24 - s * 10)),
                    -125.0 / 18 + s * (20125.0 / 432 + s * (-8875.0 / 216 + s * 250.0 / 27)),
                    s * (-85.0 / 4 + s * 85.0 / 6), -11.0 / 9 + s * (557.0 / 108 + s * (-359.0 / 54 + s * 80.0 / 27))};
-    yk_ode_combine(ode->n, 5, b, (const double *const *)ode->stage, h, ode->y_previous, y);
+    yk_ode_combine(ode->n, 5, b, yk_ode_in_order, (const double *const *)ode->stage, h, ode->y_previous, y);
 }
