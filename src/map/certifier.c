@@ -5,9 +5,10 @@
 #include <string.h>
 #include "base/text.h"
 #include "map/strand.h"
+#include "map/tube.h"
 #include "solve/state.h"
 
-enum { TUBES_MAX = 64 };                // between two poses
+enum { TUBES_MAX = 512 }; // between two poses
 static const double NEAR = 1e-7;        // how far a pose may be from the solution that it stands for
 static const double SHORTEST = 1e-6;    // tube, of the way between two poses
 
@@ -16,12 +17,6 @@ typedef struct Pose { // of all pieces
     double *within; // [piece]: of x
 } Pose;
 
-typedef struct Tube { // about the line x + rate (t - middle)
-    double middle;
-    YkVec *x, *rate;
-    double *radius, *within; // [piece]: as in YkPathCertificate
-} Tube;
-
 struct YkCertifier {
     YkWitness witness;
     YkTracer tracer; // of the blocks up to the last group
@@ -29,7 +24,7 @@ struct YkCertifier {
     size_t unknowns;
     double *memory, *from, *way; // [input]
     Pose before, here, trial;
-    Tube tube;
+    YkTube *tubes; // [piece]: the last ones
     const char *outside; // why nothing can be proved, or NULL
     bool has_before;     // a pose to go on from
     double stride;       // of the last tubes, in units of the inputs' way
@@ -98,89 +93,72 @@ static void read_pose(const YkCertifier *c, const YkState *s, Pose *pose)
 static bool enclose(YkCertifier *c, double at, Pose *pose, double near)
 {
     YkTracer *t = &c->tracer;
-    YkVec before[YK_PIECE_UNKNOWNS];
+    YkTube point = {.middle = at};
     t->discs.input = yk_ball(yk_vec(at, 0), 0);
     for (size_t level = 0; level < t->piece_count; level++) {
         const YkPiece *piece = &t->pieces[level];
         YkVec *x = pose->x + c->first[level];
-        YkCertificate own;
-        memcpy(before, x, piece->shape.unknowns * sizeof *x);
+        size_t bytes = piece->shape.unknowns * sizeof *x;
+        memcpy(point.x, x, bytes);
         yk_trace_steps(t, &t->discs, level);
-        if (!yk_trace_enclose(t, level, x, &own)) return false;
-        pose->within[level] = own.within;
-        if (!yk_trace_is_inside(piece, x, near, before, 0)) return false;
-        yk_trace_place_point(t, piece, x, own.within);
+        yk_piece_coefficients(piece, &t->discs, &t->coefficients[0]);
+        if (!yk_tube_make(piece, &t->coefficients[0], NULL, 0, &point)) return false;
+        if (!yk_trace_is_inside(piece, point.x, near, x, 0)) return false;
+        memcpy(x, point.x, bytes);
+        pose->within[level] = point.within;
+        yk_tube_place(piece, &point, &t->discs);
     }
     return true;
 }
 
 // --- tubes
 
-// Makes a tube from one place of the way to another, about the line through `guess` in its middle. Returns false if it is not
-// proved to contain exactly one solution everywhere.
-static bool make_tube(YkCertifier *c, double from, double to, const YkVec *guess)
+// Makes tubes from one place of the way to another, about the solution near `guess` in their middle. Returns false if they are
+// not proved to contain exactly one solution everywhere.
+static bool make_tubes(YkCertifier *c, double from, double to, const YkVec *guess)
 {
     YkTracer *t = &c->tracer;
-    YkVec own_x[YK_PIECE_UNKNOWNS];
-    YkPathCertificate path;
-    YkCertificate own;
-    c->tube.middle = from + 0.5 * (to - from);
-    double half = YK_BALL_OUT(fmax(to - c->tube.middle, c->tube.middle - from));
-    t->discs.input = yk_ball(yk_vec(c->tube.middle, 0), 0);
-    t->over.input = yk_ball(yk_vec(c->tube.middle, 0), half);
-    memcpy(c->tube.x, guess, c->unknowns * sizeof *guess);
+    double middle = from + 0.5 * (to - from), half = YK_BALL_OUT(fmax(to - middle, middle - from));
+    YkDiscCoefficients *at_middle = &t->coefficients[0], *over = &t->coefficients[1];
+    YkTube point;
+    t->discs.input = yk_ball(yk_vec(middle, 0), 0);
+    t->over.input = yk_ball(yk_vec(middle, 0), half);
     for (size_t level = 0; level < t->piece_count; level++) {
         const YkPiece *piece = &t->pieces[level];
-        YkVec *x = c->tube.x + c->first[level];
-        size_t bytes = piece->shape.unknowns * sizeof *x;
+        YkTube *tube = &c->tubes[level];
+        tube->middle = middle;
+        memcpy(tube->x, guess + c->first[level], piece->shape.unknowns * sizeof *guess);
         yk_trace_steps(t, &t->discs, level);
         yk_trace_steps(t, &t->over, level);
-        if (!yk_trace_enclose_path(t, level, half, x, &path)) return false;
-        memcpy(c->tube.rate + c->first[level], path.rate, bytes);
-        c->tube.radius[level] = path.at.radius;
-        c->tube.within[level] = path.at.within;
+        yk_piece_coefficients(piece, &t->discs, at_middle);
+        yk_piece_coefficients(piece, &t->over, over);
+        if (!yk_tube_make(piece, at_middle, over, half, tube)) return false;
         if (level + 1 == t->piece_count) break;
-        memcpy(own_x, x, bytes);
-        if (!yk_trace_enclose(t, level, own_x, &own) || !yk_trace_is_inside(piece, x, path.at.radius, own_x, own.within))
-            return false;
-        yk_trace_place_line(t, piece, x, path.rate, path.at.within, path.rate_within, half);
-        yk_trace_place_point(t, piece, own_x, own.within);
+        point = *tube;
+        if (!yk_tube_make(piece, at_middle, NULL, 0, &point)) return false;
+        if (!yk_tube_contains(piece, tube, middle, point.x, point.within)) return false;
+        yk_tube_place(piece, tube, &t->over);
+        yk_tube_place(piece, &point, &t->discs);
     }
     return true;
 }
 
 static void read_line(const YkCertifier *c, double at, YkVec *x)
 {
-    for (size_t k = 0; k < c->unknowns; k++)
-        x[k] = yk_add(c->tube.x[k], yk_scale(at - c->tube.middle, c->tube.rate[k]));
+    for (size_t level = 0; level < c->tracer.piece_count; level++)
+        yk_tube_at(&c->tracer.pieces[level], &c->tubes[level], at, x + c->first[level]);
 }
 
 typedef enum Verdict { PROVED, REFUTED, OPEN } Verdict;
 
-// Returns whether two points with what they may be off are certainly different.
-static bool are_apart(const YkPiece *piece, const YkVec *x, double x_within, const YkVec *y, double y_within)
+// Returns whether an enclosed pose is that of the tubes at a place: a pose in them is, for there is only one.
+static Verdict is_in_tubes(const YkCertifier *c, double at, const Pose *pose)
 {
-    for (size_t k = 0; k < piece->shape.unknowns; k++) {
-        double off = fmax(fabs(x[k].x - y[k].x), fabs(x[k].y - y[k].y)) * (1 - 0x1p-48);
-        if (off > YK_BALL_OUT(x_within * yk_piece_size(piece, x, k) + y_within * yk_piece_size(piece, y, k)) + 1e-14)
-            return true;
-    }
-    return false;
-}
-
-// Returns whether an enclosed pose is that of the tube at a place of it: a pose in the tube is, for there is only one.
-static Verdict is_in_tube(const YkCertifier *c, double at, const Pose *pose)
-{
-    YkVec line[YK_PIECE_UNKNOWNS];
     for (size_t level = 0; level < c->tracer.piece_count; level++) {
         const YkPiece *piece = &c->tracer.pieces[level];
-        const YkVec *y = pose->x + c->first[level];
-        for (size_t k = 0; k < piece->shape.unknowns; k++) {
-            size_t n = c->first[level] + k;
-            line[k] = yk_add(c->tube.x[n], yk_scale(at - c->tube.middle, c->tube.rate[n]));
-        }
-        if (yk_trace_is_inside(piece, line, c->tube.radius[level], y, pose->within[level])) continue;
-        return are_apart(piece, line, c->tube.within[level], y, pose->within[level]) ? REFUTED : OPEN;
+        const YkVec *x = pose->x + c->first[level];
+        if (yk_tube_contains(piece, &c->tubes[level], at, x, pose->within[level])) continue;
+        return yk_tube_excludes(piece, &c->tubes[level], at, x, pose->within[level]) ? REFUTED : OPEN;
     }
     return PROVED;
 }
@@ -213,17 +191,17 @@ static Verdict follow(YkCertifier *c)
     memcpy(guess, now->x, c->unknowns * sizeof *guess);
     for (size_t tubes = 0; tubes < TUBES_MAX && h > SHORTEST && verdict != PROVED; tubes++) {
         double to = at + h < 1 ? at + h : 1;
-        if (!make_tube(c, at, to, guess) || is_in_tube(c, at, now) != PROVED) {
+        if (!make_tubes(c, at, to, guess) || is_in_tubes(c, at, now) != PROVED) {
             memcpy(guess, now->x, c->unknowns * sizeof *guess);
             h *= 0.5;
             continue;
         }
         if (to == 1) {
-            verdict = is_in_tube(c, 1, &c->here);
+            verdict = is_in_tubes(c, 1, &c->here);
             if (verdict != OPEN) return verdict;
         }
         read_line(c, to, c->trial.x);
-        if (!enclose(c, to, &c->trial, INFINITY) || is_in_tube(c, to, &c->trial) != PROVED) {
+        if (!enclose(c, to, &c->trial, INFINITY) || is_in_tubes(c, to, &c->trial) != PROVED) {
             memcpy(guess, now->x, c->unknowns * sizeof *guess);
             h *= 0.5;
             continue;
@@ -244,8 +222,8 @@ static Verdict prove(YkCertifier *c)
     YkVec *guess = c->trial.x;
     if (way_length(c) > 2 * c->stride) return follow(c);
     for (size_t k = 0; k < c->unknowns; k++) guess[k] = yk_scale(0.5, yk_add(c->before.x[k], c->here.x[k]));
-    if (make_tube(c, 0, 1, guess) && is_in_tube(c, 0, &c->before) == PROVED) {
-        Verdict verdict = is_in_tube(c, 1, &c->here);
+    if (make_tubes(c, 0, 1, guess) && is_in_tubes(c, 0, &c->before) == PROVED) {
+        Verdict verdict = is_in_tubes(c, 1, &c->here);
         if (verdict != OPEN) return verdict;
     }
     c->stride = 0.5 * way_length(c);
@@ -311,17 +289,17 @@ static void step(YkWitness *witness, const YkState *s)
 static bool allocate(YkCertifier *c, const YkMechanism *mech)
 {
     size_t blocks = mech->block_count + 1, most = blocks * YK_PIECE_UNKNOWNS, inputs = mech->input_count;
-    size_t vectors = 5 * most, numbers = 3 * inputs + 5 * blocks;
+    size_t vectors = 3 * most, numbers = 3 * inputs + 3 * blocks;
     c->first = calloc(blocks, sizeof *c->first);
     c->memory = calloc(2 * vectors + numbers, sizeof *c->memory);
-    if (!c->first || !c->memory || !yk_tracer_begin(&c->tracer, mech)) return false;
+    c->tubes = calloc(blocks, sizeof *c->tubes);
+    if (!c->first || !c->memory || !c->tubes || !yk_tracer_begin(&c->tracer, mech)) return false;
     c->from = c->memory + inputs;
     c->way = c->from + inputs;
-    double *next = c->way + inputs, **scalars[] = {&c->before.within, &c->here.within, &c->trial.within, &c->tube.radius,
-                                                   &c->tube.within};
-    for (size_t k = 0; k < 5; k++, next += blocks) *scalars[k] = next;
-    YkVec *x = (YkVec *)next, **places[] = {&c->before.x, &c->here.x, &c->trial.x, &c->tube.x, &c->tube.rate};
-    for (size_t k = 0; k < 5; k++, x += most) *places[k] = x;
+    double *next = c->way + inputs;
+    YkVec *x = (YkVec *)(next + 3 * blocks);
+    Pose *poses[] = {&c->before, &c->here, &c->trial};
+    for (size_t k = 0; k < 3; k++) *poses[k] = (Pose){x + k * most, next + k * blocks};
     return true;
 }
 
@@ -352,6 +330,7 @@ void yk_certifier_free(YkCertifier *c)
     yk_tracer_end(&c->tracer);
     free(c->first);
     free(c->memory);
+    free(c->tubes);
     free(c);
 }
 

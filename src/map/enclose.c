@@ -45,7 +45,8 @@ bool yk_trace_enclose(YkTracer *t, size_t level, YkVec *x, YkCertificate *certif
     return yk_enclose(&piece->shape, c->at, c->radius, x, certificate);
 }
 
-void yk_trace_place_point(YkTracer *t, const YkPiece *piece, const YkVec *x, double within)
+// Makes the unknowns known, without their derivatives.
+static void place_point(YkTracer *t, const YkPiece *piece, const YkVec *x, double within)
 {
     YkDual known[YK_PIECE_UNKNOWNS];
     for (size_t k = 0; k < piece->shape.unknowns; k++) {
@@ -88,7 +89,7 @@ bool yk_trace_place(YkTracer *t, YkStrand *strand, double at)
         const YkCell *cell = yk_strand_cell(t->chain[level], at, at);
         if (!cell) return false;
         enclose_in_cell(t, level - 1, cell, at, x, &within);
-        yk_trace_place_point(t, &t->pieces[level - 1], x, within);
+        place_point(t, &t->pieces[level - 1], x, within);
         yk_trace_steps(t, &t->discs, level);
     }
     return true;
@@ -116,8 +117,9 @@ bool yk_trace_enclose_path(YkTracer *t, size_t level, double half, YkVec *x, YkP
     return yk_enclose_path(&piece->shape, &path, x, certificate);
 }
 
-void yk_trace_place_line(YkTracer *t, const YkPiece *piece, const YkVec *x, const YkVec *rate, double within,
-                         double rate_within, double half)
+// Makes the unknowns known over an interval: on the line x + rate t, about its middle.
+static void place_path(YkTracer *t, const YkPiece *piece, const YkVec *x, const YkVec *rate, double within,
+                       double rate_within, double half)
 {
     YkDual known[YK_PIECE_UNKNOWNS];
     for (size_t k = 0; k < piece->shape.unknowns; k++) {
@@ -138,9 +140,9 @@ static void place_part(YkTracer *t, size_t level, const YkCell *cell, double mid
     memcpy(x, line, sizeof x);
     if (4 * half < cell->to - cell->from && yk_trace_enclose_path(t, level, half, x, &own) &&
         yk_trace_is_inside(piece, line, cell->radius, x, own.at.within))
-        yk_trace_place_line(t, piece, x, own.rate, own.at.within, own.rate_within, half);
+        place_path(t, piece, x, own.rate, own.at.within, own.rate_within, half);
     else
-        yk_trace_place_line(t, piece, line, cell->rate, cell->within, cell->rate_within, half);
+        place_path(t, piece, line, cell->rate, cell->within, cell->rate_within, half);
 }
 
 bool yk_trace_place_path(YkTracer *t, YkStrand *strand, double from, double to, double *half)
@@ -158,7 +160,7 @@ bool yk_trace_place_path(YkTracer *t, YkStrand *strand, double from, double to, 
         if (!cell) return false;
         place_part(t, level - 1, cell, middle, *half);
         enclose_in_cell(t, level - 1, cell, middle, x, &within);
-        yk_trace_place_point(t, &t->pieces[level - 1], x, within);
+        place_point(t, &t->pieces[level - 1], x, within);
         yk_trace_steps(t, &t->discs, level);
         yk_trace_steps(t, &t->over, level);
     }
@@ -192,7 +194,7 @@ bool yk_trace_place_between(YkTracer *t, YkStrand *a, double at_a, YkStrand *b, 
                               : yk_ball(yk_vec(0.5 * (at_a + at_b), 0), 0.75 * off + 1e-13 * t->scale);
     yk_trace_steps(t, &t->discs, 0);
     for (size_t level = 1; level <= a->level; level++) {
-        yk_trace_place_point(t, &t->pieces[level - 1], hull[level], radius[level]);
+        place_point(t, &t->pieces[level - 1], hull[level], radius[level]);
         yk_trace_steps(t, &t->discs, level);
     }
     return true;

@@ -144,11 +144,6 @@ bool yk_trace_read(YkTracer *tracer, YkStrand *strand, double at, YkVec *x, doub
 // Finds the solution of block `level` on top of the placed pose near x, which it improves, and encloses it: at one
 // input, or over the interval placed.
 bool yk_trace_enclose(YkTracer *tracer, size_t level, YkVec *x, YkCertificate *certificate);
-// Makes the unknowns of a block known: in tracer->discs, without their derivatives; in tracer->over for an interval, on
-// the line x + rate t about its middle.
-void yk_trace_place_point(YkTracer *tracer, const YkPiece *piece, const YkVec *x, double within);
-void yk_trace_place_line(YkTracer *tracer, const YkPiece *piece, const YkVec *x, const YkVec *rate, double within,
-                         double rate_within, double half);
 bool yk_trace_enclose_path(YkTracer *tracer, size_t level, double half, YkVec *x, YkPathCertificate *certificate);
 void yk_cell_at(const YkPiece *piece, const YkCell *cell, double at, YkVec *x); // the cell's line
 // Returns whether a solution at y within `within` lies in the discs about x of `radius`.
