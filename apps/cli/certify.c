@@ -19,10 +19,11 @@ void yk_certify_warn(YkSession *session)
 {
     if (!session->certifier) return;
     YkMotionCertificate found = yk_certifier_report(session->certifier);
-    if (found.steps == found.proved) return;
+    if (found.input < 0) return; // all is proved, or nothing can be
     YkText place = {0};
     if (found.input >= 0) {
-        YkCoordinateInfo info = yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, (size_t)found.input));
+        YkCoordinateInfo info =
+            yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, (size_t)found.input));
         YkQuantity quantity = yk_quantity_of(info.is_distance, 0);
         yk_text_format(&place, "; first between %s = ", info.name);
         yk_add_value(session, &place, found.from, quantity, 12);
@@ -42,9 +43,9 @@ void yk_certify_json(const YkSession *session, YkJson *json)
         yk_json_null(json, "certified");
 }
 
-void yk_certify_text(const YkSession *session, YkText *text)
+void yk_certify_text(const YkSession *session, const char *before, YkText *text)
 {
     if (!session->certifier) return;
     YkMotionCertificate found = yk_certifier_report(session->certifier);
-    if (found.is_needed) yk_text_format(text, "\n%s\n", found.message);
+    if (found.steps > 0) yk_text_format(text, "%s%s\n", before, found.message);
 }

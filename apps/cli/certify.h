@@ -12,7 +12,7 @@ void yk_certify_watch(YkSession *session);
 void yk_certify_warn(YkSession *session);
 // Writes "certified: true, false, or null with --trust".
 void yk_certify_json(const YkSession *session, YkJson *json);
-// Writes a sentence if the machine has groups.
-void yk_certify_text(const YkSession *session, YkText *text);
+// Writes a line behind `before`, if the machine has groups and moved.
+void yk_certify_text(const YkSession *session, const char *before, YkText *text);
 
 #endif

@@ -23,13 +23,13 @@ YK_API void yk_certifier_free(YkCertifier *certifier);
 YK_API YkStatus yk_state_set_certifier(YkState *state, YkCertifier *certifier);
 
 typedef struct YkMotionCertificate {
-    bool is_needed;        // the machine has groups
-    bool is_certified;     // every step is proved, or there is nothing to prove: no group
-    bool is_refuted;       // some step is proved to have gone to another solution
-    size_t steps, proved;  // between poses
-    int input;             // the input that moved most on the first step that is not proved; -1: there is none
-    double from, to;       // its values before and after that step
-    char message[200];     // one sentence
+    bool is_needed;       // the machine has groups
+    bool is_certified;    // every step is proved, or there is nothing to prove: no group
+    bool is_refuted;      // some step is proved to have gone to another solution
+    size_t steps, proved; // between poses
+    int input;            // the input that moved most on the first step that is not proved; -1: there is none
+    double from, to;      // its values before and after that step
+    char message[200];    // one sentence
 } YkMotionCertificate;
 // Tells what is proved of the motions so far. Between two verified poses, 2 degrees apart at most, all inputs are taken
 // to go straight.

@@ -8,9 +8,9 @@
 #include "map/tube.h"
 #include "solve/state.h"
 
-enum { TUBES_MAX = 512 }; // between two poses
-static const double NEAR = 1e-7;        // how far a pose may be from the solution that it stands for
-static const double SHORTEST = 1e-6;    // tube, of the way between two poses
+enum { TUBES_MAX = 512 };            // between two poses
+static const double NEAR = 1e-7;     // how far a pose may be from the solution that it stands for
+static const double SHORTEST = 1e-6; // tube, of the way between two poses
 
 typedef struct Pose { // of all pieces
     YkVec *x;
@@ -24,7 +24,7 @@ struct YkCertifier {
     size_t unknowns;
     double *memory, *from, *way; // [input]
     Pose before, here, trial;
-    YkTube *tubes; // [piece]: the last ones
+    YkTube *tubes;       // [piece]: the last ones
     const char *outside; // why nothing can be proved, or NULL
     bool has_before;     // a pose to go on from
     double stride;       // of the last tubes, in units of the inputs' way
@@ -45,7 +45,8 @@ static const char *read_pieces(YkCertifier *c, size_t steps)
         YkPieceStatus status = yk_piece_read(piece, t->mech, k);
         if (status == YK_PIECE_REPEATED) continue;
         if (status == YK_PIECE_REDUNDANT) return "constraints of a group repeat others";
-        if (status == YK_PIECE_RELATIONS) return "gears, belts, cams or laws are solved together with the loops of a group";
+        if (status == YK_PIECE_RELATIONS)
+            return "gears, belts, cams or laws are solved together with the loops of a group";
         if (status == YK_PIECE_LARGE) return "a group has more than seven loops";
         if (status != YK_PIECE_READ) return "a distance of a group runs along more than one line";
         c->first[t->piece_count++] = c->unknowns;
@@ -59,7 +60,8 @@ static size_t steps_to_groups(const YkMechanism *mech)
 {
     size_t steps = 0;
     for (size_t k = 0; k < mech->step_count; k++) {
-        bool is_group = mech->steps[k].kind == YK_STEP_BLOCK && mech->blocks[mech->steps[k].target].kind == YK_BLOCK_GROUP;
+        bool is_group =
+            mech->steps[k].kind == YK_STEP_BLOCK && mech->blocks[mech->steps[k].target].kind == YK_BLOCK_GROUP;
         if (is_group) steps = k + 1;
     }
     return steps;
@@ -272,6 +274,7 @@ static bool moves(const YkCertifier *c)
 static void step(YkWitness *witness, const YkState *s)
 {
     YkCertifier *c = (YkCertifier *)witness;
+    c->found.steps += c->outside != NULL;
     if (c->outside || c->tracer.piece_count == 0) return;
     double *last = c->memory;
     for (size_t i = 0; i < c->tracer.mech->input_count; i++) last[i] = c->from[i] + c->way[i];

@@ -69,8 +69,8 @@ static void add_product(const Proof *p, size_t loop, size_t k, Factor f, Sum *su
     double A = length_of(a), B = length_of(b), P = length_of(f.at), Q = length_of(f.rate), all = P + h * Q + f.rest;
     sum->at = yk_add_product(sum->at, a, f.at);
     sum->rate = yk_add_product(yk_add_product(sum->rate, b, f.at), a, f.rate);
-    sum->rest += (off + h * slack) * all + (A + h * B) * f.rest + h * h * B * Q +
-                 ROUNDING * (A * P + h * (B * P + A * Q));
+    sum->rest +=
+        (off + h * slack) * all + (A + h * B) * f.rest + h * h * B * Q + ROUNDING * (A * P + h * (B * P + A * Q));
     sum->reach += (A + h * B + off + h * slack) * f.reach;
     sum->drift += slack * all + B * (h * Q + f.rest) + ROUNDING * (B * P);
     sum->drift_reach += (B + slack) * f.reach;
@@ -352,7 +352,8 @@ bool yk_tube_excludes(const YkPiece *piece, const YkTube *tube, double at, const
     yk_tube_at(piece, tube, at, line);
     for (size_t k = 0; k < piece->shape.unknowns; k++) {
         double size = size_of(piece, tube, k), most;
-        if (off_line(piece, line, x, k, &most) > YK_BALL_OUT((tube->within + within) * fmax(size, fabs(x[k].x)))) return true;
+        if (off_line(piece, line, x, k, &most) > YK_BALL_OUT((tube->within + within) * fmax(size, fabs(x[k].x))))
+            return true;
     }
     return false;
 }
@@ -365,8 +366,9 @@ void yk_tube_place(const YkPiece *piece, const YkTube *tube, YkDiscs *discs)
         double size = size_of(piece, tube, k), rate = tube->rate[k], way = fabs(rate) * h, off = tube->within * size;
         if (k < piece->shape.angles) {
             known[k].at = yk_ball(tube->x[k], YK_BALL_OUT(way + off + 1e-15));
-            known[k].rate = yk_ball(yk_scale(rate, yk_quarter(tube->x[k])),
-                                    YK_BALL_OUT(tube->rate_within * size + (fabs(rate) + tube->rate_within) * (way + off)));
+            known[k].rate =
+                yk_ball(yk_scale(rate, yk_quarter(tube->x[k])),
+                        YK_BALL_OUT(tube->rate_within * size + (fabs(rate) + tube->rate_within) * (way + off)));
         } else {
             known[k].at = yk_real_disc(tube->x[k].x, YK_BALL_OUT(way + off));
             known[k].rate = yk_real_disc(rate, YK_BALL_OUT(tube->rate_within * size));

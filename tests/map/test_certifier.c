@@ -8,7 +8,8 @@
 enum { ALL_MAX = 64, RANDOM_TRIES = 12 };
 
 // A crank with a triad; with a triad on a dyad; a crank that drives a group of three loops. The crank is the second link.
-static const char *const links[] = {"hbc ha ad be cf def", "hgbc ha aid ig dk be cf kef", "hbc ha ade bfg cij df gi je"};
+static const char *const links[] = {"hbc ha ad be cf def", "hgbc ha aid ig dk be cf kef",
+                                    "hbc ha ade bfg cij df gi je"};
 
 static Machine truss_of(const char *words, uint64_t seed)
 {
@@ -238,7 +239,8 @@ static void test_gears_in_a_group_are_not_certified(void **unused)
     assert_int_equal(yk_state_set_certifier(m.state, c), YK_OK);
     move_by(m.state, 0.1, 0.03);
     YkMotionCertificate found = yk_certifier_report(c);
-    assert_true(found.is_needed && !found.is_certified && found.steps == 0 && found.input == -1);
+    assert_true(found.is_needed && !found.is_certified && found.input == -1);
+    assert_true(found.steps > 0 && found.proved == 0);
     assert_non_null(strstr(found.message, "gears"));
     machine_free(&m);
     yk_certifier_free(c);
