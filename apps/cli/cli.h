@@ -65,6 +65,7 @@ typedef struct YkRequest {
     YkAssignments pose, reach; // map
     const char *port;          // studio
     bool no_browser;           // studio
+    bool trust;                // solve, sweep
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 
@@ -99,6 +100,7 @@ struct YkSession {
     YkText out;                // for standard output; written once, at the end
     YkScale scale;             // what is noise in the text
     struct YkRolls *rolls;     // configurations that were enumerated (roll.h); or NULL
+    YkCertifier *certifier;    // that watches session->state (certify.h); NULL: the motion is not certified
 };
 
 struct YkVerb {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
+#include "certify.h"
 #include "stop.h"
 
 static YkStatus run_out(YkSession *session)
@@ -175,6 +176,7 @@ static YkStatus reach_from(YkSession *session, const YkState *start, YkStatus st
 {
     status = stand(session, start, status);
     if (status < 0) return status;
+    yk_certify_watch(session);
     status = yk_state_reach(session->state, session->holds, session->hold_count, session->time, NULL, &session->move,
                             session->problems);
     if (status == YK_NO_MEMORY) return run_out(session);

@@ -444,6 +444,7 @@ void yk_session_free(YkSession *session)
     yk_roll_end(session);
     yk_dynamics_free(session->dynamics);
     yk_state_free(session->state);
+    yk_certifier_free(session->certifier);
     yk_mechanism_free(session->mech);
     yk_mechanism_free(session->base);
     yk_model_free(session->model);

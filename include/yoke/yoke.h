@@ -32,6 +32,7 @@
 #include <yoke/variant.h>
 #include <yoke/state.h>
 #include <yoke/configurations.h>
+#include <yoke/certificate.h>
 #include <yoke/move.h>
 #include <yoke/drag.h>
 #include <yoke/sweep.h>

@@ -73,6 +73,10 @@ static YkDual power(YkDual z, int n)
 
 static YkDual input_of(const YkDiscs *d, int32_t input)
 {
+    if (d->ways) {
+        YkBall way = yk_real_disc(d->ways[input], 0), from = yk_real_disc(d->others[input], 0);
+        return (YkDual){yk_ball_add(from, yk_ball_mul(way, d->input)), way};
+    }
     if (input == d->second) return (YkDual){d->second_input, yk_ball(yk_vec(0, 0), 0)};
     if (input != d->mapped) return yk_dual_constant(yk_vec(d->others[input], 0));
     return (YkDual){d->input, yk_real_disc(1, 0)};

@@ -20,6 +20,8 @@ typedef struct YkDiscs {
     int32_t second; // another one that is mapped, or YK_NONE
     YkBall second_input;
     const double *others; // the values of all inputs: those of the others stay
+    const double
+        *ways; // or NULL; otherwise all inputs move, and `input` is the place on their way: others + input ways
     YkDual *slots, *distances, *nodes;
     YkLawBound *laws; // [relation]
 } YkDiscs;

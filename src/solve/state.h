@@ -12,6 +12,12 @@ typedef struct YkPhase { // of an input that has made many turns: stands for `an
     double value, angle;
 } YkPhase;
 
+// Who is told of the motions of a state.
+typedef struct YkWitness {
+    void (*begin)(struct YkWitness *witness, const YkState *state); // where a motion begins
+    void (*step)(struct YkWitness *witness, const YkState *state);  // at the next verified pose of the motion
+} YkWitness;
+
 struct YkState {
     const YkMechanism *mech;
     YkArena *arena;             // holds what follows, and the search
@@ -42,6 +48,7 @@ struct YkState {
         is_clear; // a change point is close, and rates that rounding would spoil come from poses beside it (sweep/blur.c)
     bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it
     YkReport report;
+    YkWitness *witness; // or NULL
     // assembling: see assemble.c
     struct YkSearch *search;
     // long calls: see long_call.c

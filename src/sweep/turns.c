@@ -115,6 +115,7 @@ static void skip(YkWalk *w, const Memory *m, double at, double count)
         if (!mech->group_columns[k].is_distance) s->valid_x[k] += count * whole(s->valid_x[k] - m->x[k]);
     yk_path_set(&w->path, at, true);
     memcpy(s->valid_input, s->input, 3 * mech->input_count * sizeof *s->input);
+    w->is_witnessed = false; // the same pose: what is left begins there
 }
 
 static size_t count_passes(const YkWalk *w)

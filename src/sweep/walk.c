@@ -402,6 +402,9 @@ static double next_place(const YkWalk *w, double last, double b)
 bool yk_walk_go(YkWalk *w, double a, double b)
 {
     double last = a, way = b > a ? 1 : -1;
+    YkWitness *witness = w->path.state->witness;
+    if (witness && !w->is_witnessed) witness->begin(witness, w->path.state);
+    w->is_witnessed = true;
     if (!w->has_begun) yk_walk_begin_at(w, a, way);
     bool is_singular = w->path.state->space.margin[0] <= YK_SINGULAR_MARGIN;
     if (a == w->from && (w->path.way == way || !is_singular)) w->from = NAN; // it goes on as it came: it passes there
@@ -410,6 +413,7 @@ bool yk_walk_go(YkWalk *w, double a, double b)
         yk_walk_read_margins(w, margins);
         yk_walk_flip_at(w, last, margins);
         if (!advance(w, last, next, 0) || yk_walk_is_stopped(w)) return false;
+        if (witness) witness->step(witness, w->path.state);
         if (w->arrived && !w->arrived(w->context, next)) {
             w->status = YK_STOPPED;
             return false;

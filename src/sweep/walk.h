@@ -15,6 +15,7 @@ typedef struct YkWalk {
     YkEvent *events;
     size_t event_count, event_capacity, more_events; // the first events_max are kept, the others counted
     size_t events_max;
+    bool is_witnessed;     // the state's witness knows where it began
     bool has_begun;        // has looked for change points where it began
     double skipped_passes; // change points in whole turns that were left out (turns.c)
     YkStatus status;

@@ -9,6 +9,32 @@ def example(name):
     return os.path.join(ROOT, "examples", name + ".yaml")
 
 
+# A parallelogram, whose crank passes a change point, with a triad on its coupler.
+TRIAD_ON_PARALLELOGRAM = """bodies:
+  ground:  {points: {A: [0, 0], D: [3, 0], E: [6, 0], F: [5, 4]}}
+  crank:   {points: {A: [0, 0], B: [1, 0]}}
+  coupler: {points: {B: [0, 0], C: [3, 0], P: [1.5, 1]}}
+  rocker:  {points: {D: [0, 0], C: [1, 0]}}
+  leg:     {points: {P: [0, 0], Q: [3, 0]}}
+  arm:     {points: {E: [0, 0], R: [2, 0]}}
+  bar:     {points: {F: [0, 0], S: [2, 0]}}
+  plate:   {points: {Q: [0, 0], R: [2, 0], S: [1, 1.5]}}
+joints:
+  A: {pin: [ground, crank], angle: theta}
+  B: {pin: [crank, coupler], angle: b}
+  D: {pin: [ground, rocker], angle: d}
+  C: {pin: [coupler, rocker]}
+  P: {pin: [coupler, leg], angle: p}
+  E: {pin: [ground, arm], angle: e}
+  F: {pin: [ground, bar], angle: f}
+  Q: {pin: [leg, plate], angle: q}
+  R: {pin: [arm, plate]}
+  S: {pin: [bar, plate]}
+drives: {theta: 60 deg}
+start: {b: -60 deg, d: 60 deg, e: 120 deg, f: -120 deg, p: 20 deg, q: 0 deg}
+"""
+
+
 class Configurations(Case):
     def test_a_group_is_counted(self):
         answer = Run("solve", example("double-butterfly"), "--all", "--format", "json").json()
@@ -31,6 +57,34 @@ class Configurations(Case):
                 self.assertEqual(taken["label"], configuration["label"])
                 for name, motion in taken["coordinates"].items():
                     self.assertAlmostEqual(motion["position"], configuration["coordinates"][name]["position"], 9)
+
+    def test_the_way_to_a_pose_and_between_rows_is_certified(self):
+        file, over = example("double-butterfly"), ("--over", "lambda=-10:30deg", "--steps", "6")
+        answer = Run("sweep", file, *over, "--format", "json").json()
+        self.assertIs(answer["certified"], True)
+        trusted = Run("sweep", file, *over, "--trust", "--format", "json").json()
+        self.assertIsNone(trusted["certified"])
+        self.assertEqual(trusted["rows"], answer["rows"])
+        self.assertIn("certified: proved to stay", Run("sweep", file, *over).out)
+        self.assertNotIn("certified", Run("sweep", file, *over, "--trust").out)
+        self.assertIs(Run("solve", file, "--at", "lambda=20deg", "--format", "json").json()["certified"], True)
+        self.assertIn("\ncertified: proved", Run("solve", file, "--at", "lambda=20deg").out)
+        self.assertNotIn("certified", Run("solve", file).out)
+        self.assertIs(Run("sweep", self.four_bar, "--over", "theta2=0:90deg", "--format", "json").json()["certified"], True)
+        self.assertNotIn("certified", Run("sweep", self.four_bar, "--over", "theta2=0:90deg").out)
+
+    def test_what_is_not_certified_is_told(self):
+        geared = Run("sweep", example("geared-five-bar"), "--over", "t=0:1s", "--steps", "4")
+        self.assertIn("not certified: gears", geared.out)
+        self.assertNotIn("W0616", geared.err)
+        file = self.write("triad.yaml", TRIAD_ON_PARALLELOGRAM)
+        run = Run("sweep", file, "--over", "theta=60:-30deg", "--steps", "9")
+        self.assertIn("W0616", run.err)
+        self.assertIn("2 of 54 steps are not proved", run.out)
+        self.assertRegex(run.err, r"first between theta = 0\.029.* and 0 rad")
+        over = ("sweep", file, "--over", "theta=60:10deg", "--format", "json")
+        self.assertIs(Run(*over).json()["certified"], True)
+        self.assertIs(Run("sweep", file, "--over", "theta=60:-30deg", "--format", "json").json()["certified"], False)
 
     def test_dyads_are_complete_in_closed_form(self):
         answer = Run("solve", self.four_bar, "--all", "--format", "json").json()

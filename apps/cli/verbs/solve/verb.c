@@ -1,5 +1,6 @@
 // yoke solve: one pose, or every one that the inputs allow.
 #include <math.h>
+#include "certify.h"
 #include "columns.h"
 #include "laws_left.h"
 #include "reach.h"
@@ -139,6 +140,7 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
     if (session->request->format == YK_FORMAT_JSON) {
         yk_json_end(&writer->json);
         if (all) write_report(writer, report);
+        yk_certify_json(session, &writer->json);
         yk_add_laws_json(&writer->json, writer->laws, false);
         yk_json_end(&writer->json);
     } else if (session->request->format == YK_FORMAT_TEXT && all) {
@@ -147,6 +149,7 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
                        writer->count == 1 ? "" : "s", report->complete ? "are no others" : "may be others",
                        is_told ? ": " : "", is_told ? report->message : "");
     }
+    if (session->request->format == YK_FORMAT_TEXT) yk_certify_text(session, "\n", &session->out);
 }
 
 static int solve(Writer *writer)
@@ -171,6 +174,7 @@ static int solve(Writer *writer)
         yk_reach_tell(session, pose);
     } else {
         yk_tell_status(session, status, message);
+        yk_certify_warn(session);
     }
     begin(writer, status, message);
     if (session->dynamics) yk_warn_of_pulling_cams(session, session->dynamics);
@@ -197,7 +201,8 @@ int yk_run_solve(YkSession *session)
     YkAnswerColumns columns = {0};
     Writer writer = {.session = session, .json = {.text = &session->out}};
     if (!yk_session_method(session, &writer.method)) return YK_EXIT_WRONG;
-    if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_session_forces(session, false))
+    if (!yk_session_load(session, NULL) || !yk_session_inputs(session) || !yk_certify_begin(session) ||
+        !yk_session_forces(session, false))
         return YK_EXIT_WRONG;
     double seconds;
     YkGroupSolver solver;

@@ -1,5 +1,6 @@
 // `yoke sweep --format json`.
 #include <string.h>
+#include "certify.h"
 #include "laws_left.h"
 #include "verbs/sweep/sweep.h"
 
@@ -101,6 +102,7 @@ void yk_sweep_json(const YkSweepAnswer *answer)
     yk_add_laws_json(&json, answer->laws, true);
     add_ranges(answer, &json);
     add_strokes(answer, &json);
+    yk_certify_json(answer->session, &json);
     if (answer->sweep) yk_json_number(&json, "worst_residual", yk_sweep_worst_residual(answer->sweep));
     yk_json_end(&json);
 }

@@ -1,5 +1,6 @@
 // `yoke sweep` for people.
 #include <math.h>
+#include "certify.h"
 #include "verbs/sweep/sweep.h"
 #include "write/amount.h"
 #include "write/table.h"
@@ -138,6 +139,7 @@ void yk_sweep_text(const YkSweepAnswer *answer)
     add_rows(answer);
     add_events(answer);
     add_strokes(answer);
+    yk_certify_text(answer->session, "", out);
     if (answer->status != YK_OK)
         yk_text_format(out, "%s: %s\n", yk_status_name(answer->status), yk_text_get(&answer->message));
     if (answer->range_count > 0) {

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "elementary/elementary.h"
+#include "certify.h"
 #include "laws_left.h"
 #include "reach.h"
 #include "stop.h"
@@ -148,6 +149,7 @@ static bool run(YkSweepAnswer *answer, size_t steps)
         for (size_t i = 0; i < answer->column_count; i++) channels[i] = answer->columns[i].channel;
         yk_state_copy(start, session->state);
         answer->label = yk_label_of(start);
+        yk_certify_watch(session);
         answer->sweep = yk_sweep_run(session->state, &options, channels, answer->column_count, session->problems);
         if (answer->sweep) {
             answer->status = yk_sweep_status(answer->sweep);
@@ -199,6 +201,7 @@ static int answer_sweep(YkSweepAnswer *answer, size_t steps)
         yk_text_puts(&answer->message, yk_state_report(session->state)->message);
     }
     tell(answer);
+    yk_certify_warn(session);
     yk_sweep_warn_of_friction(answer);
     yk_warn_of_laws(answer->session, answer->laws, answer->over.name, answer->over.quantity);
     return write_answer(answer);
@@ -241,7 +244,7 @@ int yk_run_sweep(YkSession *session)
     const char *swept = answer->over.name && strcmp(answer->over.name, "t") != 0 ? answer->over.name : NULL;
     good =
         good && yk_session_load(session, swept) && yk_session_inputs(session) && yk_over_read(session, &answer->over);
-    good = good && read_columns(answer) &&
+    good = good && yk_certify_begin(session) && read_columns(answer) &&
            (!wants_forces(answer) || (yk_session_forces(session, true) && yk_session_has_forces(session)));
     if (good) exit_code = answer_sweep(answer, steps);
     yk_sweep_free(answer->sweep);

@@ -1,0 +1,42 @@
+// The certificate of a motion: a proof that a machine stays on its configuration between the poses that were solved.
+//
+// Dyads are solved in closed form, and every motion knows when they come to a change point. Larger groups are solved by
+// Newton's method from the pose before, which by itself could come to another solution. A certifier proves that it did
+// not: between two poses Krawczyk's operator, rounded outward, shows that all that lies before the last group has
+// exactly one solution in a tube about the way, and that both poses are in it. docs/configurations.md has the mathematics.
+#ifndef YOKE_CERTIFICATE_H
+#define YOKE_CERTIFICATE_H
+
+#include <yoke/state.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Proves the motions of a state. Use one per state; the mechanism must outlive it. NULL when out of memory.
+typedef struct YkCertifier YkCertifier;
+YK_API YkCertifier *yk_certifier_new(const YkMechanism *mech);
+YK_API void yk_certifier_free(YkCertifier *certifier);
+// Lets a certifier watch all that moves and sweeps do with a state, from here on; NULL: nobody does any longer. Free it
+// after that. A copy of the state is not watched. Returns YK_BAD_ARGUMENT for another machine's. Cost at every
+// verified pose: some n^3 multiplications for each of three steps, for n unknowns; none without groups.
+YK_API YkStatus yk_state_set_certifier(YkState *state, YkCertifier *certifier);
+
+typedef struct YkMotionCertificate {
+    bool is_needed;       // the machine has groups
+    bool is_certified;    // every step is proved, or there is nothing to prove: no group
+    bool is_refuted;      // some step is proved to have gone to another solution
+    size_t steps, proved; // between poses
+    int input;            // the input that moved most on the first step that is not proved; -1: there is none
+    double from, to;      // its values before and after that step
+    char message[200];    // one sentence
+} YkMotionCertificate;
+// Tells what is proved of the motions so far. Between two verified poses, 2 degrees apart at most, all inputs are taken
+// to go straight.
+YK_API YkMotionCertificate yk_certifier_report(const YkCertifier *certifier);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
