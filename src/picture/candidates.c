@@ -195,8 +195,11 @@ static void add_caption(const YkSynthesis *s, const YkFound *found, size_t rank,
     yk_text_clear(&text);
     yk_text_format(&text, "transmission from %s deg", digits);
     if (s->task->kind == YK_TASK_FUNCTION && s->task->function.of) {
-        yk_number_write_digits(found->worst * 180 / YK_PI, 3, digits);
-        yk_text_format(&text, ", error up to %s deg", digits);
+        bool is_slider = found->design.kind == YK_DESIGN_SLIDER_CRANK;
+        double size = YK_PI / 180;
+        const char *unit = is_slider ? yk_task_unit(s->task, YK_QUANTITY_LENGTH, &size) : "deg";
+        digits[yk_number_write_digits(found->worst / size, 3, digits)] = '\0';
+        yk_text_format(&text, ", error up to %s %s", digits, unit);
     }
     yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 24), yk_text_get(&text),
                 "font-size=\"11\" fill=\"#5d6d7e\"");
