@@ -160,15 +160,18 @@ typedef struct Measure {
     YkDynamics *dynamics;
     YkVec force;
     double torque, size[PEAKS];
+    bool ran_out; // of memory
 } Measure;
 
 static YkStatus measure(Measure *m, double steps)
 {
     double moment = 0;
     YkStatus status = go_to(m->cycle, m->state, steps);
+    m->ran_out |= status == YK_NO_MEMORY;
     if (status < 0) return status;
     m->force = yk_cycle_shaking(m->state, &moment);
     status = yk_dynamics_solve(m->dynamics, m->state, YK_METHOD_REDUCED);
+    m->ran_out |= status == YK_NO_MEMORY;
     m->torque = yk_dynamics_effort(m->dynamics, yk_input_coordinate(m->state->mech, 0));
     m->size[0] = yk_norm(m->force);
     m->size[1] = fabs(moment);
@@ -222,6 +225,7 @@ static YkStatus run_cycle(Measure *m, Measure *beside, double *peak, double *tor
         if (k < 2) continue;
         if (yk_state_copy(beside->state, m->state) < 0) return YK_NO_MEMORY;
         take_peaks(beside, (double)k - 1, size, peak);
+        if (beside->ran_out) return YK_NO_MEMORY;
     }
     return YK_OK;
 }

@@ -186,7 +186,8 @@ static void find_pairs(const Curve *curve, const YkGenerator *bar, const Extreme
     }
 }
 
-bool yk_even_out(const YkTask *task, YkFunctionTask *f, YkGenerator *bar, double *before)
+bool yk_even_out(const YkTask *task, YkFunctionTask *f, YkGenerator *bar, double *before,
+                 double errors[2 * YK_EVEN_ROWS])
 {
     static const double alike = 1e-9;
     Curve curve = {.task = task, .f = f};
@@ -203,6 +204,11 @@ bool yk_even_out(const YkTask *task, YkFunctionTask *f, YkGenerator *bar, double
         curve.sense = yk_cross(coupler_of(&own, phi, psi), yk_unit(psi)) > 0 ? 1 : -1;
     if (!find_extremes(&curve, &own, &at)) return false;
     *before = at.most;
+    for (size_t r = 0; r < YK_EVEN_ROWS; r++) {
+        double part = (double)r / (YK_EVEN_ROWS - 1);
+        errors[2 * r] = part * f->input;
+        errors[2 * r + 1] = error_at(&curve, &own, part, NULL);
+    }
     for (int round = 0; round < ROUNDS && at.most - at.least > alike * at.most; round++)
         if (!go(&curve, &own, &at)) break;
     if (at.most - at.least > 1e-3 * at.most) return false;

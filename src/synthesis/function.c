@@ -7,6 +7,7 @@
 // three slider-cranks, too.
 // Source: Freudenstein 1955; the inversion: Hartenberg & Denavit 1964, ch. 10.
 #include <math.h>
+#include <string.h>
 #include "base/mix.h"
 #include "num/dense.h"
 #include "synthesis/even.h"
@@ -156,13 +157,17 @@ static bool take_evened(YkSynthesis *s, const YkFunctionTask *own, const YkDesig
     const double *length = design->length;
     double scale = f.is_slider ? 1 : length[0], output = f.is_slider ? design->pivot[1].y : length[3];
     YkGenerator bar = {length[1] / scale, length[2] / scale, output / scale, design->angle[0], design->angle[2]};
-    double before = NAN;
-    if (!f.evened || !yk_even_out(s->task, &f, &bar, &before)) return false;
+    double before = NAN, errors[2 * YK_EVEN_ROWS];
+    if (!f.evened || !yk_even_out(s->task, &f, &bar, &before, errors)) return false;
     YkVec A = yk_scale(bar.input, yk_unit(bar.phi)), B = yk_scale(bar.output, yk_unit(bar.psi));
     if (f.is_slider) B = yk_vec(bar.psi, bar.output);
     YkDesign even = make(&f, A, B, bar.coupler);
     YkFound *found = take(s, &f, &even);
-    if (found) found->interpolating = before;
+    if (!found) return true;
+    double *kept = YK_NEW(s->arena, double, 2 * YK_EVEN_ROWS);
+    if (kept) memcpy(kept, errors, sizeof errors);
+    found->before = kept;
+    found->interpolating = before;
     return true;
 }
 
