@@ -112,7 +112,7 @@ const YkOption yk_options[] = {
      "the seed of the random numbers of --sample (default: the file's, or 1)"},
     {"sensitivities", 0, YK_OPTION_SWITCH, FIELD(sensitivities), NULL, " study ",
      "derivatives by each parameter, those of positions in two ways, and the worst case"},
-    {"threads", 0, YK_OPTION_WORD, FIELD(threads), "N", " study ",
+    {"threads", 0, YK_OPTION_WORD, FIELD(threads), "N", " study synthesize ",
      "how many threads (default: as many as there are processors); the results do not depend on it"},
     {"fresh", 0, YK_OPTION_SWITCH, FIELD(fresh), NULL, " study ",
      "start again instead of continuing an interrupted study"},

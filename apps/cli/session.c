@@ -1,4 +1,5 @@
 // A run's steps that the verbs share.
+#include "ranks.h"
 #include "roll.h"
 #include "session.h"
 #include "stop.h"
@@ -257,6 +258,15 @@ bool yk_session_count(YkSession *session, const char *option, const char *text, 
     bool good = yk_session_whole(session, option, text, most, fallback, &whole);
     *count = (size_t)whole;
     return good;
+}
+
+bool yk_session_threads(YkSession *session, size_t *count)
+{
+    enum { THREADS_MAX = 1024 };
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    size_t fallback = processors > 0 && processors <= THREADS_MAX ? (size_t)processors : 1;
+    return yk_session_count(session, "--threads", session->request->threads, THREADS_MAX, yk_ranks_share(fallback),
+                            count);
 }
 
 static void hint_coordinate(YkSession *session, const char *name)

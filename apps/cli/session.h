@@ -39,6 +39,8 @@ bool yk_session_has_file(YkSession *session);
 // Reads a count between 1 and `most`; `fallback` if text is NULL.
 bool yk_session_count(YkSession *session, const char *option, const char *text, size_t most, size_t fallback,
                       size_t *count);
+// Reads --threads: by default as many as there are processors, or this rank's share of them.
+bool yk_session_threads(YkSession *session, size_t *count);
 // Does the same for a number that may be larger than a count can be.
 bool yk_session_whole(YkSession *session, const char *option, const char *text, uint64_t most, uint64_t fallback,
                       uint64_t *whole);

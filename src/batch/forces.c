@@ -29,16 +29,16 @@ static YkRefVec two_leaves(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t 
     return v;
 }
 
-static size_t count_leaves(const YkMechanism *mech)
+static size_t count_leaves(const YkMechanism *mech, size_t weights)
 {
     return 4 * (mech->slot_count + 1) + 3 * (mech->distance_count + 1) + 6 * (mech->node_count + 1) +
            mech->coordinate_count + 2 * mech->input_count + mech->relation_count + mech->derived_count +
-           mech->model->parameter_count + 2;
+           mech->model->parameter_count + weights + 2;
 }
 
-static bool start_leaves(YkLaneForces *f)
+static bool start_leaves(YkLaneForces *f, size_t channels)
 {
-    f->leaf_capacity = count_leaves(f->mech);
+    f->leaf_capacity = count_leaves(f->mech, f->is_adjoint ? channels : 0);
     f->sources = calloc(f->leaf_capacity, sizeof *f->sources);
     f->leaves = calloc(f->leaf_capacity, sizeof *f->leaves);
     f->needs = calloc(f->mech->coordinate_count + 1, sizeof *f->needs);
@@ -165,16 +165,34 @@ static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channel
     return roots;
 }
 
+// Makes the derivatives of the weighted sum of the channels by all leaves so far; NULL if there are none.
+static YkRef *make_adjoint(YkLaneForces *f, YkProgram *p, const YkRef *channel, size_t count)
+{
+    YkGraph *g = &p->graph;
+    YkRef sum = yk_graph_number(g, 0), *by_leaf = YK_NEW(p->arena, YkRef, f->leaf_count + 1);
+    f->by_count = f->leaf_count;
+    for (size_t k = 0; k < count; k++) {
+        YkRef weight = leaf(f, g, YK_LEAF_OF_WEIGHT, k, 0);
+        sum = yk_graph_add(g, sum, yk_graph_multiply(g, weight, channel[k]));
+    }
+    return by_leaf && yk_graph_adjoint(g, sum, f->leaves, f->by_count, by_leaf) ? by_leaf : NULL;
+}
+
 static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_t lanes, bool *fits)
 {
     YkProgram p = {0};
     YkArena *arena = yk_arena_new();
     const YkRecipe *recipe = f->variant ? &f->variant->recipe : NULL;
-    bool good = arena && start_leaves(f) && yk_program_start(&p, f->mech, recipe, arena, NULL);
+    bool good = arena && start_leaves(f, count) && yk_program_start(&p, f->mech, recipe, arena, NULL);
     good = good && prepare(&p, f->variant);
     p.graph.joins_terms = true;
     if (good) yk_program_constants(&p);
     YkRef *roots = good ? make_roots(f, &p, channels, count, fits) : NULL;
+    if (roots && f->is_adjoint) {
+        roots = make_adjoint(f, &p, roots, count);
+        count = f->by_count;
+        *fits = roots || f->failed || p.failed || p.graph.failed || yk_arena_failed(arena);
+    }
     if (roots && !f->failed && !p.failed && !yk_arena_failed(arena))
         f->tape = yk_tape_new(&p.graph, f->leaves, f->leaf_count, roots, count, lanes,
                               (YkTapeLaws){f->mech->model, evaluate_law});
@@ -183,12 +201,13 @@ static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_
     return f->tape != NULL;
 }
 
-YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
-                                 bool *fits)
+static YkLaneForces *forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
+                                bool is_adjoint, bool *fits)
 {
     *fits = can_fit(mech, mech->variant);
     YkLaneForces *f = *fits ? calloc(1, sizeof *f) : NULL;
     if (!f) return NULL;
+    f->is_adjoint = is_adjoint;
     f->mech = mech;
     f->variant = mech->variant;
     if (!make(f, channels, channel_count, lanes, fits) || !yk_lane_forces_keep_needed(f)) {
@@ -197,6 +216,19 @@ YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *chann
     }
     yk_lane_forces_redesign(f);
     return f;
+}
+
+YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
+                                 bool *fits)
+{
+    return forces_new(mech, channels, channel_count, lanes, false, fits);
+}
+
+YkLaneForces *yk_force_slopes_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, bool *fits)
+{
+    *fits = true;
+    for (size_t k = 0; k < mech->relation_count + mech->derived_count; k++) *fits &= mech->relations[k].law == NULL;
+    return *fits ? forces_new(mech, channels, channel_count, 1, true, fits) : NULL;
 }
 
 void yk_lane_forces_free(YkLaneForces *f)

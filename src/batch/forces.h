@@ -34,4 +34,18 @@ void yk_lane_forces_run(YkLaneForces *forces, const YkLanePose *pose, double *co
 // the next run.
 const double *const *yk_lane_forces_run_one(YkLaneForces *forces, const YkLanePose *pose);
 
+// Makes the derivatives of a weighted sum of such channels by all that they are made of, backwards: at a few times the cost of
+// the forces, whatever the number of parameters. Not for machines with laws either: *fits is then false.
+typedef struct YkGradient YkGradient;
+YkLaneForces *yk_force_slopes_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, bool *fits);
+typedef struct YkSlopesAt {
+    const double *inputs; // [3 * input + k]
+    double time;
+    const double *weights; // [channel]
+} YkSlopesAt;
+// Takes the shares of the sum into a gradient that has its pose and was started. by[yk_force_slopes_count]: scratch. Returns false
+// if one of them is not finite. Allocates nothing. force_slopes.c
+size_t yk_force_slopes_count(const YkLaneForces *slopes);
+bool yk_force_slopes_take(YkLaneForces *slopes, YkGradient *gradient, const YkSlopesAt *at, double *by, double **out);
+
 #endif

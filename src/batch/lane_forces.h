@@ -12,7 +12,8 @@ typedef enum YkLeafKind {
     YK_LEAF_OF_INPUT,      // position, velocity
     YK_LEAF_OF_GAIN,       // of a relation with a law
     YK_LEAF_OF_TIME,
-    YK_LEAF_OF_PARAMETER
+    YK_LEAF_OF_PARAMETER,
+    YK_LEAF_OF_WEIGHT // of a channel in the sum that is differentiated
 } YkLeafKind;
 
 typedef struct YkLeafSource { // where the lanes of a leaf lie
@@ -33,6 +34,9 @@ struct YkLaneForces {
     YkRef *leaves;
     size_t leaf_count, leaf_capacity;
     bool *needs; // per coordinate
+    bool
+        is_adjoint; // the tape computes the derivatives of a weighted sum of the channels by the first `by_count` leaves
+    size_t by_count;
     bool failed;
 };
 

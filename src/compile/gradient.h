@@ -1,9 +1,11 @@
-// Derivatives of positions by the parameters of a variant, exact, and at one transposed solution of the loops for each
+// Derivatives of answers by the parameters of a variant, exact, and at a few transposed solutions of the loops for each
 // answer, whatever the number of parameters.
 //
-// With the inputs held the loops Phi(x, p) = 0 give J dx + Phi_p dp = 0. So an answer y(x, p) has the derivatives
-// y_p - lambda^T Phi_p with J^T lambda = y_x. Both terms are sums over the points and directions of the model, whose
-// derivatives by the parameters are those of their expressions; they are collected backwards along the tree.
+// With the inputs given the loops R(x, p) = 0 hold over time, and so do their first and second derivatives R', R'' along it,
+// which are linear in x' and x'' with the same Jacobian J. An answer y(x, x', x'', p) has the derivatives
+// y_p - l2^T R''_p - l1^T R'_p - l0^T R_p: J^T l2 = y_x'', then J^T l1 = what y and l2^T R'' have by x', then J^T l0 = what
+// y, R' and R'' have by x. All are sums of turned vectors, each with its derivatives by time (a jet), whose shares are handed
+// backwards to angles, distances and the vectors, and by the recipe to points and lines of the model.
 // Source: Giles & Pierce 2000, Flow, Turbulence and Combustion 65; Griewank & Walther 2008, Evaluating Derivatives.
 #ifndef COMPILE_GRADIENT_H
 #define COMPILE_GRADIENT_H
@@ -16,20 +18,35 @@ typedef struct YkWeighted { // a part of an answer
     double weight;
 } YkWeighted;
 
-// Returns whether a channel has derivatives here: angles, distances and points, but no rates, forces, or angles of
-// transmission.
-bool yk_gradient_covers(YkChannel channel);
+// Returns whether a channel of the mechanism has derivatives here: angles, distances and points with their rates and
+// accelerations, and angles of transmission of dyads with three pins, or two and a line; no forces.
+bool yk_gradient_covers(const YkMechanism *mech, YkChannel channel);
 // Prepares the derivatives of a variant's machine, which must outlive them. Returns NULL when out of memory.
 YkGradient *yk_gradient_new(const YkVariant *variant);
 void yk_gradient_free(YkGradient *gradient);
 // Takes the design that the variant has now. Returns false if an expression has no derivative there.
 // Cost: that of the expressions, once for each parameter on which they depend; allocates nothing.
 bool yk_gradient_design(YkGradient *gradient);
-// Linearises the loops at a pose: x[yk_variable_count], as yk_closure takes them. Returns false if the loops do not
-// determine the pose: at a dead point. Cost O(variables^3).
-bool yk_gradient_pose(YkGradient *gradient, const double *x);
+// Linearises the loops at a pose: x[yk_variable_count], as yk_closure takes them, and their rates and accelerations, or NULL
+// where no answer depends on any. Returns false if the loops do not determine the pose: at a dead point. Cost O(variables^3).
+bool yk_gradient_pose(YkGradient *gradient, const double *x, const double *rates, const double *accelerations);
 // Adds the derivatives of the sum of weighted channels to slope[parameters of the variant].
-// Cost O(variables^2 + points that vary * parameters).
+// Cost O(variables^2 + vectors that vary + points that vary * parameters).
 void yk_gradient_add(YkGradient *gradient, const YkWeighted *sum, size_t count, double *slope);
+
+// The same for an answer that is made of other values of the pose: start, take the share of each, and finish, which adds.
+void yk_gradient_start(YkGradient *gradient);
+void yk_gradient_take(YkGradient *gradient, YkWeighted part);
+void yk_gradient_finish(YkGradient *gradient, double *slope);
+// The values, each with its derivatives by time, and the shares that answers have of them.
+void yk_gradient_turn(const YkGradient *gradient, int32_t slot, double value[4]); // c, s, w, a
+void yk_gradient_slide(const YkGradient *gradient, int32_t distance, double value[3]);
+void yk_gradient_node(YkGradient *gradient, int32_t node, double value[6]); // x, y, x', y', x'', y''
+double yk_gradient_angle(const YkGradient *gradient, size_t coordinate);
+void yk_gradient_take_turn(YkGradient *gradient, int32_t slot, const double share[4]);
+void yk_gradient_take_slide(YkGradient *gradient, int32_t distance, const double share[3]);
+void yk_gradient_take_node(YkGradient *gradient, int32_t node, const double share[6]);
+void yk_gradient_take_angle(YkGradient *gradient, size_t coordinate, double share);
+void yk_gradient_take_parameter(YkGradient *gradient, int32_t parameter, double share); // of the model
 
 #endif

@@ -1,18 +1,25 @@
 // Shaking over a cycle: the poses, their inertia, and the input's effort.
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <yoke/move.h>
 #include <yoke/sweep.h>
 #include "design/balancing.h"
 
-YkStatus yk_cycle_pose(const YkCycle *cycle, YkState *state, size_t k)
+// Moves a state to a place of the cycle, in steps from its start.
+static YkStatus go_to(const YkCycle *cycle, YkState *state, double steps)
 {
-    YkMotion goal = {cycle->from + cycle->step * (double)k, 0, 0};
+    YkMotion goal = {cycle->from + cycle->step * steps, 0, 0};
     YkStatus status = yk_state_move_to(state, &goal, NULL, NULL);
     if (status < 0) return status;
     yk_state_set_input_to(state, 0, goal.position, cycle->rate, 0);
     status = yk_state_solve(state);
     return status >= 0 && !yk_state_has_rates(state) ? YK_BAD_ARGUMENT : status;
+}
+
+YkStatus yk_cycle_pose(const YkCycle *cycle, YkState *state, size_t k)
+{
+    return go_to(cycle, state, (double)k);
 }
 
 YkVec yk_cycle_pivot(const YkState *state)
@@ -142,36 +149,106 @@ YkStatus yk_cycle_find(const YkState *state, size_t steps, YkCycle *cycle)
     return YK_OK;
 }
 
-static YkVec add_shaking(const YkState *state, YkShakingPeaks *peaks)
+// --- peaks
+
+enum { PEAKS = 3 }; // of force, moment and effort
+
+// A state that moves through the cycle, with what it measures at a place: the sizes of force, moment and effort.
+typedef struct Measure {
+    const YkCycle *cycle;
+    YkState *state;
+    YkDynamics *dynamics;
+    YkVec force;
+    double torque, size[PEAKS];
+    bool ran_out; // of memory
+} Measure;
+
+static YkStatus measure(Measure *m, double steps)
 {
-    double moment;
-    YkVec force = yk_cycle_shaking(state, &moment);
-    peaks->force = fmax(peaks->force, yk_norm(force));
-    peaks->moment = fmax(peaks->moment, fabs(moment));
-    return force;
+    double moment = 0;
+    YkStatus status = go_to(m->cycle, m->state, steps);
+    m->ran_out |= status == YK_NO_MEMORY;
+    if (status < 0) return status;
+    m->force = yk_cycle_shaking(m->state, &moment);
+    status = yk_dynamics_solve(m->dynamics, m->state, YK_METHOD_REDUCED);
+    m->ran_out |= status == YK_NO_MEMORY;
+    m->torque = yk_dynamics_effort(m->dynamics, yk_input_coordinate(m->state->mech, 0));
+    m->size[0] = yk_norm(m->force);
+    m->size[1] = fabs(moment);
+    m->size[2] = fabs(m->torque);
+    return status == YK_SINGULAR ? YK_BAD_ARGUMENT : status;
+}
+
+// Goes to the top of a parabola through three values, which are taken ever closer. Returns the largest value met, or 0 where
+// the machine does not get there.
+static double refine(Measure *m, size_t i, double at, double before, double here, double after)
+{
+    double h = 1;
+    for (int round = 0; round < 4; round++, h /= 8) {
+        if (round > 0) {
+            before = measure(m, at - h) >= 0 ? m->size[i] : 0;
+            after = measure(m, at + h) >= 0 ? m->size[i] : 0;
+        }
+        double bend = before - 2 * here + after, to = at + h * (before - after) / (2 * bend);
+        if (!(fabs(to - at) <= h) || measure(m, to) < 0) break;
+        if (!(m->size[i] >= here)) continue;
+        here = m->size[i];
+        at = to;
+    }
+    return here;
+}
+
+// Takes the peaks about the middle one of three poses that follow each other: none exceeds the middle by more than it exceeds
+// the lower neighbour. What is constant but for rounding has none.
+static void take_peaks(Measure *m, double at, double size[3][PEAKS], double *peak)
+{
+    for (size_t i = 0; i < PEAKS; i++) {
+        double before = size[0][i], here = size[1][i], after = size[2][i], rise = here - fmin(before, after);
+        if (here < before || here < after || rise <= 1e-9 * here || here + rise <= peak[i]) continue;
+        peak[i] = fmax(peak[i], refine(m, i, at, before, here, after));
+    }
+}
+
+// Measures all poses, and two more where the cycle goes round, so that each has neighbours.
+static YkStatus run_cycle(Measure *m, Measure *beside, double *peak, double *torques, YkVec *forces)
+{
+    size_t count = m->cycle->count;
+    double size[3][PEAKS] = {{0}};
+    for (size_t k = 0; k < count + (m->cycle->repeats ? 2 : 0); k++) {
+        YkStatus status = measure(m, (double)k);
+        if (status < 0) return status;
+        memmove(size, size + 1, 2 * sizeof *size);
+        memcpy(size[2], m->size, sizeof *size);
+        for (size_t i = 0; i < PEAKS; i++) peak[i] = fmax(peak[i], m->size[i]);
+        if (forces && k < count) forces[k] = m->force;
+        if (torques && k < count) torques[k] = m->torque;
+        if (k < 2) continue;
+        if (yk_state_copy(beside->state, m->state) < 0) return YK_NO_MEMORY;
+        take_peaks(beside, (double)k - 1, size, peak);
+        if (beside->ran_out) return YK_NO_MEMORY;
+    }
+    return YK_OK;
 }
 
 YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPeaks *peaks, double *torques,
                         YkVec *forces)
 {
-    YkState *moving = yk_state_new(state->mech);
-    YkDynamics *dynamics = yk_dynamics_new(state->mech, NULL);
-    YkStatus status = moving && dynamics ? yk_state_copy(moving, state) : YK_NO_MEMORY;
-    *peaks = (YkShakingPeaks){0};
-    if (dynamics) yk_dynamics_prescribe(dynamics, 0, true);
-    for (size_t k = 0; k < cycle->count && status >= 0; k++) {
-        status = yk_cycle_pose(cycle, moving, k);
-        if (status < 0) break;
-        YkVec force = add_shaking(moving, peaks);
-        if (forces) forces[k] = force;
-        status = yk_dynamics_solve(dynamics, moving, YK_METHOD_REDUCED);
-        double torque = yk_dynamics_effort(dynamics, yk_input_coordinate(state->mech, 0));
-        peaks->torque = fmax(peaks->torque, fabs(torque));
-        if (torques) torques[k] = torque;
-        if (status == YK_SINGULAR) status = YK_BAD_ARGUMENT;
+    Measure m[2] = {{.cycle = cycle}, {.cycle = cycle}};
+    double peak[PEAKS] = {0};
+    YkStatus status = YK_OK;
+    for (size_t k = 0; k < 2; k++) {
+        m[k].state = yk_state_new(state->mech);
+        m[k].dynamics = yk_dynamics_new(state->mech, NULL);
+        bool good = m[k].state && m[k].dynamics && yk_state_copy(m[k].state, state) >= 0;
+        if (!good) status = YK_NO_MEMORY;
+        if (m[k].dynamics) yk_dynamics_prescribe(m[k].dynamics, 0, true);
     }
-    yk_dynamics_free(dynamics);
-    yk_state_free(moving);
+    if (status >= 0) status = run_cycle(&m[0], &m[1], peak, torques, forces);
+    *peaks = (YkShakingPeaks){peak[0], peak[1], peak[2]};
+    for (size_t k = 0; k < 2; k++) {
+        yk_dynamics_free(m[k].dynamics);
+        yk_state_free(m[k].state);
+    }
     return status;
 }
 

@@ -176,6 +176,7 @@ static YkRef find(Work *w, YkRef value)
         YkRef db = derive(w, v.b);
         return yk_graph_choose(g, v.a, db, derive(w, v.c));
     }
+    case YK_VALUE_NONZERO:
     case YK_VALUE_SIZE: {
         YkRef da = derive(w, v.a);
         return yk_graph_choose(g, v.a, yk_graph_minus(g, da), da);
@@ -186,6 +187,14 @@ static YkRef find(Work *w, YkRef value)
         YkRef argument = call->arguments[0], slope = yk_graph_result(g, v.a, (size_t)v.b + 1);
         return yk_graph_multiply(g, slope, derive(w, argument));
     }
+    case YK_VALUE_ROOT:
+        return yk_graph_divide(g, derive(w, v.a), yk_graph_multiply(g, yk_graph_number(g, 2), value));
+    case YK_VALUE_PER_ROOT: {
+        YkRef half = yk_graph_multiply(g, yk_graph_number(g, -0.5), derive(w, v.a));
+        return yk_graph_multiply(g, half, yk_graph_multiply(g, value, yk_graph_multiply(g, value, value)));
+    }
+    case YK_VALUE_NEAREST: // but for whole turns
+        return derive(w, v.a);
     default: // numbers, and values that are never differentiated
         return yk_graph_number(g, 0);
     }
@@ -211,4 +220,24 @@ YkRef yk_graph_derivative(YkGraph *g, YkRef value, YkRef leaf)
     if (!is_made_of(g, value, leaf)) return yk_graph_number(g, 0);
     Work w = {g, leaf, ++g->memo.newest};
     return derive(&w, value);
+}
+
+// The same with the wanted operand as the leaf: its derivative, and those of the other operands, are noted beforehand.
+YkRef yk_graph_partial(YkGraph *g, YkRef value, YkRef operand)
+{
+    if (!fit(g)) {
+        g->failed = true;
+        return value;
+    }
+    const YkValue v = g->values[value];
+    Work w = {g, operand, ++g->memo.newest};
+    const YkRef operands[] = {v.a, v.b, v.c}, zero = yk_graph_number(g, 0), one = yk_graph_number(g, 1);
+    for (size_t k = 0; k < 3 && v.op != YK_VALUE_RESULT; k++) {
+        if (operands[k] < 0) continue;
+        g->memo.slope_stamp[operands[k]] = w.stamp;
+        g->memo.slope[operands[k]] = zero;
+    }
+    g->memo.slope_stamp[operand] = w.stamp;
+    g->memo.slope[operand] = one;
+    return find(&w, value);
 }

@@ -150,6 +150,12 @@ YkRef yk_graph_result(YkGraph *graph, int32_t call, size_t k);
 size_t yk_graph_cost(const YkGraph *graph, const YkRef *roots, size_t count);
 // Returns d value / d leaf, exact.
 YkRef yk_graph_derivative(YkGraph *graph, YkRef value, YkRef leaf);
+// Returns its derivative by one of its operands, the others held.
+YkRef yk_graph_partial(YkGraph *graph, YkRef value, YkRef operand);
+// Makes the derivatives of a value by all leaves at once, by_leaf[count], backwards from it: a few times its operations,
+// whatever the number of leaves. Returns false if the value has a part that is not differentiated, or when out of memory.
+// Source: Griewank & Walther 2008, Evaluating Derivatives. adjoint.c
+bool yk_graph_adjoint(YkGraph *graph, YkRef value, const YkRef *leaves, size_t count, YkRef *by_leaf);
 
 bool yk_graph_is_number(const YkGraph *graph, YkRef value, double number);
 bool yk_graph_is_zero_vec(const YkGraph *graph, YkRefVec v);

@@ -41,6 +41,7 @@ static Cell fit_curve(YkText *svg, const YkSynthesis *s, const YkFound *found, Y
     const YkMachineTask *machine = &s->task->machine;
     Box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (size_t r = 0; r < found->rows; r++) include(&box, yk_vec(found->curve[2 * r], found->curve[2 * r + 1]));
+    for (size_t r = 0; r < s->own_rows; r++) include(&box, yk_vec(s->own[2 * r], s->own[2 * r + 1]));
     for (size_t k = 0; k < machine->goal_count; k++)
         for (size_t i = 0; i < machine->goal[k].count; i++) include(&box, machine->goal[k].point[i]);
     double size = fmax(fmax(box.high.x - box.low.x, box.high.y - box.low.y), 1e-12);
@@ -95,12 +96,16 @@ static void draw_points(const Cell *cell, const YkVec *point, size_t count)
     for (size_t k = 0; k < count; k++) yk_svg_circle(cell->svg, pixel(cell, point[k]), 2.5, "fill=\"#c0392b\"");
 }
 
-static void draw_curve(const Cell *cell, const YkFound *found)
+static void draw_rows(const Cell *cell, const double *curve, size_t rows, const char *style)
 {
     YkVec points[YK_CURVE_ROWS];
-    for (size_t r = 0; r < found->rows; r++)
-        points[r] = pixel(cell, yk_vec(found->curve[2 * r], found->curve[2 * r + 1]));
-    yk_svg_polyline(cell->svg, points, found->rows, "fill=\"none\" stroke=\"#2471a3\" stroke-width=\"1.3\"");
+    for (size_t r = 0; r < rows; r++) points[r] = pixel(cell, yk_vec(curve[2 * r], curve[2 * r + 1]));
+    yk_svg_polyline(cell->svg, points, rows, style);
+}
+
+static void draw_curve(const Cell *cell, const YkFound *found)
+{
+    draw_rows(cell, found->curve, found->rows, "fill=\"none\" stroke=\"#2471a3\" stroke-width=\"1.3\"");
 }
 
 static const char *const bar = "stroke=\"#34495e\" stroke-width=\"3\" stroke-linecap=\"round\"";
@@ -195,8 +200,11 @@ static void add_caption(const YkSynthesis *s, const YkFound *found, size_t rank,
     yk_text_clear(&text);
     yk_text_format(&text, "transmission from %s deg", digits);
     if (s->task->kind == YK_TASK_FUNCTION && s->task->function.of) {
-        yk_number_write_digits(found->worst * 180 / YK_PI, 3, digits);
-        yk_text_format(&text, ", error up to %s deg", digits);
+        bool is_slider = found->design.kind == YK_DESIGN_SLIDER_CRANK;
+        double size = YK_PI / 180;
+        const char *unit = is_slider ? yk_task_unit(s->task, YK_QUANTITY_LENGTH, &size) : "deg";
+        digits[yk_number_write_digits(found->worst / size, 3, digits)] = '\0';
+        yk_text_format(&text, ", error up to %s %s", digits, unit);
     }
     yk_svg_word(svg, yk_vec(corner.x + MARGIN, corner.y + CELL + 24), yk_text_get(&text),
                 "font-size=\"11\" fill=\"#5d6d7e\"");
@@ -213,6 +221,9 @@ static void draw_machine_cell(const YkSynthesis *s, size_t index, YkVec corner, 
     yk_text_format(svg, "<g class=\"candidate\">\n");
     if (found->rows > 0) {
         Cell cell = fit_curve(svg, s, found, corner);
+        if (s->own_rows > 0)
+            draw_rows(&cell, s->own, s->own_rows,
+                      "class=\"before\" fill=\"none\" stroke=\"#aaa\" stroke-dasharray=\"4 3\"");
         draw_curve(&cell, found);
         for (size_t k = 0; k < machine->goal_count; k++)
             draw_points(&cell, machine->goal[k].point, machine->goal[k].count);

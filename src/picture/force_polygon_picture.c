@@ -81,8 +81,10 @@ static void add_cell(YkText *svg, const YkModel *model, Cell *cell)
     for (size_t k = 0; k < cell->count; k++) add_vector(svg, cell, &cell->vector[k]);
     yk_svg_word(svg, yk_add(cell->corner, yk_vec(MARGIN, 28)), name, "font-weight=\"bold\"");
     YkVec foot = yk_add(cell->corner, yk_vec(MARGIN, CELL_HEIGHT - 18));
+    double size = 1;
+    const char *unit = yk_model_unit(model, YK_QUANTITY_FORCE, &size);
     if (cell->scale > 0)
-        yk_sheet_scale(svg, foot, cell->scale, 80, "N");
+        yk_sheet_scale(svg, foot, cell->scale * size, 80, unit);
     else
         yk_svg_word(svg, foot, "moments alone", "");
     yk_text_puts(svg, "</g>\n");

@@ -83,8 +83,9 @@ static void add_names(Page *page)
 static void add_scale(Page *page)
 {
     double y = page->height - 14;
-    const char *unit = page->p->kind == YK_POLYGON_VELOCITY ? "m/s" : "m/s^2";
-    double x = yk_sheet_scale(page->svg, yk_vec(MARGIN, y), page->scale, 120, unit) + 130;
+    double size = 1;
+    const char *unit = yk_model_unit(page->p->model, yk_polygon_quantity(page->p), &size);
+    double x = yk_sheet_scale(page->svg, yk_vec(MARGIN, y), page->scale * size, 120, unit) + 130;
     for (int part = 0; part <= YK_POLYGON_CORIOLIS; part++) {
         bool has = false;
         YkText style = {0};

@@ -146,6 +146,7 @@ double yk_synthesis_interpolating(const YkSynthesis *s, size_t candidate)
 bool yk_synthesis_is_reversed(const YkSynthesis *s, size_t candidate, bool output)
 {
     if (candidate >= yk_synthesis_count(s) || s->task->kind != YK_TASK_FUNCTION) return false;
+    if (output && s->candidates.items[candidate].design.kind == YK_DESIGN_SLIDER_CRANK) return false;
     const YkGiven *phase = &s->task->function.phase[output];
     double begins = s->candidates.items[candidate].design.angle[output ? 2 : 0];
     return phase->is_given && yk_cos(begins - phase->value) < 0;

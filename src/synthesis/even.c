@@ -11,8 +11,9 @@ enum { STEPS = 360, P = 5, EXTREMES = P + 1, FOUND = 12, ROUNDS = 40, HALVINGS =
 
 typedef struct Curve {
     const YkTask *task;
+    const YkFunctionTask *f;
     double at_start, rise; // of the function
-    double sense;          // of the angle between coupler and output: the branch
+    double sense;          // the branch: of the angle between coupler and output, or of the coupler along the line
 } Curve;
 
 typedef struct Extremes {
@@ -28,16 +29,35 @@ static YkVec coupler_of(const YkGenerator *bar, double phi, double psi)
 
 static double wanted_at(const Curve *curve, double part)
 {
-    const YkFunctionTask *f = &curve->task->function;
+    const YkFunctionTask *f = curve->f;
     double value = NAN;
     yk_task_function(curve->task, f->range.low + part * (f->range.high - f->range.low), &value);
     return (value - curve->at_start) / curve->rise * f->output;
 }
 
+// The error of a slider, with its derivatives: the coupler's length ties its place to the rest.
+static double slider_error(const Curve *curve, const YkGenerator *bar, double part, double by[P])
+{
+    double wanted = wanted_at(curve, part), phi = bar->phi + part * curve->f->input;
+    YkVec u = yk_unit(phi), A = yk_scale(bar->input, u);
+    double y = bar->output - A.y, square = bar->coupler * bar->coupler - y * y;
+    if (!(square > 0)) return NAN; // it does not close
+    double x = curve->sense * sqrt(square), ratio = y / x;
+    if (by) {
+        by[0] = u.x + ratio * u.y;
+        by[1] = bar->coupler / x;
+        by[2] = -ratio;
+        by[3] = ratio * A.x - A.y;
+        by[4] = -1;
+    }
+    return A.x + x - bar->psi - wanted;
+}
+
 // The error of the output where the argument is a part of its range, with its derivatives by the dimensions unless NULL.
 static double error_at(const Curve *curve, const YkGenerator *bar, double part, double by[P])
 {
-    double wanted = wanted_at(curve, part), phi = bar->phi + part * curve->task->function.input;
+    if (curve->f->is_slider) return slider_error(curve, bar, part, by);
+    double wanted = wanted_at(curve, part), phi = bar->phi + part * curve->f->input;
     YkVec across = yk_sub(yk_vec(1, 0), yk_scale(bar->input, yk_unit(phi)));
     double b = bar->coupler, c = bar->output, f2 = yk_dot(across, across), f = sqrt(f2);
     double cosine = (b * b - f2 - c * c) / (2 * f * c);
@@ -130,9 +150,9 @@ static YkGenerator moved(const YkGenerator *bar, const double *step, double part
                          bar->phi + part * step[3], bar->psi + part * step[4]};
 }
 
-static bool is_whole(const YkGenerator *bar)
+static bool is_whole(const Curve *curve, const YkGenerator *bar)
 {
-    return bar->input > 0 && bar->coupler > 0 && bar->output > 0;
+    return bar->input > 0 && bar->coupler > 0 && (curve->f->is_slider || bar->output > 0);
 }
 
 // Takes as much of a step as makes the largest error smaller. Returns false if nothing does.
@@ -143,7 +163,7 @@ static bool go(const Curve *curve, YkGenerator *bar, Extremes *at)
     for (int k = 0; k < HALVINGS; k++) {
         YkGenerator trial = moved(bar, step, ldexp(1, -k));
         Extremes there;
-        if (!is_whole(&trial) || !find_extremes(curve, &trial, &there) || !(there.most < at->most)) continue;
+        if (!is_whole(curve, &trial) || !find_extremes(curve, &trial, &there) || !(there.most < at->most)) continue;
         *bar = trial;
         *at = there;
         return true;
@@ -161,16 +181,16 @@ static void find_pairs(const Curve *curve, const YkGenerator *bar, const Extreme
             bool is_before = error_at(curve, bar, middle, NULL) * at->error[k] > 0;
             *(is_before ? &low : &high) = middle;
         }
-        pair[k][0] = low * curve->task->function.input;
+        pair[k][0] = low * curve->f->input;
         pair[k][1] = wanted_at(curve, low);
     }
 }
 
-bool yk_even_out(const YkTask *task, YkGenerator *bar, double pair[YK_PAIRS_MAX][2], double *before)
+bool yk_even_out(const YkTask *task, YkFunctionTask *f, YkGenerator *bar, double *before,
+                 double errors[2 * YK_EVEN_ROWS])
 {
     static const double alike = 1e-9;
-    const YkFunctionTask *f = &task->function;
-    Curve curve = {.task = task};
+    Curve curve = {.task = task, .f = f};
     YkGenerator own = *bar;
     Extremes at;
     double at_end = 0;
@@ -178,13 +198,21 @@ bool yk_even_out(const YkTask *task, YkGenerator *bar, double pair[YK_PAIRS_MAX]
     yk_task_function(task, f->range.high, &at_end);
     curve.rise = at_end - curve.at_start;
     double phi = own.phi + f->pair[2][0], psi = own.psi + f->pair[2][1];
-    curve.sense = yk_cross(coupler_of(&own, phi, psi), yk_unit(psi)) > 0 ? 1 : -1;
+    if (f->is_slider)
+        curve.sense = psi > own.input * yk_cos(phi) ? 1 : -1;
+    else
+        curve.sense = yk_cross(coupler_of(&own, phi, psi), yk_unit(psi)) > 0 ? 1 : -1;
     if (!find_extremes(&curve, &own, &at)) return false;
     *before = at.most;
+    for (size_t r = 0; r < YK_EVEN_ROWS; r++) {
+        double part = (double)r / (YK_EVEN_ROWS - 1);
+        errors[2 * r] = part * f->input;
+        errors[2 * r + 1] = error_at(&curve, &own, part, NULL);
+    }
     for (int round = 0; round < ROUNDS && at.most - at.least > alike * at.most; round++)
         if (!go(&curve, &own, &at)) break;
     if (at.most - at.least > 1e-3 * at.most) return false;
-    find_pairs(&curve, &own, &at, pair);
+    find_pairs(&curve, &own, &at, f->pair);
     *bar = own;
     return true;
 }

@@ -1,10 +1,13 @@
-// An angle that follows another: four-bars through three, four or five pairs of angles.
+// An angle or a slider that follows an angle: machines through three, four or five pairs.
 //
 // Seen from the input, the output is a body in motion, and the coupler is a dyad that takes it through its positions. The
 // ground is another one. Five pairs thus have the four dyads of five positions, one of them the ground: at most three
 // four-bars. Four pairs leave the phase of one angle free, three the phases of both; these are sampled unless given.
+// A slider is such a body, too: it has no turn but the input's, and the ground is the dyad of its line. So five pairs have at most
+// three slider-cranks, too.
 // Source: Freudenstein 1955; the inversion: Hartenberg & Denavit 1964, ch. 10.
 #include <math.h>
+#include <string.h>
 #include "base/mix.h"
 #include "num/dense.h"
 #include "synthesis/even.h"
@@ -16,16 +19,35 @@ enum { RAYS = 720, PHASES = 40, STOPS = YK_PAIRS_MAX + 2 };
 static void relative_poses(const YkFunctionTask *f, size_t held, YkPose *pose)
 {
     for (size_t k = 0; k < f->count; k++) {
+        if (f->is_slider) {
+            double turned = held == 0 ? -f->pair[k][0] : 0;
+            YkVec at = yk_vec(held == 0 ? f->pair[k][1] : -f->pair[k][1], 0);
+            pose[k] = (YkPose){.at = yk_mul(yk_unit(turned), at), .angle = held == 0 ? turned : f->pair[k][0]};
+            continue;
+        }
         double turned = f->pair[k][held], other = f->pair[k][1 - held];
         YkVec at = yk_mul(yk_unit(-turned), yk_vec(held == 0 ? 1 : -1, 0));
         pose[k] = (YkPose){.at = at, .angle = other - turned};
     }
 }
 
+// The slider-crank whose crank ends at A where both begin, and whose slider's pin is then at B.
+static YkDesign make_slider(YkVec A, YkVec B, double coupler)
+{
+    YkVec across = yk_sub(B, A);
+    YkDesign design = {.kind = YK_DESIGN_SLIDER_CRANK, .dyad = {-1, -1}, .length = {0, yk_norm(A), coupler, 0}};
+    design.pivot[1] = yk_vec(0, B.y);
+    design.angle[0] = yk_atan2(A.y, A.x);
+    design.angle[1] = yk_atan2(across.y, across.x);
+    design.angle[2] = B.x;
+    return design;
+}
+
 // The four-bar whose links end at A, seen from the input, and B, seen from the output, where both angles begin. There the
 // coupler closes only nearly, unless the range begins at a pair.
 static YkDesign make(const YkFunctionTask *f, YkVec A, YkVec B, double coupler)
 {
+    if (f->is_slider) return make_slider(A, B, coupler);
     double scale = f->ground.is_given ? f->ground.value : 1;
     YkVec across = yk_sub(yk_add(yk_vec(1, 0), B), A);
     YkDesign design = {.kind = YK_DESIGN_FOUR_BAR, .dyad = {-1, -1}};
@@ -44,6 +66,7 @@ static void angles_at(const YkFunctionTask *f, const YkDesign *design, size_t k,
     angle[0] = design->angle[0] + f->pair[k][0];
     angle[2] = design->angle[2] + f->pair[k][1];
     YkVec A = yk_scale(design->length[1], yk_unit(angle[0])), B = yk_scale(design->length[3], yk_unit(angle[2]));
+    if (f->is_slider) B = yk_vec(angle[2], 0);
     YkVec across = yk_sub(yk_add(design->pivot[1], B), A);
     angle[1] = yk_atan2(across.y, across.x);
 }
@@ -66,9 +89,8 @@ static double peak_near(const YkVerdict *verdict, size_t r)
 }
 
 // Replaces the curve's outputs by their errors, and returns the largest, between the rows as well.
-static double structural_error(const YkTask *task, const YkDesign *design, YkVerdict *verdict)
+static double structural_error(const YkTask *task, const YkFunctionTask *f, const YkDesign *design, YkVerdict *verdict)
 {
-    const YkFunctionTask *f = &task->function;
     double at_start = 0, at_end = 1, worst = 0;
     yk_task_function(task, f->range.low, &at_start);
     yk_task_function(task, f->range.high, &at_end);
@@ -77,7 +99,8 @@ static double structural_error(const YkTask *task, const YkDesign *design, YkVer
         yk_task_function(task, f->range.low + turned / f->input * (f->range.high - f->range.low), &value);
         double wanted = (value - at_start) / (at_end - at_start) * f->output;
         row[0] = turned;
-        row[1] = yk_remainder(row[1] - design->angle[2] - wanted, 2 * YK_PI);
+        row[1] -= design->angle[2] + wanted;
+        if (!f->is_slider) row[1] = yk_remainder(row[1], 2 * YK_PI);
         if (isnan(row[1])) return INFINITY;
     }
     for (size_t r = 0; r < verdict->rows; r++) {
@@ -116,69 +139,79 @@ static YkFound *take(YkSynthesis *s, const YkFunctionTask *f, const YkDesign *de
     if (defect == YK_DEFECT_NONE) defect = yk_design_signs(design, angle, f->count);
     if (defect == YK_DEFECT_NONE && task->turns && !yk_design_turns(design)) defect = YK_DEFECT_INPUT;
     if (defect == YK_DEFECT_NONE) defect = yk_synthesis_try(s, design, &journey, &text, &verdict);
-    if (defect == YK_DEFECT_NONE && f->of) verdict.worst = structural_error(task, design, &verdict);
+    if (defect == YK_DEFECT_NONE && f->of) verdict.worst = structural_error(task, f, design, &verdict);
     if (defect == YK_DEFECT_NONE)
-        found = yk_synthesis_keep(s, design, &text, &verdict, f->of ? -verdict.worst : verdict.transmission[0]);
+        found = yk_synthesis_keep(s, design, &text, &verdict,
+                                  f->of ? -verdict.worst / fabs(f->output) : verdict.transmission[0]);
     else
         yk_synthesis_leave(s, design, defect, &verdict);
     yk_text_free(&text);
     return found;
 }
 
-// Takes the four-bar nearby with the least largest error, which meets five other points of the function. Returns false if
+// Takes the machine nearby with the least largest error, which meets five other points of the function. Returns false if
 // there is none.
-static bool take_evened(YkSynthesis *s, const YkDesign *design)
+static bool take_evened(YkSynthesis *s, const YkFunctionTask *own, const YkDesign *design)
 {
-    YkFunctionTask f = s->task->function;
+    YkFunctionTask f = *own;
     const double *length = design->length;
-    YkGenerator bar = {length[1] / length[0], length[2] / length[0], length[3] / length[0], design->angle[0],
-                       design->angle[2]};
-    double before = NAN;
-    if (!f.evened || !yk_even_out(s->task, &bar, f.pair, &before)) return false;
+    double scale = f.is_slider ? 1 : length[0], output = f.is_slider ? design->pivot[1].y : length[3];
+    YkGenerator bar = {length[1] / scale, length[2] / scale, output / scale, design->angle[0], design->angle[2]};
+    double before = NAN, errors[2 * YK_EVEN_ROWS];
+    if (!f.evened || !yk_even_out(s->task, &f, &bar, &before, errors)) return false;
     YkVec A = yk_scale(bar.input, yk_unit(bar.phi)), B = yk_scale(bar.output, yk_unit(bar.psi));
+    if (f.is_slider) B = yk_vec(bar.psi, bar.output);
     YkDesign even = make(&f, A, B, bar.coupler);
     YkFound *found = take(s, &f, &even);
-    if (found) found->interpolating = before;
+    if (!found) return true;
+    double *kept = YK_NEW(s->arena, double, 2 * YK_EVEN_ROWS);
+    if (kept) memcpy(kept, errors, sizeof errors);
+    found->before = kept;
+    found->interpolating = before;
     return true;
 }
 
 // --- five and four pairs: dyads
 
 // Takes a dyad of the link seen from `held` as a coupler; not the ground, which joins the two fixed pivots.
-static bool take_dyad(YkSynthesis *s, const YkDyad *dyad, size_t held)
+static bool take_dyad(YkSynthesis *s, const YkFunctionTask *f, const YkDyad *dyad, size_t held)
 {
     YkVec fixed = yk_vec(dyad->fixed[0], dyad->fixed[1]), moving = yk_vec(dyad->moving[0], dyad->moving[1]);
-    if (dyad->kind != YK_DYAD_RR || yk_norm(fixed) + yk_norm(moving) < 1e-6) return false;
-    if (yk_norm(fixed) < 1e-6 || yk_norm(moving) < 1e-6 || dyad->length < 1e-6) return true;
-    YkDesign design = make(&s->task->function, held == 0 ? fixed : moving, held == 0 ? moving : fixed, dyad->length);
-    if (!take_evened(s, &design)) take(s, &s->task->function, &design);
+    double small = 1e-6 * (f->is_slider ? fabs(f->output) : 1);
+    bool has_output = f->is_slider || yk_norm(held == 0 ? moving : fixed) >= small;
+    if (dyad->kind != YK_DYAD_RR || (!f->is_slider && yk_norm(fixed) + yk_norm(moving) < small)) return false;
+    if (yk_norm(held == 0 ? fixed : moving) < small || !has_output || dyad->length < small) return true;
+    YkDesign design = make(f, held == 0 ? fixed : moving, held == 0 ? moving : fixed, dyad->length);
+    if (!take_evened(s, f, &design)) take(s, f, &design);
     return true;
 }
 
-static bool take_five(YkSynthesis *s, YkProblems *problems)
+static bool take_five(YkSynthesis *s, const YkFunctionTask *f, YkProblems *problems)
 {
     YkPose pose[YK_POSES_MAX];
     YkFivePoses five;
-    relative_poses(&s->task->function, 0, pose);
+    relative_poses(f, 0, pose);
     yk_five_poses(pose, &five);
     if (five.is_special) {
-        yk_problem(problems, YK_CODE_TASK_SPECIAL, s->task->function.place,
-                   "these five pairs are special: infinitely many four-bars, or simpler machines, meet all of them");
-        yk_problem_hint(problems, "a gear pair or a parallelogram gives output in proportion to input");
+        yk_problem(problems, YK_CODE_TASK_SPECIAL, f->place,
+                   "these five pairs are special: infinitely many machines, or simpler ones, meet all of them");
+        yk_problem_hint(problems, f->is_slider ? "a rack and pinion gives travel in proportion to the input"
+                                               : "a gear pair or a parallelogram gives output in proportion to input");
         return false;
     }
-    s->has_solutions = s->is_complete = true;
-    s->complex_count = five.complex_count > 0 ? five.complex_count - 1 : 0; // one of them is the ground
+    s->has_solutions = true;
+    size_t ground = f->is_slider ? 0 : 1; // one of them; of a slider it is a line
+    s->complex_count += five.complex_count > ground ? five.complex_count - ground : 0;
     for (size_t k = 0; k < five.count; k++)
-        if (yk_synthesis_goes_on(s, 1)) s->real_count += take_dyad(s, &five.dyad[k], 0);
+        if (yk_synthesis_goes_on(s, 1)) s->real_count += take_dyad(s, f, &five.dyad[k], 0);
     return true;
 }
 
 // The curve of moving pivots goes through the other side's fixed pivot, so rays from there are its phases.
-static void take_four(YkSynthesis *s)
+static bool take_four(YkSynthesis *s, const YkFunctionTask *f)
 {
-    const YkFunctionTask *f = &s->task->function;
-    size_t held = f->phase[0].is_given ? 1 : 0; // the phase of the other side is that of the ray
+    // The phase of the other side is that of the ray; a slider has none.
+    size_t held = f->phase[0].is_given || f->is_slider ? 1 : 0;
     const YkGiven *phase = &f->phase[1 - held];
     uint64_t seed = s->options.seed;
     double from = yk_mix_unit(&seed);
@@ -191,42 +224,47 @@ static void take_four(YkSynthesis *s)
     for (size_t k = 0; k < (phase->is_given ? 1 : RAYS); k++) {
         double angle = phase->is_given ? phase->value : YK_PI * ((double)k + from) / RAYS;
         size_t count = yk_four_poses_ray(&four, angle, dyad);
-        for (size_t i = 0; i < count; i++) take_dyad(s, &dyad[i], held);
+        for (size_t i = 0; i < count; i++) take_dyad(s, f, &dyad[i], held);
         yk_pace_reach(&s->pace, (double)k / RAYS);
-        if (!yk_synthesis_goes_on(s, 20)) return;
+        if (!yk_synthesis_goes_on(s, 20)) return false;
     }
-    s->is_complete = phase->is_given;
+    return phase->is_given;
 }
 
-// --- three pairs: Freudenstein's equation K1 cos psi - K2 cos phi + K3 = cos(phi - psi), linear in K
+// --- three pairs: Freudenstein's equation K1 cos psi - K2 cos phi + K3 = cos(phi - psi), linear in K; that of a slider at s is
+// K1 s cos phi + K2 sin phi - K3 = s^2, K = (2 a, 2 a e, a^2 + e^2 - b^2)
 
-static void take_phases(YkSynthesis *s, double phi, double psi)
+static void add_equation(const YkFunctionTask *f, double input, double output, double A[3], double *right)
 {
-    const YkFunctionTask *f = &s->task->function;
-    double A[9], K[3], scale[3];
+    A[0] = f->is_slider ? output * yk_cos(input) : yk_cos(output);
+    A[1] = f->is_slider ? yk_sin(input) : -yk_cos(input);
+    A[2] = f->is_slider ? -1 : 1;
+    *right = f->is_slider ? output * output : yk_cos(input - output);
+}
+
+static void take_phases(YkSynthesis *s, const YkFunctionTask *f, double phi, double psi)
+{
+    double A[9], K[3], scale[3], size = f->is_slider ? fabs(f->output) : 1;
     int pivot[3];
-    for (size_t k = 0; k < 3; k++) {
-        double input = phi + f->pair[k][0], output = psi + f->pair[k][1];
-        A[3 * k] = yk_cos(output);
-        A[3 * k + 1] = -yk_cos(input);
-        A[3 * k + 2] = 1;
-        K[k] = yk_cos(input - output);
-    }
-    if (fabs(yk_lu_factor(3, A, pivot, scale)) < 1e-10) return;
+    for (size_t k = 0; k < 3; k++) add_equation(f, phi + f->pair[k][0], psi + f->pair[k][1], &A[3 * k], &K[k]);
+    if (fabs(yk_lu_factor(3, A, pivot, scale)) < 1e-10 * size) return;
     yk_lu_solve(3, A, pivot, K);
-    if (fabs(K[0]) < 1e-6 || fabs(K[1]) < 1e-6) return; // a link without end
-    double a = 1 / K[0], c = 1 / K[1], b2 = a * a + c * c + 1 - 2 * a * c * K[2];
+    if (fabs(K[0]) < 1e-6 * size || (!f->is_slider && fabs(K[1]) < 1e-6)) return; // a link without end, or none
+    double a = f->is_slider ? K[0] / 2 : 1 / K[0], c = f->is_slider ? K[1] / K[0] : 1 / K[1];
+    double b2 = f->is_slider ? a * a + c * c - K[2] : a * a + c * c + 1 - 2 * a * c * K[2];
     // A negative length is a link half a turn ahead.
-    YkDesign design = make(f, yk_scale(a, yk_unit(phi)), yk_scale(c, yk_unit(psi)), sqrt(fmax(b2, 0)));
-    if (!(b2 > 1e-12))
+    YkVec B = f->is_slider ? yk_vec(psi, c) : yk_scale(c, yk_unit(psi));
+    YkDesign design = make(f, yk_scale(a, yk_unit(phi)), B, sqrt(fmax(b2, 0)));
+    if (!(b2 > 1e-12 * size * size))
         yk_synthesis_leave(s, &design, YK_DEFECT_ASSEMBLY, &(YkVerdict){.defect = YK_DEFECT_ASSEMBLY});
     else
         take(s, f, &design);
 }
 
-static void take_three(YkSynthesis *s)
+// Samples what is free: angles over half a turn, for the other half has the same machines; a slider's place within some travels.
+static bool take_three(YkSynthesis *s, const YkFunctionTask *f)
 {
-    const YkFunctionTask *f = &s->task->function;
+    static const double travels = 4;
     uint64_t seed = s->options.seed;
     double from[2] = {yk_mix_unit(&seed), 0};
     from[1] = yk_mix_unit(&seed);
@@ -234,22 +272,48 @@ static void take_three(YkSynthesis *s)
     for (size_t i = 0; i < 2; i++) count[i] = f->phase[i].is_given ? 1 : PHASES;
     for (size_t i = 0; i < count[0]; i++)
         for (size_t k = 0; k < count[1]; k++) {
+            double part = ((double)k + from[1]) / PHASES;
             double phi = f->phase[0].is_given ? f->phase[0].value : YK_PI * ((double)i + from[0]) / PHASES;
-            double psi = f->phase[1].is_given ? f->phase[1].value : YK_PI * ((double)k + from[1]) / PHASES;
-            take_phases(s, phi, psi);
+            double psi = f->phase[1].is_given ? f->phase[1].value
+                         : f->is_slider       ? travels * fabs(f->output) * (2 * part - 1)
+                                              : YK_PI * part;
+            take_phases(s, f, phi, psi);
             yk_pace_reach(&s->pace, (double)i / (double)count[0]);
-            if (!yk_synthesis_goes_on(s, 5)) return;
+            if (!yk_synthesis_goes_on(s, 5)) return false;
         }
-    s->is_complete = f->phase[0].is_given && f->phase[1].is_given;
+    return f->phase[0].is_given && f->phase[1].is_given;
+}
+
+// Seeks machines of one kind. Returns false with a problem where the pairs are special.
+static bool take_kind(YkSynthesis *s, const YkFunctionTask *f, YkProblems *problems)
+{
+    if (f->count == 5) return take_five(s, f, problems);
+    bool is_whole = f->count == 4 ? take_four(s, f) : take_three(s, f);
+    s->is_complete = s->is_complete && is_whole;
+    return true;
+}
+
+// The task as slider-cranks have it: its outputs are lengths in proportion.
+static YkFunctionTask for_sliders(const YkFunctionTask *f)
+{
+    YkFunctionTask own = *f;
+    double largest = 0;
+    own.is_slider = true;
+    if (!f->is_slider) {
+        own.output = f->travel.is_given ? f->travel.value : 1;
+        for (size_t k = 0; k < f->count; k++) own.pair[k][1] = f->pair[k][1] / f->output * own.output;
+        own.phase[1].is_given = false;
+    }
+    for (size_t k = 0; k < f->count; k++) largest = fmax(largest, fabs(own.pair[k][1] - own.pair[0][1]));
+    if (!own.of) own.output = largest;
+    return own;
 }
 
 bool yk_synthesise_function(YkSynthesis *s, YkProblems *problems)
 {
     const YkFunctionTask *f = &s->task->function;
-    if (f->count == 5) return take_five(s, problems);
-    if (f->count == 4)
-        take_four(s);
-    else
-        take_three(s);
-    return true;
+    const YkFunctionTask sliders = for_sliders(f);
+    s->is_complete = true;
+    if (s->task->has_four_bar && !take_kind(s, f, problems)) return false;
+    return !s->task->has_slider || take_kind(s, &sliders, problems);
 }

@@ -63,10 +63,11 @@ static bool meets(Trial *t, size_t k)
         t->verdict->worst = fmax(t->verdict->worst, yk_norm(miss));
         off = yk_norm(yk_sub(at, journey->path[k])) / t->scale;
     } else if (journey->output && !isnan(journey->output[k])) {
-        double angle = yk_state_coordinate(t->state, t->output).position - journey->output[k];
-        off = fabs(yk_remainder(angle, 2 * YK_PI));
+        double miss = yk_state_coordinate(t->state, t->output).position - journey->output[k];
+        off = fabs(has_distance(t->design) ? miss : yk_remainder(miss, 2 * YK_PI));
         t->verdict->error += off * off;
         t->verdict->worst = fmax(t->verdict->worst, off);
+        if (has_distance(t->design)) off /= t->scale;
     }
     return off <= met;
 }

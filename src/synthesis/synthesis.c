@@ -214,6 +214,7 @@ void yk_synthesis_free(YkSynthesis *s)
 {
     if (!s) return;
     yk_text_free(&s->picture);
+    for (size_t k = 0; k < 2; k++) yk_text_free(&s->sheet[k]);
     free(s->dyads);
     free(s->sides);
     free(s->candidates.items);

@@ -11,13 +11,14 @@ typedef struct YkFound {
     YkDesign design;
     YkDefect defect;
     double error, worst, transmission[2];
-    double interpolating; // largest error before it was evened out, rad; otherwise NaN
+    double interpolating; // largest error before it was evened out, rad or m; otherwise NaN
     double merit;         // larger is better
     size_t order;         // in which it was found, to break ties
     const char *model, *file;
     const double *curve; // [2 * rows]
     const double *value; // [free parameters] of a machine, SI, or NULL
     const double *angle; // [points of a path] of the input, rad, or NULL
+    const double *before; // [2 * YK_CURVE_ROWS]: input and error before it was evened out, or NULL
     size_t rows;
     bool is_told; // to the caller's findings
 } YkFound;
@@ -39,7 +40,9 @@ struct YkSynthesis {
     size_t left_out[YK_DEFECT_COUNT];
     bool is_complete, has_solutions, was_stopped, failed;
     size_t complex_count, real_count;
-    YkText picture;
+    const double *own; // [2 * own_rows]: the curve of a machine as its file gives it, or NULL
+    size_t own_rows;
+    YkText picture, sheet[2];
 };
 
 // Adds a dyad that may stand on these sides.

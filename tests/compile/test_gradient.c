@@ -50,25 +50,30 @@ static void vary_free(Varied *v)
     machine_free(&v->m);
 }
 
-// The pose of the state as the variables of the loops.
+// The pose of the state as the variables of the loops, with their rates and accelerations.
 static void variables_of(const YkState *s, const YkMechanism *mech, double *x)
 {
-    size_t o = mech->orientation_count - 1;
-    for (size_t k = 1; k <= o; k++) x[k - 1] = yk_state_body(s, (size_t)mech->orientation_body[k]).position;
-    for (size_t j = 0; j < mech->model->joint_count; j++)
-        if (mech->joint_distance[j] >= 0)
-            x[o + (size_t)mech->joint_distance[j]] =
-                yk_state_channel(s, (YkChannel){YK_CHANNEL_JOINT_DISTANCE, (int)j, 0, YK_QUANTITY_LENGTH});
+    size_t o = mech->orientation_count - 1, n = yk_variable_count(mech);
+    for (int order = 0; order < 3; order++, x += n) {
+        for (size_t k = 1; k <= o; k++)
+            x[k - 1] =
+                yk_state_channel(s, (YkChannel){YK_CHANNEL_BODY, mech->orientation_body[k], order, YK_QUANTITY_ANGLE});
+        for (size_t j = 0; j < mech->model->joint_count; j++)
+            if (mech->joint_distance[j] >= 0)
+                x[o + (size_t)mech->joint_distance[j]] =
+                    yk_state_channel(s, (YkChannel){YK_CHANNEL_JOINT_DISTANCE, (int)j, order, YK_QUANTITY_LENGTH});
+    }
 }
 
 // Linearises at the state's pose. Returns false at a dead point.
 static bool linearise(const Varied *v)
 {
     const YkMechanism *mech = yk_variant_mechanism(v->variant);
-    double *x = calloc(yk_variable_count(mech) + 1, sizeof *x);
+    double *x = calloc(3 * yk_variable_count(mech) + 1, sizeof *x);
     assert_non_null(x);
     variables_of(v->state, mech, x);
-    bool good = yk_gradient_design(v->gradient) && yk_gradient_pose(v->gradient, x);
+    bool good = yk_gradient_design(v->gradient) &&
+                yk_gradient_pose(v->gradient, x, x + yk_variable_count(mech), x + 2 * yk_variable_count(mech));
     free(x);
     return good;
 }
@@ -77,7 +82,7 @@ static void by_parameters(const Varied *v, const char *channel, double *slope)
 {
     YkWeighted one = {.weight = 1};
     assert_int_equal(yk_channel_parse(v->m.mech, channel, &one.channel, NULL), YK_OK);
-    assert_true(yk_gradient_covers(one.channel));
+    assert_true(yk_gradient_covers(v->m.mech, one.channel));
     for (size_t k = 0; k < v->count; k++) slope[k] = 0;
     yk_gradient_add(v->gradient, &one, 1, slope);
 }

@@ -263,6 +263,7 @@ static void a_flywheel_for_a_given_torque_has_six_digits(void **state)
         Machine m = open_text(text);
         YkBalancing *b = yk_balancing_new(m.state, NULL, NULL);
         CHECK_NEAR(yk_balancing_flywheel(b) * .05 * 100 * YK_PI * YK_PI, 1000, 1e-3);
+        CHECK_NEAR(yk_balancing_before(b).torque, 6500, 1e-8);
         yk_balancing_free(b);
         close_machine(&m);
     }
@@ -303,6 +304,7 @@ static void a_slider_cranks_orders_are_told_apart(void **state)
     options.weight[0] = 1;
     YkBalancing *b = yk_balancing_new(m.state, &options, NULL);
     assert_int_equal(yk_balancing_turns(b), 1);
+    CHECK_NEAR(yk_balancing_before(b).force, 3 * .1 * 100 * (1 + .2), 1e-11); // at the dead centre, between the poses
     double L = .2, L3 = L * L * L, L5 = L3 * L * L, L7 = L5 * L * L, first = 3 * .1 * 100;
     double second = first * (L + L3 / 4 + 15 * L5 / 128 + 35 * L7 / 512 + 315 * L7 * L * L / 8192);
     double fourth = first * (L3 / 4 + 3 * L5 / 16 + 35 * L7 / 256); // of the next powers, 1e-7 of it

@@ -1,6 +1,11 @@
 // Derivatives of the misses of a machine task: against complex steps and motions beside it, and what they cost.
 #include "synthesis/machines/machine_fit.h"
 #include <complex.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "batch/batch.h"
+#include "batch/pose_forces.h"
+#include "program/program.h"
 #include "synthesis/answer.h"
 
 typedef struct Fit {
@@ -109,19 +114,123 @@ static void points_and_claims_have_the_slopes_of_motions(void **state)
     fit_free(&f);
 }
 
-// Returns the poses that one gradient takes, over those of a motion.
-static double cost(const char *machine, const char *goals)
+// A four-bar of thirty parameters: lengths, places, masses, springs, a damper and loads.
+static const char thirty[] =
+    "parameters: {a: 0.2, b: 0.7, c: 0.5, g: 0.6, tilt: 0.3, px: 0.3, py: 0.25, m: 2, J: 0.06, m2: 1.5, J2: 0.04,\n"
+    "             x2: 0.25, y2: 0.05, m1: 0.8, J1: 0.01, x1: 0.05, y1: 0.02, k: 300, l0: 0.4, sx: -0.3, sy: 0.9, qx: "
+    "0.1,\n"
+    "             qy: 0.15, k2: 200, l2: 0.3, tx: 0.9, ty: -0.2, damp: 4, fx: 30, fy: -20}\n"
+    "gravity: [0, -9.81 m/s^2]\n"
+    "bodies:\n  ground: {points: {A0: [0, 0], B0: [g*cos(tilt), g*sin(tilt)], S: [sx, sy], T: [tx, ty]}}\n"
+    "  crank: {points: {A0: [0, 0], A: [a, 0]}, mass: m1*1 kg, center: [x1, y1], inertia: J1*1 kg*m^2}\n"
+    "  rod: {points: {A: [0, 0], B: [b, 0], P: [px, py]}, mass: m*1 kg, center: [px, py], inertia: J*1 kg*m^2}\n"
+    "  rocker: {points: {B0: [0, 0], B: [c, 0], Q: [qx, qy]}, mass: m2*1 kg, center: [x2, y2], inertia: J2*1 kg*m^2}\n"
+    "joints:\n  A0: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+    "  B0: {pin: [ground, rocker], angle: psi}\n  B: {pin: [rod, rocker]}\n"
+    "springs:\n  s: {between: [ground.S, rod.B], stiffness: k*1 N/m, length: l0*1 m}\n"
+    "  t: {between: [ground.T, rocker.Q], stiffness: k2*1 N/m, length: l2*1 m}\n"
+    "efforts: {psi: -damp*psi.rate*(1 N*m*s)}\n"
+    "forces:\n  f: {body: rod, at: P, value: [fx*1 N, fy*1 N]}\n"
+    "drives: {theta: 7 rad/s * t}\nstart: {phi: 0.9, psi: 1.5}\nunits: {length: m}\n";
+
+// A task whose machine is `thirty`, with its first `count` parameters free.
+static Fit fit_of_thirty(size_t count, const char *goals)
 {
-    Fit f = fit_of(machine, goals);
+    static const char *const name[30] = {"a",  "b",  "c",  "g",  "tilt", "px", "py", "m",    "J",  "m2",
+                                         "J2", "x2", "y2", "m1", "J1",   "x1", "y1", "k",    "l0", "sx",
+                                         "sy", "qx", "qy", "k2", "l2",   "tx", "ty", "damp", "fx", "fy"};
+    char path[] = "/tmp/yoke-thirty-XXXXXX", text[6000];
+    int file = mkstemp(path);
+    FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
+    assert_non_null(out);
+    fputs(thirty, out);
+    fclose(out);
+    int length = snprintf(text, sizeof text, "synthesis: machine\nmachine: %s\nfree: {", path);
+    for (size_t k = 0; k < count; k++)
+        length +=
+            snprintf(text + length, sizeof text - (size_t)length, "%s%s: [-500, 500]", k > 0 ? ", " : "", name[k]);
+    snprintf(text + length, sizeof text - (size_t)length, "}\n%s", goals);
+    YkProblems *problems = yk_problems_new();
+    Fit f = {.task = yk_task_parse(text, strlen(text), "test.yaml", problems), .arena = yk_arena_new()};
+    if (!f.task) print_error("%s\n%s", text, yk_problems_text(problems, 0));
+    assert_true(f.task && f.arena && yk_machine_fit_new(f.task, f.arena, &f.fit, problems));
+    f.fit.weight = 100;
+    for (size_t j = 0; j < count; j++) f.at.value[j] = yk_model_parameter(f.task->machine.model, name[j]);
+    yk_problems_free(problems);
+    remove(path);
+    return f;
+}
+
+#define ALL_KINDS                                                                                                      \
+    "over: {input: theta, range: [0 deg, 360 deg], steps: 24}\n"                                                       \
+    "goals: [{value: theta.effort, equals: 5}, {point: rod.P, through: [[0.1, 0.5], [0.3, 0.7]]}]\n"                   \
+    "require: ['max(A.force) < 10 N', 'min(B.transmission) > 85 deg', 'max(abs(psi.accel)) < 1', 'max(rod.P.speed) < " \
+    "1']\n"
+
+static void forces_and_rates_have_the_slopes_of_motions(void **state)
+{
+    (void)state;
+    Fit f = fit_of_thirty(30, ALL_KINDS);
+    compare_with_motions(&f, 1e-7);
+    assert_int_equal(f.fit.differenced, 0);
+    fit_free(&f);
+}
+
+// Returns the operations of a pose with its rates and accelerations.
+static size_t operations_of(const YkMechanism *mech)
+{
+    YkProgram p = {0};
+    YkArena *arena = yk_arena_new();
+    assert_true(arena && yk_program_start(&p, mech, NULL, arena, NULL));
+    const char **names = YK_NEW(arena, const char *, mech->coordinate_count + mech->slot_count + mech->block_count + 1);
+    for (size_t k = 0; k < mech->coordinate_count + mech->slot_count + mech->block_count; k++)
+        names[k] = yk_graph_text(&p.graph, "n%d", (int)k);
+    p.names.coordinate = p.names.near_coordinate = names;
+    p.names.near_slot = names + mech->coordinate_count;
+    p.names.block = names + mech->coordinate_count + mech->slot_count;
+    for (size_t k = 0; k < p.model->parameter_count; k++) p.is_fixed[k] = true;
+    p.names.parameter = names;
+    yk_program_constants(&p);
+    yk_program_pose(&p);
+    YkRates v = yk_program_velocities(&p, (YkRef[]){p.input[0].velocity}),
+            a = yk_program_accelerations(&p, &v, (YkRef[]){p.input[0].acceleration});
+    YkRef roots[64];
+    size_t count = 0;
+    for (size_t k = 1; k < mech->slot_count; k++) {
+        const YkRef own[] = {p.unit[k].x, p.unit[k].y, v.turn[k], a.turn[k]};
+        for (size_t i = 0; i < 4; i++) roots[count++] = own[i];
+    }
+    size_t cost = yk_graph_cost(&p.graph, roots, count);
+    yk_program_end(&p);
+    yk_arena_free(arena);
+    return cost;
+}
+
+// Returns what one gradient takes, in motions with forces: its poses, placed and linearised, and the operations of its runs
+// backwards over those of a pose.
+static double cost_of(Fit f)
+{
     assert_true(yk_machine_measure(&f.fit, f.fit.miss, &f.at));
     size_t before = f.fit.poses;
     assert_true(yk_machine_differentiate(&f.fit, &f.at));
-    double poses = (double)(f.fit.poses - before) / (double)f.fit.rows;
+    double poses = (double)(f.fit.poses - before);
+    const YkPoseForces *plain = yk_batch_forces(f.fit.batch);
+    if (f.fit.backwards > 0) {
+        double pose =
+            (double)(operations_of(yk_variant_mechanism(f.fit.variant)) + yk_lane_forces_length(plain->lanes));
+        poses += (double)f.fit.backwards * (double)yk_lane_forces_length(f.fit.forces) / pose;
+    }
+    poses /= (double)f.fit.rows;
     fit_free(&f);
     return poses;
 }
 
-static void a_gradient_costs_two_motions_whatever_the_number_of_parameters(void **state)
+static double cost(const char *machine, const char *goals)
+{
+    return cost_of(fit_of(machine, goals));
+}
+
+static void a_gradient_costs_the_same_whatever_the_number_of_parameters(void **state)
 {
     (void)state;
     double one = cost("jansen", "free: {b: [35, 48]}\n" STRIDE "units: {length: mm}\n");
@@ -136,12 +245,26 @@ static void a_gradient_costs_two_motions_whatever_the_number_of_parameters(void 
     assert_true(one <= 2.03);
 }
 
+// At most five motions, with a goal of forces at every row, for 3 parameters as for 30.
+static void a_gradient_of_forces_costs_at_most_five_motions(void **state)
+{
+    (void)state;
+    static const char effort[] = "over: {input: theta, range: [0 deg, 360 deg], steps: 72}\n"
+                                 "goals: [{value: theta.effort, equals: 5}]\n";
+    assert_true(cost_of(fit_of_thirty(3, effort)) <= 5);
+    assert_true(cost_of(fit_of_thirty(30, effort)) <= 5);
+    assert_true(cost_of(fit_of_thirty(3, ALL_KINDS)) <= 5);
+    assert_true(cost_of(fit_of_thirty(30, ALL_KINDS)) <= 5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(misses_have_the_slopes_of_a_complex_step),
         cmocka_unit_test(points_and_claims_have_the_slopes_of_motions),
-        cmocka_unit_test(a_gradient_costs_two_motions_whatever_the_number_of_parameters),
+        cmocka_unit_test(forces_and_rates_have_the_slopes_of_motions),
+        cmocka_unit_test(a_gradient_costs_the_same_whatever_the_number_of_parameters),
+        cmocka_unit_test(a_gradient_of_forces_costs_at_most_five_motions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

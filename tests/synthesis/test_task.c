@@ -27,7 +27,7 @@ static void machines_that_a_task_cannot_have_are_passed_over_where_others_are_le
 {
     (void)state;
     static const char text[] = "synthesis: function\nof: log10(x)\nx: [1, 2]\ninput: 60 deg\noutput: 90 deg\n"
-                               "mechanisms: [four-bar, slider-crank]\n";
+                               "mechanisms: [four-bar, watt]\n";
     YkProblems *problems = yk_problems_new();
     YkTask *task = yk_task_parse(text, strlen(text), "task.yaml", problems);
     assert_non_null(task);
@@ -85,8 +85,12 @@ static void every_mistake_has_its_code_and_place(void **state)
            YK_CODE_TASK_POSITIONS, 2);
     refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nsamples: 4\nevened: true\n",
            YK_CODE_TASK_EVENED, 7);
-    refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nmechanisms: [slider-crank]\n",
-           YK_CODE_WRONG_WORD, 6);
+    refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nmechanisms: [watt]\n", YK_CODE_WRONG_WORD, 6);
+    refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 30 deg\nmechanisms: [slider-crank]\n",
+           YK_CODE_WRONG_DIMENSION, 5);
+    refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nfix: {travel: 1}\n", YK_CODE_TASK_BOUNDS, 6);
+    refuse("synthesis: function\nof: x\nx: [1, 2]\ninput: 1\noutput: 1\nmechanisms: [slider-crank]\nfix: {ground: 1}\n",
+           YK_CODE_TASK_BOUNDS, 7);
     refuse("synthesis: motion\npositions:\n- {at: [0, 0], angle: 3 mm}\n- {at: [1, 0], angle: 1}\n",
            YK_CODE_WRONG_DIMENSION, 3);
     refuse("synthesis: motion\npositions:\n- {at: [0, 0], angle: q}\n- {at: [1, 0], angle: 1}\n", YK_CODE_UNKNOWN_NAME,

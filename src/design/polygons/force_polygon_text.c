@@ -1,5 +1,6 @@
 // Tells in words what the force polygon of a body says.
 #include "design/polygons/force_polygon.h"
+#include "design/polygons/polygon.h"
 
 static double size_of(const YkForceVector *v)
 {
@@ -14,8 +15,10 @@ static void tell_vector(const YkForcePolygons *p, const YkForceVector *v, YkText
     else
         yk_text_format(text, "%s, ", v->name);
     bool has_force = size_of(v) > 0;
-    if (has_force) yk_text_format(text, "%e N", size_of(v));
-    if (v->moment != 0) yk_text_format(text, has_force ? ", with %e N m" : "%e N m alone", v->moment);
+    if (has_force) yk_polygon_number(p->model, size_of(v), YK_QUANTITY_FORCE, text);
+    if (has_force && v->moment != 0) yk_text_puts(text, ", with ");
+    if (v->moment != 0) yk_polygon_number(p->model, v->moment, YK_QUANTITY_TORQUE, text);
+    if (!has_force && v->moment != 0) yk_text_puts(text, " alone");
     if (!v->is_determinate) yk_text_puts(text, ", which is one of many");
 }
 
@@ -31,7 +34,9 @@ static bool is_two_force(const YkForcePolygons *p, const YkForceVector *v, size_
 
 static void tell_two(const YkForcePolygons *p, const YkForceVector *v, YkText *text)
 {
-    yk_text_format(text, "two forces of %e N act, ", size_of(v));
+    yk_text_puts(text, "two forces of ");
+    yk_polygon_number(p->model, size_of(v), YK_QUANTITY_FORCE, text);
+    yk_text_puts(text, " act, ");
     for (size_t k = 0; k < 2; k++)
         yk_text_format(text, "%sat %s from %s", k > 0 ? " and " : "", v[k].name, p->model->bodies[v[k].by].name);
     yk_text_puts(text, "; they are equal and opposite, along the line between these points.");

@@ -20,6 +20,18 @@ struct YkPolygon {
     bool failed; // out of memory
 };
 
+// Adds a number in the file's unit of the quantity: "250 mm/s".
+static inline void yk_polygon_number(const YkModel *model, double value, YkQuantity quantity, YkText *text)
+{
+    double size = 1;
+    const char *unit = yk_model_unit(model, quantity, &size);
+    yk_text_format(text, "%e %s", value / size, unit);
+}
+static inline YkQuantity yk_polygon_quantity(const YkPolygon *polygon)
+{
+    return polygon->kind == YK_POLYGON_VELOCITY ? YK_QUANTITY_SPEED : YK_QUANTITY_ACCELERATION;
+}
+
 // polygon_text.c: adds the words of a step whose vectors begin at `first` and are complete. rate[body]: rad/s or rad/s^2.
 void yk_polygon_tell(YkPolygon *polygon, const YkPolygonPlan *plan, const YkPolygonStep *step, size_t first,
                      const double *rate);

@@ -7,11 +7,6 @@ static double size_of(const YkPolygonVector *v)
     return yk_norm(yk_vec(v->value[0], v->value[1]));
 }
 
-static const char *unit_of(const YkPolygon *p)
-{
-    return p->kind == YK_POLYGON_VELOCITY ? "m/s" : "m/s^2";
-}
-
 void yk_polygon_tell_direction(YkPolygonPart part, const char *body, YkText *text)
 {
     static const char *const along[] = {
@@ -28,7 +23,8 @@ void yk_polygon_tell_direction(YkPolygonPart part, const char *body, YkText *tex
 static void tell_vector(const YkPolygon *p, const YkPolygonVector *v, bool continues, YkText *text)
 {
     yk_text_format(text, continues ? ", then " : " From %s to %s: ", v->from, v->to);
-    yk_text_format(text, "%e %s ", size_of(v), unit_of(p));
+    yk_polygon_number(p->model, size_of(v), yk_polygon_quantity(p), text);
+    yk_text_puts(text, " ");
     yk_polygon_tell_direction(v->part, p->model->bodies[v->body].name, text);
 }
 
@@ -59,11 +55,13 @@ void yk_polygon_tell(YkPolygon *p, const YkPolygonPlan *plan, const YkPolygonSte
                      const double *rate)
 {
     YkText text = {0};
-    const char *unit = p->kind == YK_POLYGON_VELOCITY ? "rad/s" : "rad/s^2";
+    YkQuantity turning = p->kind == YK_POLYGON_VELOCITY ? YK_QUANTITY_ANGLE_RATE : YK_QUANTITY_ANGLE_ACCELERATION;
     yk_polygon_tell_step(plan, step, p->kind, &text);
     yk_text_puts(&text, step->block >= 0 ? " " : ": ");
-    for (size_t k = 0; k < step->count; k++)
-        yk_text_format(&text, "%s%e %s", k > 0 ? ", " : "", rate[step->body[k]], unit);
+    for (size_t k = 0; k < step->count; k++) {
+        yk_text_puts(&text, k > 0 ? ", " : "");
+        yk_polygon_number(p->model, rate[step->body[k]], turning, &text);
+    }
     yk_text_puts(&text, ".");
     for (size_t k = first; k < p->vector_count; k++) {
         const YkPolygonVector *v = &p->vector[k], *before = k > first ? v - 1 : NULL;

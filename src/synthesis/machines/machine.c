@@ -214,6 +214,23 @@ static bool find_batch(Search *search, size_t batch, YkMachineTry *best)
     return yk_synthesis_fetch(search->s, batch, numbers) && yk_machine_unpack(search->fit.task, numbers, best);
 }
 
+// Keeps the curve of the machine as its file gives it, to be drawn beside those that are found.
+static void keep_own(Search *search)
+{
+    const YkMachineTask *machine = &search->fit.task->machine;
+    YkMachineTry own = {.cost = INFINITY};
+    YkVerdict verdict = {.rows = 0};
+    for (size_t j = 0; j < machine->free_count; j++)
+        own.value[j] = yk_model_parameter(machine->model, machine->name[j]);
+    if (!yk_machine_measure(&search->fit, search->fit.miss, &own)) return;
+    take_curve(search, &verdict);
+    double *curve = YK_NEW(search->s->arena, double, 2 * verdict.rows + 1);
+    if (!curve) return;
+    memcpy(curve, verdict.curve, 2 * verdict.rows * sizeof *curve);
+    search->s->own = curve;
+    search->s->own_rows = verdict.rows;
+}
+
 bool yk_synthesise_machine(YkSynthesis *s, YkProblems *problems)
 {
     Search *search = YK_NEW(s->arena, Search, 1);
@@ -224,6 +241,7 @@ bool yk_synthesise_machine(YkSynthesis *s, YkProblems *problems)
     search->most = best < KEPT ? best : KEPT;
     bool good = yk_machine_fit_new(s->task, s->arena, &search->fit, problems);
     search->fit.pace = &s->pace;
+    if (good) keep_own(search);
     for (size_t k = 0; good && k < YK_MACHINE_BATCHES; k++) {
         YkMachineTry try;
         yk_pace_reach(&s->pace, (double)k / YK_MACHINE_BATCHES);

@@ -96,6 +96,7 @@ bool yk_machine_fit_new(const YkTask *task, YkArena *arena, YkMachineFit *fit, Y
 
 void yk_machine_fit_free(YkMachineFit *fit)
 {
+    yk_lane_forces_free(fit->forces);
     yk_gradient_free(fit->gradient);
     yk_batch_free(fit->placing);
     yk_batch_free(fit->starting);

@@ -2,6 +2,7 @@
 #ifndef SYNTHESIS_MACHINE_FIT_H
 #define SYNTHESIS_MACHINE_FIT_H
 #include "base/pace.h"
+#include "batch/forces.h"
 #include "compile/gradient.h"
 #include "synthesis/tasks/task.h"
 #include <yoke/batch.h>
@@ -38,15 +39,21 @@ typedef struct YkMachineFit {
     YkGradient *gradient;
     YkBatch *placing; // computes the variables
     size_t variables;
-    double **place;       // [variables][YK_FIT_LANES]
+    size_t orders;        // of derivatives by time that answers depend on, with that of order 0
+    double **place;       // [orders * variables][YK_FIT_LANES]
+    YkLaneForces *forces; // derivatives of the channels of forces; NULL: by differences, or there are none
+    size_t *force;        // [channel]: its place among those
+    double *weights, *by, **by_out, *input_values;
+    size_t force_count;
     double *pick_at;      // [YK_FIT_LANES]: the swept coordinate
     const double **pick;  // [3 inputs]
     double **low, **high; // [channels][YK_FIT_LANES]
     YkShares shares;
     size_t poses; // solved or linearised so far, and by differences among them
     size_t differenced;
-    YkPace *pace;  // counts the work; NULL: not watched
-    double weight; // of what a claim lacks, over its limit, against the machine's size
+    size_t backwards; // runs backwards through the forces of a pose
+    YkPace *pace;     // counts the work; NULL: not watched
+    double weight;    // of what a claim lacks, over its limit, against the machine's size
 } YkMachineFit;
 
 // A set of parameters. `error` is the sum of squared, weighted misses of the goals; `cost` also has what the claims lack.
@@ -71,10 +78,11 @@ bool yk_machine_start(YkMachineFit *fit, const double *parameters, double *value
 void yk_machine_share(const YkMachineFit *fit, double *const *value, YkShares *shares);
 // Prepares derivatives. Returns false when out of memory. machine_slopes.c
 bool yk_machine_slopes_new(YkMachineFit *fit, YkArena *arena);
-// Fills the derivatives of all misses, fit->row, at a try that was the last one measured. Positions take one motion and
-// one transposed solution of the loops for each miss, whatever the number of parameters; rates, forces and angles of
-// transmission take differences of two poses a parameter at each row on which a miss depends. Returns false if the
-// machine comes apart beside the try, or an expression has no derivative.
+// Fills the derivatives of all misses, fit->row, at a try that was the last one measured: one motion, and for each miss
+// transposed solutions of the loops and a run backwards through the forces, whatever the number of parameters. What has no
+// derivative so - forces with dry friction, of redundant machines and of laws, some angles of transmission - takes differences
+// of two poses a parameter at each row on which a miss depends. Returns false if the machine comes apart beside the try, or
+// an expression has no derivative.
 bool yk_machine_differentiate(YkMachineFit *fit, const YkMachineTry *try);
 // Improves a try by at most `steps` steps of Levenberg and Marquardt within the ranges.
 bool yk_machine_improve(YkMachineFit *fit, YkMachineTry *try, size_t steps);

@@ -8,21 +8,50 @@ enum { LANES = YK_FIT_LANES };
 
 // --- room
 
-// Makes the channels that are the variables of the loops: angles of orientations, then distances.
+// Makes the channels that are the variables of the loops: angles of orientations, then distances; then their rates and
+// accelerations, if answers depend on any.
 static bool make_placing(YkMachineFit *fit, YkArena *arena)
 {
     const YkMechanism *mech = yk_variant_mechanism(fit->variant);
-    size_t o = mech->orientation_count - 1;
-    YkChannel *channel = YK_NEW(arena, YkChannel, fit->variables + 1);
+    size_t o = mech->orientation_count - 1, n = fit->variables;
+    YkChannel *channel = YK_NEW(arena, YkChannel, fit->orders * n + 1);
     if (!channel) return false;
-    for (size_t k = 1; k <= o; k++)
-        channel[k - 1] = (YkChannel){YK_CHANNEL_BODY, mech->orientation_body[k], 0, YK_QUANTITY_ANGLE};
-    for (size_t j = 0; j < mech->model->joint_count; j++)
-        if (mech->joint_distance[j] != YK_NONE)
-            channel[o + (size_t)mech->joint_distance[j]] =
-                (YkChannel){YK_CHANNEL_JOINT_DISTANCE, (int)j, 0, YK_QUANTITY_LENGTH};
-    fit->placing = yk_batch_new(fit->state, channel, fit->variables);
+    for (size_t order = 0; order < fit->orders; order++) {
+        for (size_t k = 1; k <= o; k++)
+            channel[order * n + k - 1] =
+                (YkChannel){YK_CHANNEL_BODY, mech->orientation_body[k], (int)order, YK_QUANTITY_ANGLE};
+        for (size_t j = 0; j < mech->model->joint_count; j++)
+            if (mech->joint_distance[j] != YK_NONE)
+                channel[order * n + o + (size_t)mech->joint_distance[j]] =
+                    (YkChannel){YK_CHANNEL_JOINT_DISTANCE, (int)j, (int)order, YK_QUANTITY_LENGTH};
+    }
+    fit->placing = yk_batch_new(fit->state, channel, fit->orders * n);
     return fit->placing != NULL;
+}
+
+// Makes the derivatives of the channels of forces, where the machine has them. Returns false when out of memory.
+static bool make_forces(YkMachineFit *fit, YkArena *arena)
+{
+    const YkMachineTask *machine = &fit->task->machine;
+    YkChannel *channel = YK_NEW(arena, YkChannel, machine->channel_count + 1);
+    bool fits = true;
+    fit->force = YK_NEW(arena, size_t, machine->channel_count + 1);
+    if (!channel || !fit->force) return false;
+    for (size_t c = 0; c < machine->channel_count; c++) {
+        bool is_force = yk_channel_needs_forces(machine->channel[c]);
+        if (is_force || machine->channel[c].order > 0 || machine->channel[c].kind == YK_CHANNEL_POINT_SPEED)
+            fit->orders = 3;
+        if (is_force) channel[fit->force[c] = fit->force_count++] = machine->channel[c];
+    }
+    if (fit->force_count == 0) return true;
+    fit->forces = yk_force_slopes_new(yk_variant_mechanism(fit->variant), channel, fit->force_count, &fits);
+    if (!fit->forces) return !fits;
+    size_t count = yk_force_slopes_count(fit->forces);
+    fit->weights = YK_NEW(arena, double, fit->force_count);
+    fit->by = YK_NEW(arena, double, count + 1);
+    fit->by_out = YK_NEW(arena, double *, count + 1);
+    fit->input_values = YK_NEW(arena, double, 3 * yk_input_count(machine->mech) + 1);
+    return fit->weights && fit->by && fit->by_out && fit->input_values;
 }
 
 static double **lanes_new(YkArena *arena, size_t count)
@@ -39,7 +68,9 @@ bool yk_machine_slopes_new(YkMachineFit *fit, YkArena *arena)
     size_t inputs = yk_input_count(machine->mech);
     fit->variables = yk_variable_count(yk_variant_mechanism(fit->variant));
     fit->gradient = yk_gradient_new(fit->variant);
-    fit->place = lanes_new(arena, fit->variables);
+    fit->orders = 1;
+    if (!make_forces(fit, arena)) return false;
+    fit->place = lanes_new(arena, fit->orders * fit->variables);
     fit->low = lanes_new(arena, machine->channel_count);
     fit->high = lanes_new(arena, machine->channel_count);
     fit->pick_at = YK_NEW(arena, double, LANES);
@@ -61,7 +92,11 @@ typedef struct Rows {
 // Returns whether the value of a share has exact derivatives; the loops of very large machines are not factored densely.
 static bool is_exact(const YkMachineFit *fit, const YkShare *share)
 {
-    return fit->variables <= YK_CLOSURE_MAX && yk_gradient_covers(fit->task->machine.channel[share->channel]);
+    const YkMachineTask *machine = &fit->task->machine;
+    YkChannel channel = machine->channel[share->channel];
+    if (fit->variables > YK_CLOSURE_MAX) return false;
+    return yk_channel_needs_forces(channel) ? fit->forces != NULL
+                                            : yk_gradient_covers(yk_variant_mechanism(fit->variant), channel);
 }
 
 // Takes the next rows that have shares, exact ones or others, and sets the swept coordinate there.
@@ -92,34 +127,59 @@ static size_t lane_of(const Rows *rows, size_t row)
     return low;
 }
 
-// --- positions: exact
+// --- exact
 
 static bool linearise(YkMachineFit *fit, size_t lane)
 {
     const YkMechanism *mech = yk_variant_mechanism(fit->variant);
-    double x[YK_CLOSURE_MAX];
-    for (size_t v = 0; v < fit->variables; v++) x[v] = fit->place[v][lane];
+    double x[3][YK_CLOSURE_MAX];
+    size_t n = fit->variables;
+    for (size_t k = 0; k < fit->orders; k++)
+        for (size_t v = 0; v < n; v++) x[k][v] = fit->place[k * n + v][lane];
     for (size_t o = 1; o < mech->orientation_count; o++)
-        x[o - 1] -= mech->bodies[mech->orientation_body[o]].turn; // 0 for the body of an orientation
+        x[0][o - 1] -= mech->bodies[mech->orientation_body[o]].turn; // 0 for the body of an orientation
     fit->poses++;
-    return yk_gradient_pose(fit->gradient, x);
+    return yk_gradient_pose(fit->gradient, x[0], fit->orders > 1 ? x[1] : NULL, fit->orders > 1 ? x[2] : NULL);
 }
 
-// Adds the shares of one row, miss by miss.
-static void add_row(YkMachineFit *fit, const Rows *rows, size_t *at, size_t row)
+// Takes the forces of a miss, by their weights.
+static bool take_forces(YkMachineFit *fit, size_t row)
 {
-    enum { PARTS = 8 };
+    const YkMechanism *mech = yk_variant_mechanism(fit->variant);
+    for (size_t i = 0; i < yk_input_count(mech); i++) {
+        YkMotion own = yk_state_input(fit->state, i);
+        const double value[3] = {fit->inputs[3 * i] ? fit->at[row] : own.position, own.velocity, own.acceleration};
+        memcpy(fit->input_values + 3 * i, value, sizeof value);
+    }
+    YkSlopesAt at = {fit->input_values, 0, fit->weights};
+    fit->backwards++;
+    return yk_force_slopes_take(fit->forces, fit->gradient, &at, fit->by, fit->by_out);
+}
+
+// Adds the shares of one row, miss by miss. Returns false if a force has no derivative there.
+static bool add_row(YkMachineFit *fit, const Rows *rows, size_t *at, size_t row)
+{
     const YkMachineTask *machine = &fit->task->machine;
     while (*at < rows->end && fit->shares.item[*at].row == row) {
-        size_t miss = fit->shares.item[*at].miss, count = 0;
-        YkWeighted part[PARTS];
+        size_t miss = fit->shares.item[*at].miss;
+        bool has_force = false;
+        yk_gradient_start(fit->gradient);
+        for (size_t k = 0; k < fit->force_count && fit->forces; k++) fit->weights[k] = 0;
         for (; *at < rows->end && fit->shares.item[*at].row == row && fit->shares.item[*at].miss == miss; ++*at) {
             const YkShare *share = &fit->shares.item[*at];
-            if (is_exact(fit, share) && count < PARTS)
-                part[count++] = (YkWeighted){machine->channel[share->channel], share->weight};
+            YkChannel channel = machine->channel[share->channel];
+            if (!is_exact(fit, share)) continue;
+            if (yk_channel_needs_forces(channel)) {
+                fit->weights[fit->force[share->channel]] += share->weight;
+                has_force = true;
+            } else {
+                yk_gradient_take(fit->gradient, (YkWeighted){channel, share->weight});
+            }
         }
-        if (count > 0) yk_gradient_add(fit->gradient, part, count, fit->row + miss * machine->free_count);
+        if (has_force && !take_forces(fit, row)) return false;
+        yk_gradient_finish(fit->gradient, fit->row + miss * machine->free_count);
     }
+    return true;
 }
 
 static bool add_exact(YkMachineFit *fit)
@@ -128,6 +188,7 @@ static bool add_exact(YkMachineFit *fit)
     bool is_first = true;
     while (next_rows(fit, true, &rows)) {
         if (is_first && !yk_gradient_design(fit->gradient)) return false;
+        if (is_first && fit->forces) yk_lane_forces_redesign(fit->forces);
         is_first = false;
         fit->poses += rows.count;
         yk_batch_run(fit->placing, fit->pick, fit->place, fit->status, rows.count);
@@ -135,7 +196,7 @@ static bool add_exact(YkMachineFit *fit)
         for (size_t lane = 0; lane < rows.count; lane++) {
             if (fit->status[lane] < 0 || !linearise(fit, lane)) return false;
             while (at < rows.end && fit->shares.item[at].row < rows.row[lane]) at++;
-            add_row(fit, &rows, &at, rows.row[lane]);
+            if (!add_row(fit, &rows, &at, rows.row[lane])) return false;
         }
     }
     return true;

@@ -125,7 +125,10 @@ static void read_require(YkTaskReader *reader)
 // Returns the kinds that a word of `mechanisms:` asks for, as bits: none if the task does not give them.
 static unsigned kinds_of(const YkTask *task, const char *word)
 {
-    size_t count = task->kind == YK_TASK_PATH ? YK_DESIGN_KINDS : task->kind == YK_TASK_MOTION ? 3 : 1;
+    size_t count = task->kind == YK_TASK_PATH       ? YK_DESIGN_KINDS
+                   : task->kind == YK_TASK_MOTION   ? 3
+                   : task->kind == YK_TASK_FUNCTION ? 2
+                                                    : 1;
     if (strcmp(word, "all") == 0) return (1u << count) - 1;
     for (size_t k = 0; k < count; k++)
         if (strcmp(word, yk_design_kind_name((YkDesignKind)k)) == 0) return 1u << k;
@@ -144,9 +147,11 @@ static void refuse_mechanism(const YkTaskReader *reader, const YkNode *item)
 {
     static const char *const found[YK_TASK_KINDS] = {
         [YK_TASK_MOTION] = "four-bars, slider-cranks and inverted slider-cranks",
+        [YK_TASK_FUNCTION] = "four-bars and slider-cranks",
         [YK_TASK_PATH] = "four-bars, slider-cranks, inverted slider-cranks, geared five-bars and six-bars"};
     static const char *const hint[YK_TASK_KINDS] = {
         [YK_TASK_MOTION] = "write some of [four-bar, slider-crank, inverted-slider-crank], or [all]",
+        [YK_TASK_FUNCTION] = "write some of [four-bar, slider-crank], or [all]",
         [YK_TASK_PATH] = "write some of [four-bar, slider-crank, inverted-slider-crank, "
                          "geared-five-bar, watt, stephenson], or [all]"};
     YkTaskKind kind = reader->task->kind;
@@ -158,7 +163,8 @@ static void refuse_mechanism(const YkTaskReader *reader, const YkNode *item)
                     hint[kind] ? hint[kind] : "write [four-bar], or leave `mechanisms` out");
 }
 
-// `mechanisms:` may only name what the kind gives: four-bars, for motions slider-cranks as well, for paths more.
+// `mechanisms:` may only name what the kind gives: four-bars, for functions slider-cranks as well, for motions and paths
+// more.
 static void read_mechanisms(YkTaskReader *reader)
 {
     YkLoader *loader = reader->loader;

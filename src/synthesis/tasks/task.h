@@ -48,8 +48,9 @@ typedef struct YkFunctionTask {
     double input, output;         // the ranges of the angles, rad
     double pair[YK_PAIRS_MAX][2]; // input and output angle from the start, rad, ascending inputs
     size_t count;
-    YkGiven phase[YK_SIDES], ground; // rad, m
-    bool evened;                     // the largest errors are made alike
+    bool is_slider;                          // the output is a slider's: its range and pairs are lengths, m
+    YkGiven phase[YK_SIDES], ground, travel; // rad (of a slider m), m
+    bool evened;                             // the largest errors are made alike
     YkPlace place;
 } YkFunctionTask;
 

@@ -3,6 +3,11 @@
 #include <string.h>
 #include "synthesis/tasks/task.h"
 
+static YkDimension output_dimension(const YkFunctionTask *function)
+{
+    return function->is_slider ? YK_DIM_LENGTH : YK_DIM_ANGLE;
+}
+
 static void read_formula(YkTaskReader *reader, const YkNode *of)
 {
     static const YkOwnName own[] = {{"x", YK_OWN_ARGUMENT, "the function's argument"}, {0}};
@@ -16,19 +21,20 @@ static void read_formula(YkTaskReader *reader, const YkNode *of)
     range->low = range->high = NAN;
     if (x) yk_task_bound(reader, x, "x", YK_DIM_NUMBER, range);
     yk_task_need(reader, loader->root, "input", YK_DIM_ANGLE, &function->input);
-    yk_task_need(reader, loader->root, "output", YK_DIM_ANGLE, &function->output);
+    yk_task_need(reader, loader->root, "output", output_dimension(function), &function->output);
 }
 
 static void read_pairs(YkTaskReader *reader, const YkNode *pairs)
 {
     YkLoader *loader = reader->loader;
     YkFunctionTask *function = &reader->task->function;
-    YkWant want = {.dimension = YK_DIM_ANGLE, .subject = {.noun = "angle", .owner = "pairs"}};
+    YkWant want[2] = {{.dimension = YK_DIM_ANGLE, .subject = {.noun = "angle", .owner = "pairs"}},
+                      {.dimension = output_dimension(function), .subject = {.noun = "output", .owner = "pairs"}}};
     function->place = pairs->place;
     if (!yk_load_expect(loader, pairs, YK_NODE_LIST, &(YkSubject){.noun = "section", .part = "pairs"})) return;
     if (pairs->count < 3 || pairs->count > YK_PAIRS_MAX) {
         yk_problem(loader->problems, YK_CODE_TASK_POSITIONS, pairs->place,
-                   "a four-bar meets three to five pairs of angles exactly; here are %z", pairs->count);
+                   "a machine meets three to five pairs exactly; here are %z", pairs->count);
         return;
     }
     function->count = pairs->count;
@@ -41,20 +47,23 @@ static void read_pairs(YkTaskReader *reader, const YkNode *pairs)
                        "a pair is [input, output]; here are %z values", pair->count);
             continue;
         }
-        for (size_t i = 0; i < 2; i++) yk_load_value(loader, pair->items[i], &want, &function->pair[k][i]);
+        for (size_t i = 0; i < 2; i++) yk_load_value(loader, pair->items[i], &want[i], &function->pair[k][i]);
     }
 }
 
 void yk_task_read_function(YkTaskReader *reader)
 {
-    static const char *const own[] = {"input_start", "output_start", "ground", NULL};
+    static const char *const own[] = {"input_start", "output_start", "ground", "travel", NULL};
     YkLoader *loader = reader->loader;
     YkFunctionTask *function = &reader->task->function;
     const YkNode *of = yk_node_get(loader->root, "of"), *pairs = yk_node_get(loader->root, "pairs");
     const YkNode *fix = yk_load_section(loader, "fix"), *samples = yk_node_get(loader->root, "samples");
     if (fix) yk_load_check_keys(loader, fix, own, &(YkSubject){.noun = "section", .part = "fix"});
-    for (size_t i = 0; i < YK_SIDES; i++) yk_task_value(reader, fix, own[i], YK_DIM_ANGLE, &function->phase[i]);
+    function->is_slider = reader->task->has_slider && !reader->task->has_four_bar;
+    yk_task_value(reader, fix, own[0], YK_DIM_ANGLE, &function->phase[0]);
+    yk_task_value(reader, fix, own[1], output_dimension(function), &function->phase[1]);
     yk_task_value(reader, fix, own[2], YK_DIM_LENGTH, &function->ground);
+    yk_task_value(reader, fix, own[3], YK_DIM_LENGTH, &function->travel);
     reader->samples = 5;
     YkWant want = {.dimension = YK_DIM_NUMBER, .subject = {.noun = "value", .part = "samples"}};
     if (samples) yk_load_value(loader, samples, &want, &reader->samples);
@@ -147,9 +156,12 @@ static void check_ranges(YkTaskReader *reader)
     for (size_t i = 0; i < 2; i++) {
         double range = i == 0 ? f->input : f->output;
         const char *name = i == 0 ? "input" : "output";
-        if (isnan(range) || (fabs(range) > 1e-6 && fabs(range) < 2 * YK_PI)) continue;
+        bool is_travel = i == 1 && f->is_slider;
+        if (isnan(range) || (is_travel ? range != 0 : fabs(range) > 1e-6 && fabs(range) < 2 * YK_PI)) continue;
         yk_problem(problems, YK_CODE_TASK_FUNCTION, yk_node_get(reader->loader->root, name)->place,
-                   "the range of the %s is between 0 and a whole turn, either way", name);
+                   is_travel ? "the range of the %s has no length"
+                             : "the range of the %s is between 0 and a whole turn, either way",
+                   name);
     }
 }
 
@@ -169,6 +181,30 @@ static void check_pairs(YkTaskReader *reader)
     }
 }
 
+// The sizes of both kinds are free where the output is an angle: four-bars have a ground, slider-cranks a travel.
+static void check_sizes(YkTaskReader *reader)
+{
+    YkTask *task = reader->task;
+    const YkFunctionTask *f = &task->function;
+    YkProblems *problems = reader->loader->problems;
+    const YkNode *fix = yk_node_get(reader->loader->root, "fix");
+    if (f->ground.is_given && (f->ground.value <= 0 || f->is_slider))
+        yk_problem(problems, YK_CODE_TASK_BOUNDS, fix->place,
+                   f->is_slider ? "a slider-crank has no `ground`: its output is a length, which settles its size"
+                                : "the length of the ground is positive");
+    bool is_used = task->has_slider && task->has_four_bar && f->of;
+    if (f->travel.is_given && (!is_used || f->travel.value == 0)) {
+        yk_problem(problems, YK_CODE_TASK_BOUNDS, fix->place,
+                   "`travel` is the range of a slider's output, not 0, where `output` is the angle of four-bars");
+        yk_problem_hint(problems, "for slider-cranks alone `output: 80 mm` gives it");
+    }
+    if (!task->has_slider || !task->has_four_bar || f->of) return;
+    yk_problem(problems, YK_CODE_TASK_MECHANISM, f->place,
+               "slider-cranks are left out: the outputs of `pairs` are angles where four-bars are sought");
+    yk_problem_hint(problems, "with `mechanisms: [slider-crank]` alone they are lengths");
+    task->has_slider = false;
+}
+
 void yk_task_check_function(YkTaskReader *reader)
 {
     YkFunctionTask *f = &reader->task->function;
@@ -177,7 +213,7 @@ void yk_task_check_function(YkTaskReader *reader)
     bool is_count = reader->samples == 3 || reader->samples == 4 || reader->samples == 5;
     if (samples && !isnan(reader->samples) && !is_count)
         yk_problem(reader->loader->problems, YK_CODE_TASK_POSITIONS, samples->place,
-                   "a four-bar meets 3, 4 or 5 points of a function exactly");
+                   "a machine meets 3, 4 or 5 points of a function exactly");
     if (f->evened && (!f->of || reader->samples < 5)) {
         yk_problem(reader->loader->problems, YK_CODE_TASK_EVENED, yk_node_get(reader->loader->root, "evened")->place,
                    "errors are evened out between five points of a formula");
@@ -186,9 +222,7 @@ void yk_task_check_function(YkTaskReader *reader)
     }
     if (f->of) check_ranges(reader);
     if (!f->of && f->count > 0) check_pairs(reader);
-    if (f->ground.is_given && f->ground.value <= 0)
-        yk_problem(reader->loader->problems, YK_CODE_TASK_BOUNDS, yk_node_get(reader->loader->root, "fix")->place,
-                   "the length of the ground is positive");
+    check_sizes(reader);
     if (!f->of || !is_count) return;
     f->count = (size_t)reader->samples;
     if (errors == 0 && yk_problems_error_count(reader->loader->problems) == 0) take_samples(reader);

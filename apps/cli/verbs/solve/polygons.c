@@ -48,14 +48,16 @@ void yk_polygon_text(YkSession *session, const YkState *state)
     YkPolygon *p = polygon_of(session, state);
     if (!p) return;
     YkTable *table = yk_table_new(7);
-    const char *unit = yk_polygon_kind(p) == YK_POLYGON_VELOCITY ? "m/s" : "m/s^2";
+    YkQuantity quantity = yk_polygon_kind(p) == YK_POLYGON_VELOCITY ? YK_QUANTITY_SPEED : YK_QUANTITY_ACCELERATION;
+    double size = 1;
+    const char *unit = yk_model_unit(session->model, quantity, &size);
     for (size_t k = 0; k < 7; k++) yk_table_head(table, heads[k], k < 4 ? NULL : unit);
     for (size_t k = 0; k < yk_polygon_vector_count(p); k++) {
         YkPolygonVector v = yk_polygon_vector(p, k);
         const char *words[] = {v.from, v.to, parts[v.part], yk_model_body_name(session->model, v.body)};
         for (size_t i = 0; i < 4; i++) yk_table_word(table, words[i]);
-        for (size_t i = 0; i < 2; i++) yk_table_number(table, v.value[i], YK_DIGITS);
-        yk_table_number(table, sqrt(v.value[0] * v.value[0] + v.value[1] * v.value[1]), YK_DIGITS);
+        for (size_t i = 0; i < 2; i++) yk_table_number(table, v.value[i] / size, YK_DIGITS);
+        yk_table_number(table, sqrt(v.value[0] * v.value[0] + v.value[1] * v.value[1]) / size, YK_DIGITS);
     }
     yk_text_format(&session->out, "\n%s polygon\n",
                    yk_polygon_kind(p) == YK_POLYGON_VELOCITY ? "Velocity" : "Acceleration");

@@ -2,15 +2,13 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "base/number.h"
-#include "ranks.h"
 #include "reach.h"
 #include "session.h"
 #include "stop.h"
 #include "verbs/study/study.h"
 
-enum { DESIGNS = 1000, STEPS_MAX = 1000000, STEPS = 36, THREADS_MAX = 1024 };
+enum { DESIGNS = 1000, STEPS_MAX = 1000000, STEPS = 36 };
 
 // Rows that stay in memory are fewer than those that go to a file.
 static const uint64_t designs_in_memory = 10000000, designs_in_file = 1000000000000;
@@ -261,13 +259,11 @@ bool yk_study_read(YkStudyAnswer *answer)
 {
     YkSession *session = answer->session;
     const YkRequest *request = session->request;
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    size_t steps = STEPS, fallback = processors > 0 && processors <= THREADS_MAX ? (size_t)processors : 1;
-    fallback = yk_ranks_share(fallback);
+    size_t steps = STEPS;
     bool good = check_request(answer);
     good = good && (!request->over || yk_over_split(session, request->over, &answer->over));
     good = good && yk_session_count(session, "--steps", request->steps, STEPS_MAX, STEPS, &steps);
-    good = good && yk_session_count(session, "--threads", request->threads, THREADS_MAX, fallback, &answer->threads);
+    good = good && yk_session_threads(session, &answer->threads);
     const char *swept = answer->over.name && strcmp(answer->over.name, "t") != 0 ? answer->over.name : NULL;
     good = good && yk_session_load(session, swept) && yk_session_inputs(session);
     good = good && (!answer->over.name || yk_over_read(session, &answer->over));

@@ -1,4 +1,4 @@
-// yoke synthesize -o DIR: a model file for each candidate, one picture of all, and the answer as JSON.
+// yoke synthesize -o DIR: a model file for each candidate, pictures of all, and the answer as JSON.
 #include <stdlib.h>
 #include "session.h"
 #include "verbs/synthesize/synthesize.h"
@@ -8,9 +8,12 @@ bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder)
 {
     YkSession *session = answer->session;
     size_t count = yk_synthesis_count(answer->synthesis);
-    YkFileEntry *files = calloc(count + 2, sizeof *files);
+    enum { SHEETS = 2, MORE = 2 + SHEETS };
+    static const char *const sheets[SHEETS] = {"burmester.svg", "errors.svg"};
+    YkFileEntry *files = calloc(count + MORE, sizeof *files);
     const char *picture = yk_synthesis_picture(answer->synthesis);
     bool good = files && picture;
+    size_t written = 0;
     for (size_t k = 0; k < count && good; k++) {
         YkCandidate candidate = yk_synthesis_candidate(answer->synthesis, k);
         files[k].name = candidate.file;
@@ -21,11 +24,20 @@ bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder)
         yk_text_puts(&files[count].text, picture);
         files[count + 1].name = "task.json";
         yk_synthesis_json(answer, &files[count + 1].text);
+        written = count + 2;
     }
-    for (size_t k = 0; k < count + 2 && good; k++) good = !files[k].text.failed;
+    for (int k = 0; k < SHEETS && good; k++) {
+        bool ran_out;
+        const char *sheet = yk_synthesis_sheet(answer->synthesis, (YkSynthesisSheet)k, &ran_out);
+        good = !ran_out;
+        if (!sheet) continue;
+        files[written].name = sheets[k];
+        yk_text_puts(&files[written++].text, sheet);
+    }
+    for (size_t k = 0; k < written && good; k++) good = !files[k].text.failed;
     if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    good = good && yk_files_write(folder, files, count + 2, session->problems);
-    for (size_t k = 0; k < count + 2 && files; k++) yk_text_free(&files[k].text);
+    good = good && yk_files_write(folder, files, written, session->problems);
+    for (size_t k = 0; k < count + MORE && files; k++) yk_text_free(&files[k].text);
     free(files);
     return good;
 }

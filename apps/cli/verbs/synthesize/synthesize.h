@@ -11,6 +11,7 @@ typedef struct YkSynthesisAnswer {
     double deadline; // on the clock of yk_stop_now, s; 0: none
     bool is_late;    // the deadline ended the search
     uint64_t seed;
+    size_t threads;
     int percent; // of the search, told last by --so-far
 } YkSynthesisAnswer;
 
@@ -32,5 +33,10 @@ YkSynthesisSpread *yk_synthesis_spread(YkSynthesisAnswer *answer, YkSynthesisOpt
 void yk_synthesis_gather(YkSynthesisSpread *spread); // ends it
 // What ranks other than 0 do, whether the task could be read or not. Returns the exit code.
 int yk_synthesis_serve(YkSynthesisAnswer *answer, bool is_read);
+
+// threads.c: lets threads of this process compute pieces. Returns NULL with problems added when out of memory.
+typedef struct YkSynthesisThreads YkSynthesisThreads;
+YkSynthesisThreads *yk_synthesis_threads(YkSynthesisAnswer *answer, YkSynthesisOptions *options, YkProblems *problems);
+void yk_synthesis_join(YkSynthesisThreads *threads); // ends them
 
 #endif

@@ -56,26 +56,38 @@ static void add_dyads(YkText *out, const YkSynthesis *synthesis, const Units *u)
     end_table(out, table);
 }
 
-static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Units *u, bool is_angle)
+// Returns whether a deviation is an angle: of functions and strokes, but for those of a slider.
+static bool is_turning(const char *kind, const YkCandidate *c)
 {
-    size_t count = yk_synthesis_count(synthesis);
+    return (kind[0] == 'f' || kind[0] == 's') && c->lengths[3] > 0;
+}
+
+static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Units *u, const char *kind)
+{
+    size_t count = yk_synthesis_count(synthesis), turning = 0;
     if (count == 0) return;
     bool is_evened = false;
-    for (size_t k = 0; k < count; k++) is_evened = is_evened || !isnan(yk_synthesis_interpolating(synthesis, k));
+    YkText both = {0};
+    for (size_t k = 0; k < count; k++) {
+        YkCandidate c = yk_synthesis_candidate(synthesis, k);
+        turning += is_turning(kind, &c);
+        is_evened = is_evened || !isnan(yk_synthesis_interpolating(synthesis, k));
+    }
+    yk_text_format(&both, "%s, sliders %s", u->angle, u->length);
+    const char *deviation = turning == count ? u->angle : turning == 0 ? u->length : yk_text_get(&both);
     YkTable *table = yk_table_new(10 + is_evened);
     static const char *const heads[] = {"rank",  "type",    "worst",  "transmission from", "to", "ground",
                                         "input", "coupler", "output", "circuits"};
-    const char *units[] = {
-        NULL,      NULL, is_angle ? u->angle : u->length, u->angle, u->angle, u->length, u->length, u->length,
-        u->length, NULL};
+    const char *units[] = {NULL, NULL, deviation, u->angle, u->angle, u->length, u->length, u->length, u->length, NULL};
     for (size_t k = 0; k < 10; k++) yk_table_head(table, heads[k], units[k]);
-    if (is_evened) yk_table_head(table, "interpolating", u->angle);
+    if (is_evened) yk_table_head(table, "interpolating", deviation);
     for (size_t k = 0; k < count; k++) {
         YkCandidate c = yk_synthesis_candidate(synthesis, k);
-        double noise = is_angle ? 1e-9 : 1e-9 * c.size;
+        bool is_angle = is_turning(kind, &c);
+        double noise = is_angle ? 1e-9 : 1e-9 * c.size, unit = is_angle ? u->angle_size : u->length_size;
         add_number_word(table, k + 1);
         yk_table_word(table, c.type);
-        yk_table_number(table, c.worst < noise ? 0 : c.worst / (is_angle ? u->angle_size : u->length_size), DIGITS);
+        yk_table_number(table, c.worst < noise ? 0 : c.worst / unit, DIGITS);
         for (size_t i = 0; i < 2; i++) yk_table_number(table, c.transmission[i] / u->angle_size, DIGITS);
         for (size_t i = 0; i < 4; i++) {
             if (c.lengths[i] > 0)
@@ -86,9 +98,10 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
         add_number_word(table, c.circuits);
         double before = yk_synthesis_interpolating(synthesis, k);
         if (is_evened && isnan(before)) yk_table_word(table, "-");
-        if (is_evened && !isnan(before)) yk_table_number(table, before / u->angle_size, DIGITS);
+        if (is_evened && !isnan(before)) yk_table_number(table, before / unit, DIGITS);
     }
     end_table(out, table);
+    yk_text_free(&both);
 }
 
 // Tells which links begin half a turn from the angles that the task fixes.
@@ -214,8 +227,7 @@ void yk_synthesis_text(const YkSynthesisAnswer *answer)
         add_left_out(out, synthesis);
         return;
     }
-    add_candidates(out, synthesis, &u,
-                   kind[0] == 'f' || (kind[0] == 's' && yk_synthesis_candidate(synthesis, 0).lengths[3] > 0));
+    add_candidates(out, synthesis, &u, kind);
     add_reversed(out, synthesis);
     add_left_out(out, synthesis);
     if (answer->session->request->defects) add_defects(out, synthesis, &u);

@@ -62,6 +62,7 @@ static bool read_request(YkSynthesisAnswer *answer, YkProblems *problems)
     answer->task = yk_task_load(request->file, problems);
     if (!answer->task || !yk_session_count(session, "--seed", request->seed, 1000000000, 1, &seed)) return false;
     if (request->within && !read_span(session, request->within, &within)) return false;
+    if (!yk_session_threads(session, &answer->threads)) return false;
     answer->seed = seed;
     if (within > 0) answer->deadline = yk_stop_now() + within;
     return true;
@@ -72,12 +73,17 @@ static void search(YkSynthesisAnswer *answer, YkProblems *problems)
 {
     YkSynthesisOptions options = yk_default_synthesis_options();
     YkSynthesisSpread *spread = NULL;
+    YkSynthesisThreads *threads = NULL;
     options.seed = answer->seed;
     options.progress = (YkProgress){goes_on, answer};
     if (answer->session->request->so_far) options.findings = (YkFindings){yk_synthesis_tell_found, answer};
     bool has_ranks = yk_ranks() != NULL;
     if (has_ranks) spread = yk_synthesis_spread(answer, &options, problems);
-    if (!has_ranks || spread) answer->synthesis = yk_synthesis_run(answer->task, &options, problems);
+    bool has_threads = !has_ranks && answer->threads > 1; // a rank is one thread
+    if (has_threads) threads = yk_synthesis_threads(answer, &options, problems);
+    if ((!has_ranks || spread) && (!has_threads || threads))
+        answer->synthesis = yk_synthesis_run(answer->task, &options, problems);
+    yk_synthesis_join(threads);
     yk_synthesis_gather(spread);
 }
 
