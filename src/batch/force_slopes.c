@@ -31,13 +31,13 @@ static void take(const YkLeafSource *s, YkGradient *gradient, double by)
     if (s->kind == YK_LEAF_OF_PARAMETER) yk_gradient_take_parameter(gradient, s->index, by);
 }
 
-bool yk_force_slopes_take(YkLaneForces *f, YkGradient *gradient, const YkSlopesAt *at, double *by, double **out)
+bool yk_force_slopes_take(YkLaneForces *f, YkGradient *gradient, const YkSlopesAt *at, double *by)
 {
     for (const YkLeafSource *s = f->needed; s < f->needed + f->needed_count; s++)
         if (s->kind != YK_LEAF_OF_PARAMETER && s->one) *s->one = number_of(s, gradient, at);
-    for (size_t k = 0; k < f->by_count; k++) out[k] = &by[k];
-    yk_tape_run_one(f->tape, out);
+    const double *const *slopes = yk_tape_run_one(f->tape);
     for (size_t k = 0; k < f->by_count; k++) {
+        by[k] = *slopes[k];
         if (!isfinite(by[k])) return false;
         if (by[k] != 0) take(&f->sources[k], gradient, by[k]);
     }

@@ -46,6 +46,6 @@ typedef struct YkSlopesAt {
 // Takes the shares of the sum into a gradient that has its pose and was started. by[yk_force_slopes_count]: scratch. Returns false
 // if one of them is not finite. Allocates nothing. force_slopes.c
 size_t yk_force_slopes_count(const YkLaneForces *slopes);
-bool yk_force_slopes_take(YkLaneForces *slopes, YkGradient *gradient, const YkSlopesAt *at, double *by, double **out);
+bool yk_force_slopes_take(YkLaneForces *slopes, YkGradient *gradient, const YkSlopesAt *at, double *by);
 
 #endif

@@ -175,16 +175,15 @@ static size_t slopes_of(Fit *f, YkChannel channel, double *slope)
     yk_gradient_start(f->gradient);
     if (forces) {
         size_t count = yk_force_slopes_count(forces), inputs = yk_input_count(f->mech);
-        double *by = calloc(count + 1, sizeof *by), **out = calloc(count + 1, sizeof *out), weight = 1;
+        double *by = calloc(count + 1, sizeof *by), weight = 1;
         double *input = calloc(3 * inputs + 1, sizeof *input);
         for (size_t i = 0; i < inputs; i++) {
             YkMotion own = yk_state_input(f->state, i);
             input[3 * i] = own.position, input[3 * i + 1] = own.velocity, input[3 * i + 2] = own.acceleration;
         }
         YkSlopesAt at = {input, 0, &weight};
-        assert_true(yk_force_slopes_take(forces, f->gradient, &at, by, out));
+        assert_true(yk_force_slopes_take(forces, f->gradient, &at, by));
         free(by);
-        free((void *)out);
         free(input);
     } else {
         yk_gradient_take(f->gradient, (YkWeighted){channel, 1});

@@ -43,7 +43,7 @@ typedef struct YkMachineFit {
     double **place;       // [orders * variables][YK_FIT_LANES]
     YkLaneForces *forces; // derivatives of the channels of forces; NULL: by differences, or there are none
     size_t *force;        // [channel]: its place among those
-    double *weights, *by, **by_out, *input_values;
+    double *weights, *by, *input_values;
     size_t force_count;
     double *pick_at;      // [YK_FIT_LANES]: the swept coordinate
     const double **pick;  // [3 inputs]

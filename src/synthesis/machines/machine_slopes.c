@@ -49,9 +49,8 @@ static bool make_forces(YkMachineFit *fit, YkArena *arena)
     size_t count = yk_force_slopes_count(fit->forces);
     fit->weights = YK_NEW(arena, double, fit->force_count);
     fit->by = YK_NEW(arena, double, count + 1);
-    fit->by_out = YK_NEW(arena, double *, count + 1);
     fit->input_values = YK_NEW(arena, double, 3 * yk_input_count(machine->mech) + 1);
-    return fit->weights && fit->by && fit->by_out && fit->input_values;
+    return fit->weights && fit->by && fit->input_values;
 }
 
 static double **lanes_new(YkArena *arena, size_t count)
@@ -153,7 +152,7 @@ static bool take_forces(YkMachineFit *fit, size_t row)
     }
     YkSlopesAt at = {fit->input_values, 0, fit->weights};
     fit->backwards++;
-    return yk_force_slopes_take(fit->forces, fit->gradient, &at, fit->by, fit->by_out);
+    return yk_force_slopes_take(fit->forces, fit->gradient, &at, fit->by);
 }
 
 // Adds the shares of one row, miss by miss. Returns false if a force has no derivative there.
