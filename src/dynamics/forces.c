@@ -306,6 +306,9 @@ YkEffortRange yk_dynamics_effort_range(const YkDynamics *d, size_t coordinate)
     int32_t input = d->mech->coordinates[coordinate].input;
     double effort = yk_dynamics_effort(d, coordinate);
     YkEffortRange single = {true, true, effort, effort};
+    int32_t law = law_of(d, coordinate);
+    if (law != YK_NONE && !d->contact[law].is_determinate) // a guide that rests in a dwell, say
+        return (YkEffortRange){false, false, -(double)INFINITY, (double)INFINITY};
     if (!d->holding || input == YK_NONE || d->is_free[input]) return single;
     YkEffortRange range = yk_holding_range(d->holding, (size_t)input);
     return range.is_single ? single : range;
