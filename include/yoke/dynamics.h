@@ -65,7 +65,7 @@ YK_API YkReaction yk_dynamics_contact(const YkDynamics *dynamics, size_t contact
 // for followers whose contact is a couple.
 YK_API bool yk_dynamics_contact_pulls(const YkDynamics *dynamics, size_t contact);
 // Returns the effort along a tree coordinate, on the joint's second body (its reaction acts on the first), N m or N:
-// that of the drive for a prescribed input, otherwise that of `efforts:`.
+// that of the drive for a prescribed input or a coordinate that follows another by a law, otherwise that of `efforts:`.
 YK_API double yk_dynamics_effort(const YkDynamics *dynamics, size_t coordinate);
 // A joint at rest under dry friction holds within an interval, so the effort that a drive must exert there is not
 // unique: every effort from low to high holds the machine, for each input by itself. The ends may be infinite: then the
@@ -80,7 +80,7 @@ YK_API YkEffortRange yk_dynamics_effort_range(const YkDynamics *dynamics, size_t
 // Returns whether dry friction at rest leaves forces undetermined. Reactions that depend on it are reported as not
 // determinate, with the values they have without that friction.
 YK_API bool yk_dynamics_is_held_by_friction(const YkDynamics *dynamics);
-// Returns whether there is an effort along a coordinate at all: a prescribed input's, or one of `efforts:`.
+// Returns whether there is an effort along a coordinate at all: a drive's, or one of `efforts:`.
 YK_API bool yk_dynamics_has_effort(const YkDynamics *dynamics, size_t coordinate);
 typedef struct YkEnergy {
     double kinetic, potential;

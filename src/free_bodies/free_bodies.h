@@ -51,5 +51,9 @@ typedef struct YkMeshForce {
 YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *bodies, const YkSpace *space, size_t relation);
 // Adds what gears, racks, belts and cams exert on every body to load[body] (moments about the reference points, N m).
 void yk_free_bodies_meshes(const YkFreeBodies *bodies, YkLoad *load);
+// Does so for one of them, or for a law between coordinates.
+void yk_free_bodies_add_mesh(const YkFreeBodies *bodies, size_t relation, YkLoad *load);
+// Returns what the drive exerts that makes a coordinate follow another by a law, N or N m.
+double yk_free_bodies_law_effort(const YkFreeBodies *bodies, size_t relation);
 
 #endif

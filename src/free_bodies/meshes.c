@@ -340,21 +340,36 @@ YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *f, const YkSpace *space, siz
     return (YkMeshForce){force, c->share * c->moment[1] * f->size, c->share < 0, is_couple, at, {body[0], body[1]}};
 }
 
+static void add_mesh(const YkFreeBodies *f, const YkWrenchColumn *c, YkLoad *load)
+{
+    for (int i = 0; i < 2; i++) {
+        YkLoad *l = &load[c->body[i]];
+        l->force = yk_add(l->force, yk_scale(i ? c->share : -c->share, c->force));
+        l->moment += c->share * c->moment[i] * f->size;
+    }
+    add_radial(c, load, 1);
+    YkLoad *third = &load[c->third], *fourth = &load[c->fourth];
+    third->force = yk_add(third->force, yk_scale(c->share, c->other));
+    third->moment += c->share * c->third_moment * f->size;
+    fourth->force = yk_sub(fourth->force, yk_scale(c->share, c->other));
+    fourth->moment += c->share * c->fourth_moment * f->size;
+}
+
 void yk_free_bodies_meshes(const YkFreeBodies *f, YkLoad *load)
 {
-    for (size_t k = 0; k < f->column_count; k++) {
-        const YkWrenchColumn *c = &f->columns[k];
-        if (c->kind != YK_WRENCH_MESH) continue;
-        for (int i = 0; i < 2; i++) {
-            YkLoad *l = &load[c->body[i]];
-            l->force = yk_add(l->force, yk_scale(i ? c->share : -c->share, c->force));
-            l->moment += c->share * c->moment[i] * f->size;
-        }
-        add_radial(c, load, 1);
-        YkLoad *third = &load[c->third], *fourth = &load[c->fourth];
-        third->force = yk_add(third->force, yk_scale(c->share, c->other));
-        third->moment += c->share * c->third_moment * f->size;
-        fourth->force = yk_sub(fourth->force, yk_scale(c->share, c->other));
-        fourth->moment += c->share * c->fourth_moment * f->size;
-    }
+    for (size_t k = 0; k < f->column_count; k++)
+        if (f->columns[k].kind == YK_WRENCH_MESH) add_mesh(f, &f->columns[k], load);
+}
+
+void yk_free_bodies_add_mesh(const YkFreeBodies *f, size_t relation, YkLoad *load)
+{
+    add_mesh(f, &f->columns[f->first_mesh + relation], load);
+}
+
+double yk_free_bodies_law_effort(const YkFreeBodies *f, size_t relation)
+{
+    const YkModel *model = f->mech->model;
+    const YkFollow *follow = &model->follows[f->mech->relations[relation].index];
+    double unit = model->coordinates[follow->coordinate].is_distance ? 1 : f->size; // as in pose_follow
+    return unit * f->columns[f->first_mesh + relation].share;
 }

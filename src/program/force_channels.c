@@ -40,13 +40,28 @@ static YkRef transmitted(YkBalanceSystem *w, YkChannel c)
                                           : yk_graph_vec_length(g, force);
 }
 
-// Returns the effort that an input needs, or what `efforts:` gives along another coordinate.
+// Returns whether an unknown is what makes the coordinate follow another by a law.
+static bool is_law_of(const YkProgram *p, const YkUnknown *unknown, size_t coordinate)
+{
+    const YkRelation *r = unknown->relation == YK_NONE ? NULL : &p->mech->relations[unknown->relation];
+    if (!r || r->kind != YK_RELATION_LAW) return false;
+    const YkCoordinate *own = &p->model->coordinates[p->model->follows[r->index].coordinate];
+    return yk_tree_coordinate(p->mech, own->joint, own->is_distance) == (int32_t)coordinate;
+}
+
+// Returns the effort that an input or a law's drive needs, or what `efforts:` gives along another coordinate.
 static YkRef effort(YkBalanceSystem *w, size_t coordinate)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
     int32_t input = p->mech->coordinates[coordinate].input;
     YkRef sum = yk_graph_number(g, 0);
+    for (size_t k = 0; k < w->count; k++)
+        if (is_law_of(p, &w->columns[k], coordinate)) {
+            const YkFollow *follow = &p->model->follows[p->mech->relations[w->columns[k].relation].index];
+            YkRef unit = yk_graph_number(g, p->model->coordinates[follow->coordinate].is_distance ? 1 : w->unit);
+            return yk_graph_multiply(g, yk_balance_value(w, k), unit);
+        }
     for (size_t k = 0; k < w->count && input != YK_NONE; k++)
         if (w->columns[k].relation == YK_NONE && w->columns[k].input == input) {
             YkRef unit = yk_graph_number(g, w->columns[k].is_couple ? w->unit : 1);

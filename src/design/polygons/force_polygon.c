@@ -4,6 +4,7 @@
 #include "base/problems.h"
 #include "compile/mechanism.h"
 #include "dynamics/dynamics.h"
+#include "free_bodies/free_bodies.h"
 
 typedef struct Walk {
     YkForcePolygons *p;
@@ -13,6 +14,7 @@ typedef struct Walk {
     YkVec center;       // of mass
     YkVec held;         // sum of contacts and reactions
     double held_moment; // of these about the centre of mass
+    YkLoad *load;       // [body count]
 } Walk;
 
 static const double least = 1e-12; // of what is drawn, over the largest force
@@ -69,14 +71,46 @@ static bool has_planets(const YkModel *model)
     return false;
 }
 
+// Adds what a relation does to the body. Couples of belts and wheels differ on the two bodies, and their carrier feels
+// the rest; a law acts on four bodies.
+static void add_relation(Walk *w, size_t relation, const char *name)
+{
+    const YkDynamics *d = w->d;
+    const YkReaction *r = &d->contact[relation];
+    for (size_t b = 0; b < w->p->model->body_count; b++) w->load[b] = (YkLoad){0};
+    yk_free_bodies_add_mesh(d->bodies, relation, w->load);
+    YkLoad load = w->load[w->body];
+    YkForceVector v = {.part = YK_FORCE_CONTACT, .by = YK_NOT_FOUND, .name = name, .is_determinate = r->is_determinate};
+    if (r->by != r->on && (r->on == w->body || r->by == w->body)) v.by = r->on == w->body ? r->by : r->on;
+    bool has_place = isfinite(r->at[0]) && isfinite(r->at[1]) && yk_norm(load.force) > 0;
+    v.at[0] = has_place ? r->at[0] : w->center.x;
+    v.at[1] = has_place ? r->at[1] : w->center.y;
+    v.moment = load.moment - yk_cross(yk_sub(yk_vec(v.at[0], v.at[1]), w->center), load.force);
+    add(w, v, load.force);
+}
+
+static void add_relations(Walk *w)
+{
+    const YkMechanism *mech = w->d->mech;
+    const YkModel *model = w->p->model;
+    for (size_t k = 0; k < yk_dynamics_contact_count(w->d); k++) {
+        int32_t relation = yk_contact_relation(mech, k);
+        if (relation != YK_NONE) add_relation(w, (size_t)relation, yk_dynamics_contact_name(w->d, k));
+    }
+    for (size_t k = 0; model->follow_count > 0 && k < mech->relation_count; k++)
+        if (mech->relations[k].kind == YK_RELATION_LAW)
+            add_relation(w, k, model->coordinates[model->follows[mech->relations[k].index].coordinate].name);
+}
+
 // Adds reactions and contacts, and what the planets do that the file does not describe.
 static void add_held(Walk *w, const YkBalance *balance)
 {
     const YkDynamics *d = w->d;
-    for (size_t k = 0; k < yk_dynamics_contact_count(d); k++) {
+    for (size_t k = 0; has_planets(w->p->model) && k < yk_dynamics_contact_count(d); k++) {
         YkReaction r = yk_dynamics_contact(d, k);
         add_reaction(w, YK_FORCE_CONTACT, yk_dynamics_contact_name(d, k), &r);
     }
+    if (!has_planets(w->p->model)) add_relations(w);
     for (size_t j = 0; j < w->p->model->joint_count; j++) {
         YkReaction r = yk_dynamics_reaction(d, j);
         add_reaction(w, YK_FORCE_REACTION, w->p->model->joints[j].name, &r);
@@ -97,7 +131,8 @@ static void take_body(Walk *w, size_t body)
     YkVec weight = yk_scale(b->mass, p->model->gravity);
     YkVec loads = yk_sub(yk_vec(balance.loads.force[0], balance.loads.force[1]), weight);
     YkVec inertia = yk_vec(-balance.inertia.force[0], -balance.inertia.force[1]);
-    *w = (Walk){.p = p, .d = w->d, .body = body, .first = p->vector_count, .center = w->d->motion[body].at};
+    *w = (Walk){
+        .p = p, .d = w->d, .load = w->load, .body = body, .first = p->vector_count, .center = w->d->motion[body].at};
     add_central(w, YK_FORCE_WEIGHT, "weight", weight, 0);
     add_central(w, YK_FORCE_LOADS, "loads", loads, balance.loads.moment);
     add_central(w, YK_FORCE_INERTIA, "inertia", inertia, -balance.inertia.moment);
@@ -108,7 +143,7 @@ static void take_body(Walk *w, size_t body)
 static bool make(YkForcePolygons *p, const YkDynamics *d)
 {
     const YkModel *model = d->mech->model;
-    size_t bodies = model->body_count, links = 2 * (model->joint_count + yk_dynamics_contact_count(d));
+    size_t bodies = model->body_count, links = 2 * model->joint_count + 4 * d->mech->relation_count;
     p->arena = yk_arena_new();
     if (!p->arena) return false;
     p->model = model;
@@ -119,7 +154,8 @@ static bool make(YkForcePolygons *p, const YkDynamics *d)
     p->vector = YK_NEW(p->arena, YkForceVector, 4 * bodies + links);
     p->step = YK_NEW(p->arena, const char *, bodies);
     if (!p->vector || !p->step) return false;
-    Walk walk = {.p = p, .d = d};
+    Walk walk = {.p = p, .d = d, .load = YK_NEW(p->arena, YkLoad, bodies)};
+    if (!walk.load) return false;
     for (size_t b = 1; b < bodies; b++) take_body(&walk, b);
     return !p->failed && !yk_arena_failed(p->arena);
 }
