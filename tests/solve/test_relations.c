@@ -205,8 +205,7 @@ static void a_pose_is_adopted_where_it_closes(void **unused)
         from.state->time = 0;
         machine_free(&to);
     }
-    Machine other = machine_load("slider-crank"), four = machine_open("four-bar", NULL),
-            bent = machine_load("four-bar");
+    Machine other = machine_load("slider-crank"), four = machine_open("four-bar", NULL);
     if (yk_coordinate_count(other.mech) != count)
         assert_int_equal(yk_state_adopt(four.state, other.state), YK_BAD_ARGUMENT);
     Machine empty = machine_open("four-bar", NULL);
