@@ -217,6 +217,33 @@ static void a_pose_is_adopted_where_it_closes(void **unused)
     machine_free(&from);
 }
 
+// A machine of slightly other dimensions takes a pose that is almost its own, and no other.
+static void a_pose_is_not_adopted_where_it_does_not_close(void **unused)
+{
+    (void)unused;
+    static const char *const text =
+        "parameters: {b: 2.5}\nbodies:\n  ground: {points: {O: [0, 0], Q: [2, 0]}}\n"
+        "  crank: {points: {O: [0, 0], A: [0.7, 0]}}\n  coupler: {points: {A: [0, 0], B: [b, 0]}}\n"
+        "  rocker: {points: {Q: [0, 0], B: [1.8, 0]}}\njoints:\n  O: {pin: [ground, crank], angle: q}\n"
+        "  A: {pin: [crank, coupler], angle: u}\n  Q: {pin: [ground, rocker], angle: v}\n  B: {pin: [coupler, "
+        "rocker]}\n"
+        "drives: {q: 1 rad}\nstart: {u: -0.4, v: 1.3}\n";
+    static const struct {
+        const char *length;
+        bool closes;
+    } cases[] = {{"2.5 m", true},   {"2.5 m + 1e-7 m", true}, {"2.5 m - 1e-7 m", true},
+                 {"2.55 m", false}, {"2.4 m", false},         {"9 m", false}};
+    Machine from = machine_parse(text, true);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        YkOverride other = {.name = "b", .value = cases[k].length};
+        Machine to = machine_parse_with(text, &other, 1);
+        YkStatus status = yk_state_adopt(to.state, from.state);
+        assert_int_equal(status, cases[k].closes ? YK_OK : YK_NO_ASSEMBLY);
+        machine_free(&to);
+    }
+    machine_free(&from);
+}
+
 // Two poses are as far apart as their farthest coordinates: angles up to turns, lengths over the size.
 static void poses_are_as_far_apart_as_their_farthest_coordinates(void **unused)
 {
@@ -251,6 +278,7 @@ int main(void)
         cmocka_unit_test(residuals_tell_a_miss),
         cmocka_unit_test(rates_are_differences_of_positions),
         cmocka_unit_test(a_pose_is_adopted_where_it_closes),
+        cmocka_unit_test(a_pose_is_not_adopted_where_it_does_not_close),
         cmocka_unit_test(poses_are_as_far_apart_as_their_farthest_coordinates),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
