@@ -115,6 +115,11 @@ const YkFormula *yk_redesign_compile(YkRedesign *r, const YkExpr *expr)
     return yk_formula_compile(expr, resolve, r, r->arena);
 }
 
+bool yk_redesign_ran_out(const YkRedesign *r)
+{
+    return yk_arena_failed(r->arena);
+}
+
 static const YkFormula *formula_of(YkRedesign *r, const YkExpr *expr)
 {
     const YkFormula *formula = yk_redesign_compile(r, expr);

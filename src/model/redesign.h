@@ -42,6 +42,7 @@ const YkFormula *yk_redesign_formula(const YkRedesign *redesign, const double *v
 int32_t yk_redesign_derived(const YkRedesign *redesign, size_t k, const YkFormula **formula);
 // Compiles an expression of parameters alone into such a formula; NULL if it needs more, or when out of memory.
 const YkFormula *yk_redesign_compile(YkRedesign *redesign, const YkExpr *expr);
+bool yk_redesign_ran_out(const YkRedesign *redesign);                               // of memory, at any time
 bool yk_redesign_expression_varies(const YkRedesign *redesign, const YkExpr *expr); // false for NULL
 int32_t yk_redesign_parameter(const YkRedesign *redesign, size_t k); // the index of names[k] in the model
 
