@@ -214,9 +214,11 @@ YkRef yk_graph_join(YkGraph *g, YkRef a, YkRef b, double sign)
 YkRef yk_graph_join_numbers(YkGraph *g, YkRef number, YkRef product)
 {
     const YkValue *v = at(g, product);
-    if (!g->joins_terms || v->op != YK_VALUE_MULTIPLY || at(g, v->a)->op != YK_VALUE_NUMBER) return YK_NONE;
-    double both = at(g, number)->number * at(g, v->a)->number;
-    YkRef rest = v->b;
+    if (!g->joins_terms || v->op != YK_VALUE_MULTIPLY) return YK_NONE;
+    bool is_second = at(g, v->b)->op == YK_VALUE_NUMBER;
+    if (!is_second && at(g, v->a)->op != YK_VALUE_NUMBER) return YK_NONE;
+    YkRef rest = is_second ? v->a : v->b;
+    double both = at(g, number)->number * at(g, is_second ? v->b : v->a)->number;
     if (is_almost(1, fabs(both))) both = both < 0 ? -1 : 1;
     return yk_graph_multiply(g, yk_graph_number(g, both), rest);
 }
