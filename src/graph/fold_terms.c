@@ -210,6 +210,43 @@ YkRef yk_graph_join(YkGraph *g, YkRef a, YkRef b, double sign)
     return joined == YK_NONE || sign > 0 ? joined : yk_graph_minus(g, joined);
 }
 
+// --- products
+
+// Returns whether a value is 1 over another one, which is never 0.
+static bool is_inverse(const YkGraph *g, YkRef value)
+{
+    return at(g, value)->op == YK_VALUE_DIVIDE && at(g, at(g, value)->a)->op == YK_VALUE_NUMBER;
+}
+
+static void drop(Product *p, size_t k)
+{
+    p->count--;
+    for (; k < p->count; k++) p->factor[k] = p->factor[k + 1];
+}
+
+// Removes an inverse that is a factor of both.
+static bool drop_inverse(const YkGraph *g, Product *p, Product *q)
+{
+    for (size_t i = 0; i < p->count; i++)
+        for (size_t k = 0; k < q->count; k++) {
+            if (p->factor[i] != q->factor[k] || !is_inverse(g, p->factor[i])) continue;
+            drop(p, i);
+            drop(q, k);
+            return true;
+        }
+    return false;
+}
+
+YkRef yk_graph_cancel(YkGraph *g, YkRef value, YkRef quotient)
+{
+    YkValue v = *at(g, quotient);
+    Product p = {1, 0, {0}}, q = {1, 0, {0}};
+    if (!g->joins_terms || v.op != YK_VALUE_DIVIDE || !take(g, value, &p) || !take(g, v.b, &q)) return YK_NONE;
+    if (!drop_inverse(g, &p, &q)) return YK_NONE;
+    YkRef left = product_of(g, &p), rest = yk_graph_divide(g, v.a, product_of(g, &q));
+    return yk_graph_multiply(g, left, rest);
+}
+
 // A product of two numbers that ought to be 1 is rounded to it.
 YkRef yk_graph_join_numbers(YkGraph *g, YkRef number, YkRef product)
 {

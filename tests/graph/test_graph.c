@@ -125,6 +125,11 @@ static void terms_are_joined(void **state)
     YkRef unequal = yk_graph_add(g, yk_graph_multiply(g, c, c),
                                  yk_graph_multiply(g, yk_graph_number(g, 2), yk_graph_multiply(g, s, s)));
     assert_true(g->values[unequal].op == YK_VALUE_ADD);
+    // A force of 7 along a normal, from its part across: the length of the normal cancels.
+    YkRef per = yk_graph_inverse(g, yk_graph_vec_length(g, other));
+    YkRefVec normal = yk_graph_vec_scale(g, per, other);
+    YkRef force = yk_graph_divide(g, yk_graph_number(g, 7), normal.x), aside = yk_graph_multiply(g, normal.y, force);
+    assert_true(aside == yk_graph_multiply(g, t->y, yk_graph_divide(g, yk_graph_number(g, 7), t->x)));
 }
 
 int main(void)
