@@ -86,8 +86,8 @@ static bool is_square(const Product *p)
 // Adds k s^2 x to k c^2 x, where c and s are the parts of a unit vector. Returns false for anything else.
 static bool add_squares(const YkGraph *g, Product *a, Product b)
 {
+    if (a->count != b.count || a->count < 2 || !is_almost(a->number, b.number)) return false;
     Product own = *a, common;
-    if (!is_almost(a->number, b.number)) return false;
     remove_common(&own, &b, &common);
     if (!is_square(&own) || !is_square(&b)) return false;
     if (at(g, own.factor[0])->sine != b.factor[0] && at(g, b.factor[0])->sine != own.factor[0]) return false;
@@ -159,12 +159,22 @@ static void collect(const YkGraph *g, Terms *t)
     t->count = left;
 }
 
+// Returns whether a part of a unit vector is a factor of the product. Of long products without one little can vanish.
+static bool has_unit(const YkGraph *g, const Product *p)
+{
+    for (size_t k = 0; k < p->count; k++)
+        if (at(g, p->factor[k])->sine != 0) return true;
+    return false;
+}
+
 // Returns the sum of two products with sums as factors, multiplied out, if no more than two terms are left and as many
 // vanish: as where an arm's moment of its own inertia becomes a multiple of its angular acceleration.
 static YkRef join_expanded(YkGraph *g, const Product *p, const Product *q)
 {
-    Terms t = {0};
+    Terms t;
     if (find_sum(g, p) == p->count || find_sum(g, q) == q->count) return YK_NONE;
+    if (p->count > 1 && q->count > 1 && !(has_unit(g, p) && has_unit(g, q))) return YK_NONE;
+    t.count = 0;
     if (!expand(g, p, &t) || !expand(g, q, &t)) return YK_NONE;
     size_t before = t.count;
     collect(g, &t);

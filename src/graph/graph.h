@@ -53,7 +53,7 @@ typedef struct YkValue {
     int32_t section;    // under which heading it is computed
     bool of_parameters; // depends on parameters alone
     int32_t leaf_class; // of a leaf: YkLeafClass
-    YkRef sine;         // of the first part of a unit vector: the second part, or 0
+    YkRef sine;         // of one part of a unit vector: the other part; 0: none
 } YkValue;
 
 typedef enum YkLeafClass {
