@@ -213,5 +213,6 @@ bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort)
     bool is_new = !item && !(loads->is_loaded[body[0]] && loads->is_loaded[body[1]]);
     if (!item) item = add_along(loads, YK_LOAD_EFFORT, c->name, c->joint, c->is_distance);
     item->value[0] = (YkLoadValue){.constant = effort};
+    item->is_given = true;
     return is_new;
 }

@@ -62,6 +62,7 @@ typedef struct YkLoadItem {
     const YkStop *stop;     // STOP
     double direction;       // COULOMB: of the sliding, +1 or -1; 0: from the rate
     double last;            // EFFORT: its value when last added
+    bool is_given;          // EFFORT: yk_loads_set_effort gave it
     double dry;             // COULOMB, STOP: the present moment or force
     bool is_held;           // COULOMB: the joint sticks; `dry` is given from outside
 } YkLoadItem;

@@ -48,6 +48,7 @@ typedef struct YkCNames {
     const char **block;                        // of the configuration: the branch; also with _guess
     const char **point;                        // also with _x, _y, _x_rate, ...; NULL on the ground
     const char **joint;                        // also with _force_x, _force_y, _moment
+    const char **contact;                      // likewise, of relations
     const char **law;
 } YkCNames;
 

@@ -13,8 +13,7 @@ YK_INLINE void add(double *out, double factor, const double *change, size_t n)
     for (size_t i = 0; i < n; i++) out[i] += factor * change[i];
 }
 
-YK_INLINE void yk_lanes_multiple_body(YkScalar out, double offset, bool is_first, double factor, YkScalar x,
-                                      size_t n)
+YK_INLINE void yk_lanes_multiple_body(YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n)
 {
     if (is_first) {
         start(out.x, offset, factor, x.x, n);
@@ -26,8 +25,7 @@ YK_INLINE void yk_lanes_multiple_body(YkScalar out, double offset, bool is_first
         add(out.a, factor, x.a, n);
     }
 }
-YK_KERNEL(yk_lanes_multiple,
-          (YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n),
+YK_KERNEL(yk_lanes_multiple, (YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n),
           (out, offset, is_first, factor, x))
 
 // Adds what the law gives to `base`, an array or a number.
