@@ -86,8 +86,21 @@ void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t 
     push(load, from, yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
 }
 
+// Adds a moment about a pin; returns its power.
+static double push_about(const Pose *p, const YkLoadItem *item, double effort)
+{
+    double rate = 0;
+    p->load[item->body[1]].moment += effort;
+    p->load[item->body[0]].moment -= effort;
+    for (int end = 0; end < 2; end++)
+        if (item->slot[end] != 0) rate += (end ? 1 : -1) * yk_space_turn(p->space, item->slot[end]).w[0];
+    return effort * rate;
+}
+
+// Does the same along any joint's freedom.
 static double push_along(const Pose *p, const YkLoadItem *item, double effort)
 {
+    if (!item->is_distance) return push_about(p, item, effort);
     yk_loads_add_effort(p->mech, p->space, item->joint, item->is_distance, effort, p->load);
     return effort * yk_joint_rate(p->mech, p->space, item->joint, item->is_distance);
 }
@@ -195,7 +208,7 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
                   size_t *culprit)
 {
     Pose p = {loads, loads->mech, state, space, load};
-    read_variables(loads, state, space);
+    if (loads->varies) read_variables(loads, state, space);
     for (size_t k = 0; k < loads->item_count; k++) {
         double delivered = push_item(&p, &loads->items[k]);
         if (power) power[k] = delivered;
