@@ -1,5 +1,6 @@
 // Evaluates what the loads exert at a pose.
 #include <string.h>
+#include "elementary/kernel.h"
 #include "loads/point.h"
 
 YkMotion yk_loads_coordinate(const YkState *state, const YkSpace *space, int32_t coordinate)
@@ -222,26 +223,37 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
     return true;
 }
 
-static double find_effort(const YkLoads *loads, YkLoadItem *item, const double *rate, double *effort)
+// Evaluates efforts, of which some follow formulas or laws, into `last`.
+YK_APART void evaluate_efforts(YkLoads *loads, const YkState *state)
 {
-    item->last = loads->varies ? evaluate(loads, &item->value[0]) : item->value[0].constant;
-    effort[item->input] = item->last;
-    return item->last * rate[item->input];
+    read_variables(loads, state, &state->space);
+    for (size_t k = 0; k < loads->item_count; k++) loads->items[k].last = evaluate(loads, &loads->items[k].value[0]);
+}
+
+static size_t first_without_value(const YkLoads *loads)
+{
+    size_t k = 0;
+    while (k + 1 < loads->item_count && isfinite(loads->items[k].last)) k++;
+    return k;
 }
 
 bool yk_loads_efforts(YkLoads *loads, const YkState *state, const double *rate, double *effort, double *power,
                       size_t *culprit)
 {
-    YkLoadItem *item = loads->items, *end = item + loads->item_count;
-    if (loads->varies) read_variables(loads, state, &state->space);
+    double off = 0; // or NaN
+    if (loads->varies) evaluate_efforts(loads, state);
     if (loads->item_count < loads->mech->input_count) memset(effort, 0, loads->mech->input_count * sizeof *effort);
-    for (; item < end; item++) {
-        *power++ = find_effort(loads, item, rate, effort);
-        if (isfinite(item->last)) continue;
-        *culprit = (size_t)(item - loads->items);
-        return false;
+    YkLoadItem *item = loads->items, *end = item + loads->item_count;
+    for (bool varies = loads->varies; item < end; item++) {
+        if (!varies) item->last = item->value[0].constant;
+        double last = item->last;
+        effort[item->input] = last;
+        *power++ = last * rate[item->input];
+        off += last - last;
     }
-    return true;
+    if (off == 0) return true;
+    *culprit = first_without_value(loads);
+    return false;
 }
 
 // Finds what the law of a spring may depend on: its length or angle, and the rate of it.

@@ -273,8 +273,10 @@ static bool sample_energy(YkSimulation *sim)
     if (sim->pending != YK_PENDING_NONE || (steps > EACH && steps % SOME != 0)) return true;
     double t = yk_ode_time(sim->ode);
     const double *y = yk_ode_state(sim->ode);
-    bool stands = !sim->is_lean && !sim->dynamics->tree && !sim->guide && !sim->is_elsewhere && is_plain(sim);
-    if (!stands) return stand(sim, t, y);
+    bool is_there = !sim->dynamics->tree && !sim->is_elsewhere; // open trees are evaluated without a pose
+    if (sim->guide || !is_plain(sim)) return stand(sim, t, y);
+    if (!is_there && (!yk_simulation_set(sim, t, y) || yk_state_solve(sim->state) < 0)) return stand(sim, t, y);
+    if (!is_there) yk_state_refer(sim->state);
     sim->time = t;
     sim->has_forces = false;
     return count(sim, y);
