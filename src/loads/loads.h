@@ -53,8 +53,9 @@ typedef struct YkLoadItem {
     bool is_distance;
     int32_t coordinate; // in the tree, if the joint has one there; otherwise YK_NONE
     int32_t input;      // of the coordinate; YK_NONE if it is none
-    int32_t body[2];    // FORCE: body[0]; SPRING
-    YkLoadEnd end[2];   // likewise
+    int32_t body[2];    // FORCE: body[0]; SPRING; of a joint: the first body of its first half, the second of its last
+    int32_t slot[2];    // of a joint: the orientations of its own two bodies
+    YkLoadEnd end[2];   // FORCE, SPRING
     bool in_body_axes;
     YkLoadValue value[3]; // EFFORT: [0]; FORCE: x, y, moment; SPRING, ALONG: [0], the pull by a law of its own
     double stiffness, length, damping;
