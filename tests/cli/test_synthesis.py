@@ -203,7 +203,7 @@ units: {length: mm}
         run = self.good("synthesize", FIVE, "-o", folder)
         self.assertIn("crank-rocker", run.out)
         names = sorted(os.listdir(folder))
-        self.assertEqual(names, ["01-four-bar.yaml", "02-four-bar.yaml", "03-four-bar.yaml", "candidates.svg", "task.json"])
+        self.assertEqual(names, ["01-four-bar.yaml", "02-four-bar.yaml", "03-four-bar.yaml", "burmester.svg", "candidates.svg", "task.json"])
         with open(os.path.join(folder, "task.json"), encoding="utf-8") as file:
             answer = json.load(file)
         for candidate in answer["candidates"]:
