@@ -13,7 +13,7 @@ static size_t rays_of(const YkTask *task)
 }
 static size_t lines_of(const YkTask *task)
 {
-    return task->has_four_bar ? LINES : 2 * LINES;
+    return task->has_four_bar ? LINES : 4 * LINES; // of half the directions the pivot is near
 }
 
 // --- dyads
