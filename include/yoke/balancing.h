@@ -55,8 +55,8 @@ YK_API size_t yk_balancing_count(const YkBalancing *balancing);
 YK_API YkCounterweight yk_balancing_at(const YkBalancing *balancing, size_t index);
 YK_API YkShakingPeaks yk_balancing_before(const YkBalancing *balancing);
 YK_API YkShakingPeaks yk_balancing_after(const YkBalancing *balancing); // as the engine measures the model below
-// The parts of the shaking force by order, 1 to YK_SHAKING_ORDERS, of the file or with the counterweights. NaN if the input does
-// not turn through, and of other orders.
+// The parts of the shaking force by order, 1 to YK_SHAKING_ORDERS, of the file or with the counterweights. NaN if
+// yk_balancing_turns is 0, and of other orders.
 YK_API YkShakingOrder yk_balancing_order(const YkBalancing *balancing, size_t order, bool with_counterweights);
 // The number of turns of the input after which the machine and its efforts repeat: 2 of a four-stroke engine. 0 if
 // the input does not turn through, or if nothing repeats within 12 turns.
