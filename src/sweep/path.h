@@ -75,6 +75,9 @@ double yk_path_heads(const YkPath *path, size_t input, double at, double way);
 double yk_path_input_at(const YkPath *path, size_t input, double time);
 // side.c: gives blocks near known change points the signs that they have for the inputs as they are set, at `at`.
 void yk_path_place_signs(const YkPath *path, double at);
+// Returns how far the inputs on the path at `at` go over a block's shared change point, in its units, while one of them goes by one
+// of its own.
+double yk_meeting_rise(const YkPath *path, size_t block, double at, size_t input);
 // Returns whether the inputs, which have come to `at`, turn back there or rest for good.
 bool yk_path_turns_back(const YkPath *path, double at);
 // Finds the last value that closes, to rounding, between a pose that closes and one that does not. The state ends

@@ -96,14 +96,18 @@ void yk_path_place_signs(const YkPath *path, double at)
     place_before(path, path->meeting_count, at);
 }
 
-static double off_on_path(const YkPath *path, size_t block, double at)
+// Returns it on the path at `at`, where one input is moved on by that much.
+static double off_on_path(const YkPath *path, size_t block, double at, size_t input, double move)
 {
     YkState *s = path->state;
     double now = s->time, *kept = path->others + 3 * s->mech->input_count;
     size_t bytes = 3 * s->mech->input_count * sizeof *kept;
     memcpy(kept, s->input, bytes);
     memcpy(path->signs, s->branch, path->meeting_count);
-    double off = yk_path_set_inputs(path, at, true) >= 0 ? off_here(path, block, at) : (double)NAN;
+    bool is_set = yk_path_set_inputs(path, at, true) >= 0;
+    s->input[3 * input] += move;
+    place_before(path, block, at);
+    double off = is_set ? off_here(path, block, at) : (double)NAN;
     s->time = now;
     memcpy(s->input, kept, bytes);
     memcpy(s->branch, path->signs, path->meeting_count);
@@ -117,10 +121,18 @@ double yk_meeting_off_at(const YkPath *path, size_t block, double at)
         return ((m->input == YK_NONE ? at : yk_path_input_at(path, (size_t)m->input, at)) - m->at) / m->unit;
     for (int k = 0; k < YK_MEETING_SEEN; k++)
         if (m->seen_at[k] == at) return m->seen_off[k];
-    double off = off_on_path(path, block, at);
+    double off = off_on_path(path, block, at, 0, 0);
     m->seen_at[m->seen] = at, m->seen_off[m->seen] = off;
     m->seen = (m->seen + 1) % YK_MEETING_SEEN;
     return off;
+}
+
+double yk_meeting_rise(const YkPath *path, size_t block, double at, size_t input)
+{
+    double near = path->meetings[block].near, step = near * yk_input_unit(path->state->mech, input);
+    double after = off_on_path(path, block, at, input, step), before = off_on_path(path, block, at, input, -step);
+    double rise = (after - before) / (2 * near);
+    return fabs(rise) > 1e-6 ? rise : 0;
 }
 
 int yk_meeting_side_beside(const YkPath *path, size_t block, double at, double way)
