@@ -91,6 +91,7 @@ bool yk_program_start(YkProgram *program, const YkMechanism *mech, const YkRecip
 void yk_program_end(YkProgram *program);
 // Returns the machine's size to the nearest power of two, for tolerances: the text then depends on no value.
 double yk_program_size(const YkProgram *program);
+double yk_program_block_size(const YkProgram *program, const YkBlock *block); // the same of yk_block_size
 
 // constants.c: numbers of the model as values.
 // Fixes the parameters on which numbers depend that the program cannot compute anew.
