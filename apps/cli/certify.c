@@ -10,6 +10,11 @@ bool yk_certify_begin(YkSession *session)
     return session->certifier || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
 }
 
+void yk_certify_end(YkSession *session)
+{
+    yk_certifier_free(session->certifier);
+}
+
 void yk_certify_watch(YkSession *session)
 {
     if (session->certifier) yk_state_set_certifier(session->state, session->certifier);

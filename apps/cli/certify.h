@@ -6,6 +6,7 @@
 
 // Makes session->certifier, unless --trust is given; returns false when out of memory. Call it once, with session->mech.
 bool yk_certify_begin(YkSession *session);
+void yk_certify_end(YkSession *session);
 // Lets it watch session->state from here on.
 void yk_certify_watch(YkSession *session);
 // Warns of what is not proved.

@@ -89,6 +89,12 @@ static void add_pair(Reader *reader, const YkOption *option, YkAssignments *pair
         return;
     }
     const char *name = yk_arena_copy(reader->request->arena, value, (size_t)(equals - value));
+    for (size_t k = 0; name && option->offset != offsetof(YkRequest, event) && k < pairs->count; k++) {
+        if (strcmp(pairs->items[k].name, name) != 0 || strcmp(pairs->items[k].value, equals + 1) == 0) continue;
+        yk_problem(reader->problems, YK_CODE_OPTION_REPEATED, nowhere, "--%s gives %q twice: %q and %q", option->name,
+                   name, pairs->items[k].value, equals + 1);
+        return;
+    }
     if (name && YK_ROOM(pairs->items, pairs->count, pairs->capacity)) {
         pairs->items[pairs->count++] = (YkAssignment){name, equals + 1};
     } else {

@@ -1,4 +1,5 @@
 // A run's steps that the verbs share.
+#include "certify.h"
 #include "ranks.h"
 #include "roll.h"
 #include "session.h"
@@ -454,7 +455,7 @@ void yk_session_free(YkSession *session)
     yk_roll_end(session);
     yk_dynamics_free(session->dynamics);
     yk_state_free(session->state);
-    yk_certifier_free(session->certifier);
+    yk_certify_end(session);
     yk_mechanism_free(session->mech);
     yk_mechanism_free(session->base);
     yk_model_free(session->model);

@@ -28,14 +28,13 @@ int main(int argc, char **argv)
     yk_builder_drive(b.get(), "theta", "90 deg + 60 rpm * t");
     yk_builder_start(b.get(), "s", 0.4);
     Owned<YkModel, yk_model_free> model(yk_builder_model(b.get(), nullptr, problems.get()));
-    Owned<YkMechanism, yk_mechanism_free> mech(model ? yk_mechanism_compile(model.get(), nullptr, problems.get())
-                                                     : nullptr);
+    Owned<YkMechanism, yk_mechanism_free> mech(
+        model ? yk_mechanism_compile(model.get(), nullptr, problems.get()) : nullptr);
     Owned<YkState, yk_state_free> state(mech ? yk_state_new(mech.get()) : nullptr);
     bool good = state && yk_state_set_time(state.get(), 0, problems.get()) >= 0 && yk_state_assemble(state.get()) >= 0;
     if (good) std::printf("s = %g m\n", yk_state_coordinate(state.get(), yk_coordinate_find(mech.get(), "s")).position);
     if (good && argc > 1) good = yk_model_write(model.get(), argv[1], problems.get()) == YK_OK;
     std::fputs(yk_problems_text(problems.get(), 0), stderr);
-    if (state && !good)
-        std::fprintf(stderr, "%s\n", yk_state_report(state.get())->message); // which joint does not close
+    if (state && !good) std::fprintf(stderr, "%s\n", yk_state_report(state.get())->message); // where it does not close
     return good ? 0 : 2;
 }

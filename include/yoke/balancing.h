@@ -56,7 +56,7 @@ YK_API YkCounterweight yk_balancing_at(const YkBalancing *balancing, size_t inde
 YK_API YkShakingPeaks yk_balancing_before(const YkBalancing *balancing);
 YK_API YkShakingPeaks yk_balancing_after(const YkBalancing *balancing); // as the engine measures the model below
 // Returns the part of the shaking force of an order, 1 to YK_SHAKING_ORDERS, for the file's machine or with the
-// counterweights. NaN for any other order, and if the input does not turn through.
+// counterweights. NaN for any other order, and if yk_balancing_turns is 0.
 YK_API YkShakingOrder yk_balancing_order(const YkBalancing *balancing, size_t order, bool with_counterweights);
 // The number of turns of the input after which the machine and its efforts repeat: 2 of a four-stroke engine. 0 if
 // the input does not turn through, or if nothing repeats within 12 turns.

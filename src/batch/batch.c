@@ -230,7 +230,8 @@ static bool run_alone(YkBatch *b, YkRun *run, const double *const *inputs, doubl
     b->times = NULL;
     yk_run_begin(run);
     yk_run_steps(run, 0, b->mech->step_count);
-    bool is_well = *space->margin > yk_state_close_margin(b->state) && *space->gap <= b->mech->size * YK_CLOSING_TOLERANCE;
+    bool is_well =
+        *space->margin > yk_state_close_margin(b->state) && *space->gap <= b->mech->size * YK_CLOSING_TOLERANCE;
     for (size_t k = 0; is_well && k < b->plain_count; k++)
         yk_batch_write_channel(b, run, b->plain[k], false, outputs[b->plain[k]]);
     if (!is_well || !f) return is_well;

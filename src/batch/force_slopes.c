@@ -3,6 +3,25 @@
 #include "batch/lane_forces.h"
 #include "compile/gradient.h"
 
+// Makes the derivatives of the weighted sum of the channels by all leaves so far; NULL if there are none.
+static YkRef *by_leaves(YkLaneForces *f, YkGraph *g, const YkRef *channel, size_t count)
+{
+    YkRef sum = yk_graph_number(g, 0), *by_leaf = YK_NEW(g->arena, YkRef, f->leaf_count + 1);
+    f->by_count = f->leaf_count;
+    for (size_t k = 0; k < count; k++) {
+        YkRef weight = yk_lane_forces_leaf(f, g, YK_LEAF_OF_WEIGHT, k, 0);
+        sum = yk_graph_add(g, sum, yk_graph_multiply(g, weight, channel[k]));
+    }
+    return by_leaf && yk_graph_adjoint(g, sum, f->leaves, f->by_count, by_leaf) ? by_leaf : NULL;
+}
+
+YkLaneForces *yk_force_slopes_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, bool *fits)
+{
+    *fits = true;
+    for (size_t k = 0; k < mech->relation_count + mech->derived_count; k++) *fits &= mech->relations[k].law == NULL;
+    return *fits ? yk_lane_forces_make(mech, channels, channel_count, 1, by_leaves, fits) : NULL;
+}
+
 size_t yk_force_slopes_count(const YkLaneForces *f)
 {
     return f->by_count;

@@ -9,7 +9,7 @@ enum { BODIES_MAX = 64 }; // the equations of all bodies are dense while they ar
 
 // --- leaves
 
-static YkRef leaf(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t index, int32_t part)
+YkRef yk_lane_forces_leaf(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t index, int32_t part)
 {
     YkLeafClass leaf_class = kind == YK_LEAF_OF_PARAMETER ? YK_LEAF_PARAMETER : YK_LEAF_POSE;
     if (f->leaf_count == f->leaf_capacity) {
@@ -24,8 +24,8 @@ static YkRef leaf(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t index, in
 
 static YkRefVec two_leaves(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t index, int32_t part)
 {
-    YkRefVec v = {.x = leaf(f, g, kind, index, part)};
-    v.y = leaf(f, g, kind, index, part + 1);
+    YkRefVec v = {.x = yk_lane_forces_leaf(f, g, kind, index, part)};
+    v.y = yk_lane_forces_leaf(f, g, kind, index, part + 1);
     return v;
 }
 
@@ -38,7 +38,7 @@ static size_t count_leaves(const YkMechanism *mech, size_t weights)
 
 static bool start_leaves(YkLaneForces *f, size_t channels)
 {
-    f->leaf_capacity = count_leaves(f->mech, f->is_adjoint ? channels : 0);
+    f->leaf_capacity = count_leaves(f->mech, f->roots_of ? channels : 0);
     f->sources = calloc(f->leaf_capacity, sizeof *f->sources);
     f->leaves = calloc(f->leaf_capacity, sizeof *f->leaves);
     f->needs = calloc(f->mech->coordinate_count + 1, sizeof *f->needs);
@@ -81,13 +81,13 @@ static void place_pose(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
     for (size_t k = 1; k < mech->slot_count; k++) {
         p->unit[k] = two_leaves(f, g, YK_LEAF_OF_TURN, k, 0);
         yk_graph_is_unit(g, p->unit[k]);
-        r->turn[k] = leaf(f, g, YK_LEAF_OF_TURN, k, 2);
-        s->turn[k] = leaf(f, g, YK_LEAF_OF_TURN, k, 3);
+        r->turn[k] = yk_lane_forces_leaf(f, g, YK_LEAF_OF_TURN, k, 2);
+        s->turn[k] = yk_lane_forces_leaf(f, g, YK_LEAF_OF_TURN, k, 3);
     }
     for (size_t k = 0; k < mech->distance_count; k++) {
-        p->distance[k] = leaf(f, g, YK_LEAF_OF_SLIDE, k, 0);
-        r->slide[k] = leaf(f, g, YK_LEAF_OF_SLIDE, k, 1);
-        s->slide[k] = leaf(f, g, YK_LEAF_OF_SLIDE, k, 2);
+        p->distance[k] = yk_lane_forces_leaf(f, g, YK_LEAF_OF_SLIDE, k, 0);
+        r->slide[k] = yk_lane_forces_leaf(f, g, YK_LEAF_OF_SLIDE, k, 1);
+        s->slide[k] = yk_lane_forces_leaf(f, g, YK_LEAF_OF_SLIDE, k, 2);
     }
     for (size_t k = 0; k < mech->node_count; k++) {
         p->node[k] = two_leaves(f, g, YK_LEAF_OF_NODE, k, 0);
@@ -95,7 +95,7 @@ static void place_pose(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
         s->node[k] = two_leaves(f, g, YK_LEAF_OF_NODE, k, 4);
     }
     for (size_t k = 0; k < mech->relation_count + mech->derived_count; k++)
-        if (mech->relations[k].law) p->slope[2 * k] = leaf(f, g, YK_LEAF_OF_GAIN, k, 0);
+        if (mech->relations[k].law) p->slope[2 * k] = yk_lane_forces_leaf(f, g, YK_LEAF_OF_GAIN, k, 0);
 }
 
 static void place_coordinates(YkLaneForces *f, YkForces *forces, const YkRates *r)
@@ -105,11 +105,12 @@ static void place_coordinates(YkLaneForces *f, YkForces *forces, const YkRates *
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
         YkMotionRef *m = &forces->motion[k];
         if (c->input != YK_NONE) {
-            m->position = leaf(f, &p->graph, YK_LEAF_OF_INPUT, (size_t)c->input, 0);
-            m->velocity = leaf(f, &p->graph, YK_LEAF_OF_INPUT, (size_t)c->input, 1);
+            m->position = yk_lane_forces_leaf(f, &p->graph, YK_LEAF_OF_INPUT, (size_t)c->input, 0);
+            m->velocity = yk_lane_forces_leaf(f, &p->graph, YK_LEAF_OF_INPUT, (size_t)c->input, 1);
             continue;
         }
-        m->position = c->is_distance ? p->distance[c->distance] : leaf(f, &p->graph, YK_LEAF_OF_COORDINATE, k, 0);
+        m->position =
+            c->is_distance ? p->distance[c->distance] : yk_lane_forces_leaf(f, &p->graph, YK_LEAF_OF_COORDINATE, k, 0);
         m->velocity = yk_program_coordinate_rate(p, k, r);
     }
 }
@@ -165,19 +166,6 @@ static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channel
     return roots;
 }
 
-// Makes the derivatives of the weighted sum of the channels by all leaves so far; NULL if there are none.
-static YkRef *make_adjoint(YkLaneForces *f, YkProgram *p, const YkRef *channel, size_t count)
-{
-    YkGraph *g = &p->graph;
-    YkRef sum = yk_graph_number(g, 0), *by_leaf = YK_NEW(p->arena, YkRef, f->leaf_count + 1);
-    f->by_count = f->leaf_count;
-    for (size_t k = 0; k < count; k++) {
-        YkRef weight = leaf(f, g, YK_LEAF_OF_WEIGHT, k, 0);
-        sum = yk_graph_add(g, sum, yk_graph_multiply(g, weight, channel[k]));
-    }
-    return by_leaf && yk_graph_adjoint(g, sum, f->leaves, f->by_count, by_leaf) ? by_leaf : NULL;
-}
-
 static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_t lanes, bool *fits)
 {
     YkProgram p = {0};
@@ -188,8 +176,8 @@ static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_
     p.graph.joins_terms = true;
     if (good) yk_program_constants(&p);
     YkRef *roots = good ? make_roots(f, &p, channels, count, fits) : NULL;
-    if (roots && f->is_adjoint) {
-        roots = make_adjoint(f, &p, roots, count);
+    if (roots && f->roots_of) {
+        roots = f->roots_of(f, &p.graph, roots, count);
         count = f->by_count;
         *fits = roots || f->failed || p.failed || p.graph.failed || yk_arena_failed(arena);
     }
@@ -201,13 +189,13 @@ static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_
     return f->tape != NULL;
 }
 
-static YkLaneForces *forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
-                                bool is_adjoint, bool *fits)
+YkLaneForces *yk_lane_forces_make(const YkMechanism *mech, const YkChannel *channels, size_t channel_count,
+                                  size_t lanes, YkRootsOf roots_of, bool *fits)
 {
     *fits = can_fit(mech, mech->variant);
     YkLaneForces *f = *fits ? calloc(1, sizeof *f) : NULL;
     if (!f) return NULL;
-    f->is_adjoint = is_adjoint;
+    f->roots_of = roots_of;
     f->mech = mech;
     f->variant = mech->variant;
     if (!make(f, channels, channel_count, lanes, fits) || !yk_lane_forces_keep_needed(f)) {
@@ -221,14 +209,7 @@ static YkLaneForces *forces_new(const YkMechanism *mech, const YkChannel *channe
 YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
                                  bool *fits)
 {
-    return forces_new(mech, channels, channel_count, lanes, false, fits);
-}
-
-YkLaneForces *yk_force_slopes_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, bool *fits)
-{
-    *fits = true;
-    for (size_t k = 0; k < mech->relation_count + mech->derived_count; k++) *fits &= mech->relations[k].law == NULL;
-    return *fits ? forces_new(mech, channels, channel_count, 1, true, fits) : NULL;
+    return yk_lane_forces_make(mech, channels, channel_count, lanes, NULL, fits);
 }
 
 void yk_lane_forces_free(YkLaneForces *f)

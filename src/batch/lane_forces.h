@@ -24,6 +24,9 @@ typedef struct YkLeafSource { // where the lanes of a leaf lie
     double *one;   // where the tape reads it for one lane
 } YkLeafSource;
 
+// Makes other values of those of the channels, for the tape to compute; NULL if it cannot.
+typedef YkRef *(*YkRootsOf)(YkLaneForces *forces, YkGraph *graph, const YkRef *channel, size_t count);
+
 struct YkLaneForces {
     const YkMechanism *mech;
     const YkVariant *variant;
@@ -33,13 +36,16 @@ struct YkLaneForces {
     size_t needed_count, in_space;
     YkRef *leaves;
     size_t leaf_count, leaf_capacity;
-    bool *needs; // per coordinate
-    bool
-        is_adjoint; // the tape computes the derivatives of a weighted sum of the channels by the first `by_count` leaves
-    size_t by_count;
+    bool *needs;        // per coordinate
+    YkRootsOf roots_of; // NULL: the tape computes the channels; otherwise what this makes of them,
+    size_t by_count;    // so many values
     bool failed;
 };
 
+// forces.c: makes them, with a tape of other values unless roots_of is NULL; adds a leaf.
+YkLaneForces *yk_lane_forces_make(const YkMechanism *mech, const YkChannel *channels, size_t channel_count,
+                                  size_t lanes, YkRootsOf roots_of, bool *fits);
+YkRef yk_lane_forces_leaf(YkLaneForces *forces, YkGraph *graph, YkLeafKind kind, size_t index, int32_t part);
 // forces_run.c: keeps the sources of the leaves that the tape reads. Returns false when out of memory.
 bool yk_lane_forces_keep_needed(YkLaneForces *forces);
 

@@ -82,7 +82,6 @@ void yk_pose_forces_follow(YkPoseForces *f)
     if (!f->mech->variant || f->changes == f->mech->variant->changes) return;
     f->changes = f->mech->variant->changes;
     if (f->lanes) yk_lane_forces_redesign(f->lanes);
-    f->is_stale = true;
 }
 
 // --- one pose
@@ -124,10 +123,8 @@ void yk_pose_forces_clear(const YkPoseForces *f, double *const *outputs, size_t 
 
 static bool make_dynamics(YkPoseForces *f)
 {
-    if (f->dynamics && !f->is_stale) return true;
-    yk_dynamics_free(f->dynamics);
+    if (f->dynamics) return true;
     f->dynamics = yk_dynamics_new(f->mech, NULL);
-    f->is_stale = false;
     for (size_t i = 0; f->dynamics && i < f->mech->input_count; i++) yk_dynamics_prescribe(f->dynamics, i, true);
     return f->dynamics != NULL;
 }

@@ -13,10 +13,9 @@ typedef struct YkPoseForces {
     size_t count;
     YkLaneForces *lanes;  // NULL: the machine is not for lanes
     YkDynamics *dynamics; // made when a pose needs it
-    bool is_stale;        // dynamics is that of another design
     uint64_t changes;     // of the variant, when its values were taken
     size_t position_count;
-    double **position;    // [coordinate]: lanes of a position that the loads depend on, or NULL
+    double **position; // [coordinate]: lanes of a position that the loads depend on, or NULL
     double *position_lanes;
     double **out;   // [k]: of the channels that need forces
     size_t *which;  // the lanes asked for, when they are not all,

@@ -111,6 +111,8 @@ static void name_joints(YkProgram *p)
     Scope scope = open_scope(p, endings, COUNT(endings));
     for (size_t k = 0; k < p->model->joint_count; k++)
         p->names.joint[k] = choose(&scope, yk_file_name(p, p->model->joints[k].name));
+    for (size_t k = 0; k < p->mech->relation_count; k++)
+        p->names.contact[k] = choose(&scope, yk_file_name(p, p->mech->relations[k].name));
     close_scope(&scope);
 }
 
@@ -144,6 +146,7 @@ bool yk_file_choose_names(YkProgram *p)
     n->block = YK_NEW(p->arena, const char *, p->mech->block_count + 1);
     n->point = YK_NEW(p->arena, const char *, p->model->point_count + 1);
     n->joint = YK_NEW(p->arena, const char *, p->model->joint_count + 1);
+    n->contact = YK_NEW(p->arena, const char *, p->mech->relation_count + 1);
     n->law = YK_NEW(p->arena, const char *, p->model->law_count + 1);
     if (yk_arena_failed(p->arena)) return false;
     name_parameters(p);

@@ -189,6 +189,23 @@ static bool has_bearing(const YkModel *model)
     return model->joint_count > 2 * model->carriage_count;
 }
 
+// What gears, racks, belts and cams transmit: a force on the second body, or the couple on it where no force is known.
+static void add_contacts(YkFile *file, YkRoutine *routine)
+{
+    YkProgram *p = &file->program;
+    for (size_t k = 0; k < yk_contact_count(p->mech); k++) {
+        const YkContactRef *c = &file->forces.contact[k];
+        const char *name = p->names.contact[k];
+        size_t index = p->model->joint_count + k;
+        if (c->has_force) {
+            yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_X, index, 0), "N", c->force.x, "%s_force_x", name);
+            yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_Y, index, 0), "N", c->force.y, "%s_force_y", name);
+        } else {
+            yk_file_add_result(file, routine, of(YK_CHANNEL_MOMENT, index, 0), "N m", c->moment, "%s_moment", name);
+        }
+    }
+}
+
 static void add_reactions(YkFile *file, const Rates *r)
 {
     YkProgram *p = &file->program;
@@ -201,10 +218,13 @@ static void add_reactions(YkFile *file, const Rates *r)
                    f->why_no_reactions);
         return;
     }
-    YkRoutine *routine =
-        begin(file, "reactions",
-              "Reactions: the force of each joint's first body on its second, world axes; moment about its point.",
-              3 * p->model->joint_count);
+    const char *what = yk_contact_count(p->mech) == 0
+                           ? "Reactions: the force of each joint's first body on its second, world axes; moment about "
+                             "its point."
+                           : "Reactions: the force of each joint's first body on its second, world axes; moment about "
+                             "its point. What gears, racks, belts and cams exert on their second body.";
+    size_t most = 3 * p->model->joint_count + 2 * yk_contact_count(p->mech);
+    YkRoutine *routine = begin(file, "reactions", what, most);
     for (size_t j = 0; j < p->model->joint_count; j++) {
         const char *name = p->names.joint[j];
         if (p->model->joints[j].is_free) continue; // it transmits nothing
@@ -215,6 +235,7 @@ static void add_reactions(YkFile *file, const Rates *r)
             yk_file_add_result(file, routine, of(YK_CHANNEL_MOMENT, j, 0), "N m", f->reaction[3 * j + 2], "%s_moment",
                                name);
     }
+    add_contacts(file, routine);
     routine->regular = above_rounding(&p->graph, f->determinant);
     routine->checks_results = true;
     routine->kind = YK_ROUTINE_INVERSE;

@@ -196,6 +196,34 @@ static YkBlockForm form_of(const YkBlock *block, double per_enough2)
     return is_axial && arm.x == 0 && arm.y == 0 ? YK_FORM_RPR_AXIAL : YK_FORM_RPR;
 }
 
+// Adds the lengths of a sum's vectors to `length`, with those of the nodes from which it starts, until it is `enough`.
+static double add_lengths(const YkMechanism *mech, const YkSum *sum, double length, double enough, int depth)
+{
+    enum { DEPTH = 64 };
+    if (depth > DEPTH) return enough;
+    length += yk_norm(sum->constant);
+    for (uint32_t k = 0; k < sum->count && length < enough; k++) {
+        YkTerm term = mech->terms[sum->first + k];
+        if (term.distance == YK_NONE) length += yk_norm(term.v);
+    }
+    for (int side = 0; side < 2 && length < enough; side++) {
+        int32_t node = side == 0 ? sum->plus : sum->minus;
+        if (node != YK_NONE) length = add_lengths(mech, &mech->node_sums[node], length, enough, depth + 1);
+    }
+    return length;
+}
+
+double yk_block_size(const YkMechanism *mech, const YkBlock *block)
+{
+    const double SMALL = 1e-3; // over the size
+    double enough = SMALL * mech->size, length = 0;
+    if (block->kind > YK_BLOCK_RPR) return mech->size;
+    for (int k = 0; k < (block->kind == YK_BLOCK_RRR ? 2 : 1) && length < enough; k++)
+        length = add_lengths(mech, &block->aside->arm[k], length, enough, 0);
+    if (length < enough) length = add_lengths(mech, &block->known, length, enough, 0);
+    return length > 0 && length < enough ? length : mech->size;
+}
+
 void yk_block_measure(YkBlock *block, double size)
 {
     double per_size2 = 1 / (size * size), per_enough2 = YK_PER_ARM_ENOUGH2 * per_size2;
@@ -211,12 +239,15 @@ void yk_block_measure(YkBlock *block, double size)
 double yk_distance_unit(const YkMechanism *mech)
 {
     const double WIDE = 100, NONE = 1e-6; // shorter ones, over the size, are offsets that should be 0
-    double least = mech->size, none = NONE * mech->size;
-    for (size_t b = 0; b < mech->block_count; b++)
-        for (size_t k = 0; k < 2 && mech->blocks[b].kind <= YK_BLOCK_RRP; k++) {
-            double arm = mech->blocks[b].arm_is_constant[k] ? yk_norm(mech->blocks[b].aside->arm[k].constant) : 0;
+    double least = mech->size;
+    for (size_t b = 0; b < mech->block_count; b++) {
+        const YkBlock *block = &mech->blocks[b];
+        double none = NONE * yk_block_size(mech, block);
+        for (size_t k = 0; k < 2 && block->kind <= YK_BLOCK_RRP; k++) {
+            double arm = block->arm_is_constant[k] ? yk_norm(block->aside->arm[k].constant) : 0;
             if (arm > none) least = fmin(least, arm);
         }
+    }
     for (size_t k = 0; k < mech->model->rack_count; k++) least = fmin(least, fabs(mech->model->racks[k].radius));
     return least > 0 ? fmin(mech->size, WIDE * least) : mech->size;
 }
@@ -245,7 +276,7 @@ static void fill_block(YkPlan *plan, YkBlock *block, const Parts *p)
     YkColumn columns[4];
     block->column_count = (uint32_t)columns_of(p, columns);
     for (uint32_t k = 0; k < block->column_count; k++) block->column[k] = columns[k];
-    yk_block_measure(block, mech->size);
+    if (ok) yk_block_measure(block, yk_block_size(mech, block));
     if (!ok) plan->failed = true;
 }
 

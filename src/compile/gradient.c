@@ -19,6 +19,8 @@ static bool make_room(YkGradient *g)
     g->by_parameter = calloc(g->model->parameter_count * g->parameters + 1, sizeof *g->by_parameter);
     g->direction = calloc(g->model->parameter_count + 1, sizeof *g->direction);
     g->slot = calloc(g->mech->slot_count + 1, sizeof *g->slot);
+    g->turn = calloc(g->mech->slot_count + 1, sizeof *g->turn);
+    g->node = calloc(g->mech->node_count + 1, sizeof *g->node);
     g->x = calloc(YK_JET * n + 1, sizeof *g->x);
     g->J = calloc(m * n + 1, sizeof *g->J);
     g->tau = calloc(n + 1, sizeof *g->tau);
@@ -31,8 +33,8 @@ static bool make_room(YkGradient *g)
     g->at_direction = calloc(joints + 1, sizeof *g->at_direction);
     g->at_parameter = calloc(g->model->parameter_count + 1, sizeof *g->at_parameter);
     return g->point && g->joint && g->by_point && g->by_joint && g->by_parameter && g->direction && g->slot && g->x &&
-           g->J && g->tau && g->order && g->by_x && g->lambda && g->at_node && g->at_vector && g->at_point &&
-           g->at_direction && g->at_parameter;
+           g->turn && g->node && g->J && g->tau && g->order && g->by_x && g->lambda && g->at_node && g->at_vector &&
+           g->at_point && g->at_direction && g->at_parameter;
 }
 
 // Slots are the orientations, and the angles of some of them to the roots of their groups.
@@ -78,6 +80,8 @@ void yk_gradient_free(YkGradient *g)
     free(g->by_parameter);
     free(g->direction);
     free(g->slot);
+    free(g->turn);
+    free(g->node);
     free(g->x);
     free(g->J);
     free(g->tau);
@@ -156,6 +160,7 @@ bool yk_gradient_pose(YkGradient *g, const double *x, const double *rates, const
         else
             memset(g->x + k * n, 0, n * sizeof *x);
     }
+    yk_gradient_place(g);
     memset(g->J, 0, g->rows * n * sizeof *g->J);
     yk_closure(mech, x, g->lambda, g->J);
     for (size_t r = 0; r < mech->relation_count; r++)
@@ -194,6 +199,11 @@ static void solve_order(YkGradient *g, size_t order)
         yk_gradient_take_relation(g, r, order, -g->lambda[2 * mech->loop_count + r]);
 }
 
+static void add_slopes(const YkGradient *g, double share, const double *by, double *slope)
+{
+    for (size_t k = 0; k < g->parameters && share != 0; k++) slope[k] += share * by[k];
+}
+
 void yk_gradient_finish(YkGradient *g, double *slope)
 {
     size_t n = g->parameters;
@@ -202,14 +212,17 @@ void yk_gradient_finish(YkGradient *g, double *slope)
     yk_gradient_settle_vectors(g);
     for (size_t i = 0; i < g->point_count; i++) {
         YkVec by = g->at_point[g->point[i]];
-        const double *x = g->by_point + 2 * i * n, *y = x + n;
-        for (size_t k = 0; k < n; k++) slope[k] += by.x * x[k] + by.y * y[k];
+        add_slopes(g, by.x, g->by_point + 2 * i * n, slope);
+        add_slopes(g, by.y, g->by_point + (2 * i + 1) * n, slope);
     }
-    for (size_t i = 0; i < g->joint_count; i++)
-        for (size_t k = 0; k < n; k++) slope[k] += g->at_direction[g->joint[i]] * g->by_joint[i * n + k];
+    for (size_t i = 0; i < g->joint_count; i++) add_slopes(g, g->at_direction[g->joint[i]], g->by_joint + i * n, slope);
+    for (size_t k = 0; k < n; k++) { // those that vary alone; then those that follow them
+        double *own = &g->at_parameter[yk_redesign_parameter(g->redesign, k)];
+        slope[k] += *own;
+        *own = 0;
+    }
     for (size_t i = 0; i < g->model->parameter_count; i++)
-        for (size_t k = 0; k < n && g->at_parameter[i] != 0; k++)
-            slope[k] += g->at_parameter[i] * g->by_parameter[i * n + k];
+        add_slopes(g, g->at_parameter[i], g->by_parameter + i * n, slope);
 }
 
 void yk_gradient_add(YkGradient *g, const YkWeighted *sum, size_t count, double *slope)

@@ -41,7 +41,7 @@ void yk_gradient_finish(YkGradient *gradient, double *slope);
 // The values, each with its derivatives by time, and the shares that answers have of them.
 void yk_gradient_turn(const YkGradient *gradient, int32_t slot, double value[4]); // c, s, w, a
 void yk_gradient_slide(const YkGradient *gradient, int32_t distance, double value[3]);
-void yk_gradient_node(YkGradient *gradient, int32_t node, double value[6]); // x, y, x', y', x'', y''
+void yk_gradient_node(const YkGradient *gradient, int32_t node, double value[6]); // x, y, x', y', x'', y''
 double yk_gradient_angle(const YkGradient *gradient, size_t coordinate);
 void yk_gradient_take_turn(YkGradient *gradient, int32_t slot, const double share[4]);
 void yk_gradient_take_slide(YkGradient *gradient, int32_t distance, const double share[3]);

@@ -13,6 +13,11 @@ typedef struct YkSlotAngle { // the angle of a slot: that of one orientation, le
     int32_t of, from;
 } YkSlotAngle;
 
+typedef struct YkSlotTurn {
+    YkVec unit;
+    double rate, accel;
+} YkSlotTurn;
+
 struct YkGradient {
     const YkMechanism *mech;
     const YkModel *model;
@@ -27,7 +32,9 @@ struct YkGradient {
     double *by_parameter;        // [parameter of the model][parameter]
     double *direction;           // [parameter of the model]: a change of all of them
     // Of the pose:
-    double *x; // [order][variable]
+    double *x;        // [order][variable]
+    YkSlotTurn *turn; // [slot]
+    YkVecJet *node;   // [node]: where it is
     double *J, *tau;
     size_t *order;
     // Of an answer, collected backwards:
@@ -46,6 +53,8 @@ static inline size_t yk_gradient_variable(const YkGradient *g, int32_t distance)
 // gradient_shares.c: hand the shares of an answer by a sum and a relation's derivative on to what they are made of.
 void yk_gradient_take_sum(YkGradient *gradient, const YkSum *sum, const YkVecJet *by);
 void yk_gradient_take_relation(YkGradient *gradient, size_t relation, size_t order, double by);
+// Finds where slots and nodes are at the present x.
+void yk_gradient_place(YkGradient *gradient);
 // Hand the shares of nodes on to their sums; those of vectors to points and directions.
 void yk_gradient_settle_nodes(YkGradient *gradient);
 void yk_gradient_settle_vectors(YkGradient *gradient);

@@ -49,8 +49,9 @@ typedef struct Turned { // a term: w = e^(i angle) v as a jet, its factor, and t
 
 static Turned turned(const YkGradient *g, const YkTerm *term)
 {
-    Turned t = {.rate = angle_of(g, term->slot, 1), .accel = angle_of(g, term->slot, 2), .d = {1, 0, 0}};
-    YkVec w = yk_mul(yk_unit(angle_of(g, term->slot, 0)), term->v), q = yk_quarter(w);
+    YkSlotTurn turn = g->turn[term->slot];
+    Turned t = {.rate = turn.rate, .accel = turn.accel, .d = {1, 0, 0}};
+    YkVec w = yk_mul(turn.unit, term->v), q = yk_quarter(w);
     t.w = (YkVecJet){{w, yk_scale(t.rate, q), yk_sub(yk_scale(t.accel, q), yk_scale(t.rate * t.rate, w))}};
     for (size_t k = 0; k < YK_JET && term->distance != YK_NONE; k++) t.d[k] = distance_of(g, term->distance, k);
     return t;
@@ -93,7 +94,7 @@ static YkVec take_term(YkGradient *g, const YkTerm *term, const YkVecJet *by)
     // w' = i rate w, w'' = (i accel - rate^2) w: what they share goes back by the conjugates.
     YkVec back = yk_add(at[0], yk_scale(-t.rate, yk_quarter(at[1])));
     back = yk_sub(back, yk_add(yk_scale(t.accel, yk_quarter(at[2])), yk_scale(t.rate * t.rate, at[2])));
-    return yk_mul(yk_conj(yk_unit(angle_of(g, term->slot, 0))), back);
+    return yk_mul(yk_conj(g->turn[term->slot].unit), back);
 }
 
 static void take_vector(YkGradient *g, int32_t node, YkVec by)
@@ -125,10 +126,18 @@ static YkVecJet sum_of(const YkGradient *g, const YkSum *sum)
     for (uint32_t k = sum->first; k < sum->first + sum->count; k++) add_term(g, &g->mech->terms[k], &jet);
     for (size_t i = 0; i < 2; i++) {
         if (node[i] == YK_NONE) continue;
-        YkVecJet other = sum_of(g, &g->mech->node_sums[node[i]]);
-        for (size_t k = 0; k < YK_JET; k++) jet.v[k] = yk_add(jet.v[k], yk_scale(i == 0 ? 1 : -1, other.v[k]));
+        const YkVecJet *other = &g->node[node[i]];
+        for (size_t k = 0; k < YK_JET; k++) jet.v[k] = yk_add(jet.v[k], yk_scale(i == 0 ? 1 : -1, other->v[k]));
     }
     return jet;
+}
+
+void yk_gradient_place(YkGradient *g)
+{
+    for (size_t k = 0; k < g->mech->slot_count; k++)
+        g->turn[k] =
+            (YkSlotTurn){yk_unit(angle_of(g, (int32_t)k, 0)), angle_of(g, (int32_t)k, 1), angle_of(g, (int32_t)k, 2)};
+    for (size_t k = 0; k < g->mech->node_count; k++) g->node[k] = sum_of(g, &g->mech->node_sums[k]);
 }
 
 void yk_gradient_settle_nodes(YkGradient *g)
@@ -216,7 +225,7 @@ static void take_point(YkGradient *g, YkChannel c, double weight)
 static YkVec arm_of(YkGradient *g, const YkBlock *b, size_t k)
 {
     YkVec arm = sum_of(g, &b->aside->arm[k]).v[0];
-    return yk_mul(yk_unit(angle_of(g, b->column[k].index, 0)), arm);
+    return yk_mul(g->turn[b->column[k].index].unit, arm);
 }
 
 static void take_arm(YkGradient *g, const YkBlock *b, size_t k, double by)
@@ -235,7 +244,7 @@ static void take_transmission(YkGradient *g, size_t block, double weight)
     YkVec first = arm_of(g, b, 0), second;
     if (has_line) {
         first = yk_quarter(first);
-        second = yk_mul(yk_unit(angle_of(g, b->line_slot[0], 0)), b->line[0]);
+        second = yk_mul(g->turn[b->line_slot[0]].unit, b->line[0]);
     } else {
         second = arm_of(g, b, 1);
     }
@@ -279,16 +288,16 @@ void yk_gradient_take(YkGradient *g, YkWeighted part)
 
 void yk_gradient_turn(const YkGradient *g, int32_t slot, double value[4])
 {
-    YkVec u = yk_unit(angle_of(g, slot, 0));
+    YkVec u = g->turn[slot].unit;
     value[0] = u.x;
     value[1] = u.y;
-    value[2] = angle_of(g, slot, 1);
-    value[3] = angle_of(g, slot, 2);
+    value[2] = g->turn[slot].rate;
+    value[3] = g->turn[slot].accel;
 }
 
 void yk_gradient_take_turn(YkGradient *g, int32_t slot, const double share[4])
 {
-    YkVec u = yk_unit(angle_of(g, slot, 0));
+    YkVec u = g->turn[slot].unit;
     take_angle(g, slot, 0, share[1] * u.x - share[0] * u.y);
     take_angle(g, slot, 1, share[2]);
     take_angle(g, slot, 2, share[3]);
@@ -304,9 +313,9 @@ void yk_gradient_take_slide(YkGradient *g, int32_t distance, const double share[
     for (size_t k = 0; k < YK_JET; k++) take_distance(g, distance, k, share[k]);
 }
 
-void yk_gradient_node(YkGradient *g, int32_t node, double value[6])
+void yk_gradient_node(const YkGradient *g, int32_t node, double value[6])
 {
-    YkVecJet jet = sum_of(g, &g->mech->node_sums[node]);
+    YkVecJet jet = g->node[node];
     for (size_t k = 0; k < YK_JET; k++) {
         value[2 * k] = jet.v[k].x;
         value[2 * k + 1] = jet.v[k].y;

@@ -276,7 +276,8 @@ YkStatus yk_variant_set(YkVariant *v, const double *values)
         node->value = value_of(v, node);
     }
     for (size_t k = 0; k < v->patch_count; k++) *v->patches[k].at = v->recipe.nodes[v->patches[k].node].value;
-    for (size_t k = 0; k < v->mech->block_count; k++) yk_block_measure(&v->mech->blocks[k], v->mech->size);
+    for (size_t k = 0; k < v->mech->block_count; k++)
+        yk_block_measure(&v->mech->blocks[k], yk_block_size(v->mech, &v->mech->blocks[k]));
     v->mech->distance_unit = yk_distance_unit(v->mech);
     return status;
 }

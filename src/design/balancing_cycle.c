@@ -299,13 +299,13 @@ void yk_cycle_orders(const YkCycle *cycle, const YkVec *forces, YkShakingOrder o
     double part = 1 / (double)cycle->count;
     for (size_t n = 1; n <= YK_SHAKING_ORDERS; n++) {
         YkVec with = yk_vec(0, 0), against = with;
-        for (size_t k = 0; k < cycle->count && cycle->turns > 0; k++) {
+        for (size_t k = 0; k < cycle->count && cycle->repeats; k++) {
             YkVec turn = yk_unit((double)n * (cycle->from + cycle->step * (double)k));
             with = yk_add(with, yk_scale(part, yk_mul(yk_conj(turn), forces[k])));
             against = yk_add(against, yk_scale(part, yk_mul(turn, forces[k])));
         }
         double long_axis = yk_atan2(with.y, with.x) + yk_atan2(against.y, against.x);
         order[n - 1] = (YkShakingOrder){yk_norm(with), yk_norm(against), yk_remainder(long_axis / 2, YK_PI)};
-        if (cycle->turns == 0) order[n - 1] = (YkShakingOrder){(double)NAN, (double)NAN, (double)NAN};
+        if (!cycle->repeats) order[n - 1] = (YkShakingOrder){(double)NAN, (double)NAN, (double)NAN};
     }
 }

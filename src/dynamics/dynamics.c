@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
+#include "compile/variant.h"
 #include "dynamics/holding.h"
 
 // --- making
@@ -37,6 +38,7 @@ YkDynamics *yk_dynamics_new(const YkMechanism *mech, YkProblems *problems)
 {
     YkDynamics *d = calloc(1, sizeof *d);
     if (d) d->mech = mech;
+    if (d && mech->variant) d->changes = mech->variant->changes;
     if (!d || !allocate(d)) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the dynamics");
         yk_dynamics_free(d);
@@ -258,6 +260,7 @@ YkStatus yk_dynamics_find_accelerations(YkDynamics *d, YkState *state)
 
 YkStatus yk_dynamics_accelerate(YkDynamics *d, YkState *state, double *accelerations)
 {
+    if (!yk_dynamics_follow(d)) return yk_dynamics_fail(d, YK_NO_MEMORY, "out of memory", "", "");
     if (!d->is_stale && d->tree) return reduce_tree(d, state, accelerations);
     YkStatus status = yk_dynamics_find_accelerations(d, state);
     if (status >= 0) memcpy(accelerations, d->acceleration, d->mech->input_count * sizeof *accelerations);

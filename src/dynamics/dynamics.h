@@ -33,10 +33,13 @@ struct YkDynamics {
     double largest_force;
     int32_t pushed; // an input on which `push` acts in addition to all loads, for responses
     double push;
-    bool ran_out; // of memory, once: later results cannot be trusted
+    uint64_t changes; // of the mechanism's variant, when its values were taken
+    bool ran_out;     // of memory, once: later results cannot be trusted
     YkReport report;
 };
 
+// follow.c: takes the present values of the mechanism's variant, if they have changed. Returns false when out of memory.
+bool yk_dynamics_follow(YkDynamics *dynamics);
 // Remakes what is stale. Returns false when out of memory.
 bool yk_dynamics_prepare(YkDynamics *dynamics);
 // Finds the accelerations of the free inputs at the state's inputs, in dynamics->acceleration; the state then has the

@@ -222,6 +222,7 @@ static bool stands_dry(YkDynamics *d, YkState *state)
 
 YkStatus yk_dynamics_solve(YkDynamics *d, YkState *state, YkMethod method)
 {
+    if (!yk_dynamics_follow(d)) return yk_dynamics_fail(d, YK_NO_MEMORY, "out of memory", "", "");
     if (yk_state_has_limits(state)) // they stay
         return yk_dynamics_fail(d, YK_CHANGE_POINT, "a change point: the pose does not determine the forces", "", "");
     YkStatus status =

@@ -7,8 +7,8 @@
 #define ELEMENTARY_KERNEL_H
 #include <stdbool.h>
 #include <stddef.h>
-// A function that must vanish into its caller, so that it is compiled for the caller's instruction set.
-#if defined(__GNUC__)
+// A function that must vanish into its caller, to be compiled for its instruction set; not where branches are counted.
+#if defined(__GNUC__) && !defined(YOKE_COVERAGE)
 #define YK_INLINE static inline __attribute__((always_inline))
 #define YK_APART static __attribute__((noinline))
 #else
@@ -35,7 +35,7 @@
 // plain copy, since for them the call costs more than the width gains.
 #define YK_SPREAD(...) __VA_ARGS__
 // YK_KNOWS_BLOCKS: whether loops of a length that the compiler knows are worth their room.
-#if defined(__GNUC__) && defined(__x86_64__) && !defined(YK_PLAIN_LANES)
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(YK_PLAIN_LANES) && !defined(YOKE_COVERAGE)
 #define YK_KNOWS_BLOCKS true
 #define YK_FEW_LANES 8
 #define YK_KERNEL(name, parameters, arguments)                                                                         \

@@ -174,7 +174,10 @@ YkFormula *yk_formula_compile(const YkExpr *expr, YkResolve resolve, void *conte
     Compiler compiler = {.resolve = resolve, .context = context};
     compiler.formula = new_formula(arena, count);
     compiler.parts = compiler.formula ? malloc(count * sizeof *compiler.parts) : NULL;
-    if (!compiler.parts) return NULL;
+    if (!compiler.parts) {
+        yk_arena_fail(arena);
+        return NULL;
+    }
     measure(&compiler, expr);
     Operand result = emit(&compiler, expr, compiler.parts, 0);
     finish(&compiler, &result);

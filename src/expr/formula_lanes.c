@@ -1,6 +1,6 @@
-// Evaluates formulas over lanes: one instruction over all lanes, then the next. The same bits as one by one.
+// Evaluates formulas over lanes: one instruction over all lanes, then the next. The same bits as one by one; what has no
+// value is not finite, and stays so through all that follows.
 #include <math.h>
-#include <string.h>
 #include "expr/formula_inside.h"
 
 static void operate(int operation, const double *a, const double *b, double *out, size_t n)
@@ -19,24 +19,12 @@ static void operate(int operation, const double *a, const double *b, double *out
         for (size_t i = 0; i < n; i++) out[i] = a[i] * b[i] + 0.0;
         break;
     case YK_EXPR_DIVIDE:
-        for (size_t i = 0; i < n; i++) out[i] = a[i] / b[i];
+        for (size_t i = 0; i < n; i++) out[i] = b[i] - b[i] == 0 ? a[i] / b[i] : NAN;
         break;
-    default:
-        for (size_t i = 0; i < n; i++) out[i] = yk_formula_operate(operation, a[i], b[i]);
+    default: // max(3, 1/0) has no value, though a comparison would give one
+        for (size_t i = 0; i < n; i++)
+            out[i] = a[i] - a[i] + (b[i] - b[i]) == 0 ? yk_formula_operate(operation, a[i], b[i]) : NAN;
     }
-}
-
-// Returns whether a part without a value could go unnoticed: only quotients, powers and functions could hide it.
-static bool may_hide(const YkFormula *formula)
-{
-    for (size_t k = 0; k < formula->instruction_count; k++)
-        if (formula->instructions[k].operation > YK_EXPR_MULTIPLY) return true;
-    return false;
-}
-
-static void spread_lack(double *out, size_t n)
-{
-    for (size_t i = 0; i < n; i++) out[i] = out[i] - out[i] == 0 ? out[i] : NAN;
 }
 
 const double *yk_formula_lanes(const YkFormula *formula, const double *const *variables, double *scratch, size_t n)
@@ -44,7 +32,6 @@ const double *yk_formula_lanes(const YkFormula *formula, const double *const *va
     double *registers = scratch, *constant[2] = {scratch + YK_FORMULA_REGISTERS * YK_FORMULA_LANES,
                                                  scratch + (YK_FORMULA_REGISTERS + 1) * YK_FORMULA_LANES};
     const double *value = NULL;
-    bool hides = may_hide(formula);
     for (size_t k = 0; k <= formula->instruction_count; k++) {
         bool is_last = k == formula->instruction_count;
         YkInstruction end = {.from = {(uint8_t)formula->from}, .index = {formula->index}};
@@ -62,7 +49,6 @@ const double *yk_formula_lanes(const YkFormula *formula, const double *const *va
         value = operand[0];
         if (is_last) break;
         operate(at->operation, operand[0], operand[1], registers + at->result * YK_FORMULA_LANES, n);
-        if (hides) spread_lack(registers + at->result * YK_FORMULA_LANES, n);
     }
     return value;
 }

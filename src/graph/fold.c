@@ -95,7 +95,8 @@ YkRef yk_graph_multiply(YkGraph *g, YkRef a, YkRef b)
         return yk_graph_minus(g, yk_graph_multiply(g, yk_graph_number(g, -at(g, a)->number), b));
     if (is_minus(g, a)) return yk_graph_minus(g, yk_graph_multiply(g, at(g, a)->a, b));
     if (is_minus(g, b)) return yk_graph_minus(g, yk_graph_multiply(g, a, at(g, b)->a));
-    YkRef joined = is_number(g, a) ? yk_graph_join_numbers(g, a, b) : YK_NONE;
+    YkRef joined = is_number(g, a) ? yk_graph_join_numbers(g, a, b) : yk_graph_cancel(g, a, b);
+    if (joined == YK_NONE) joined = yk_graph_cancel(g, b, a);
     if (joined != YK_NONE) return joined;
     order(&a, &b);
     return operation(g, YK_VALUE_MULTIPLY, a, b, YK_NONE);

@@ -86,8 +86,8 @@ static bool is_square(const Product *p)
 // Adds k s^2 x to k c^2 x, where c and s are the parts of a unit vector. Returns false for anything else.
 static bool add_squares(const YkGraph *g, Product *a, Product b)
 {
+    if (a->count != b.count || a->count < 2 || !is_almost(a->number, b.number)) return false;
     Product own = *a, common;
-    if (!is_almost(a->number, b.number)) return false;
     remove_common(&own, &b, &common);
     if (!is_square(&own) || !is_square(&b)) return false;
     if (at(g, own.factor[0])->sine != b.factor[0] && at(g, b.factor[0])->sine != own.factor[0]) return false;
@@ -159,12 +159,22 @@ static void collect(const YkGraph *g, Terms *t)
     t->count = left;
 }
 
+// Returns whether a part of a unit vector is a factor of the product. Of long products without one little can vanish.
+static bool has_unit(const YkGraph *g, const Product *p)
+{
+    for (size_t k = 0; k < p->count; k++)
+        if (at(g, p->factor[k])->sine != 0) return true;
+    return false;
+}
+
 // Returns the sum of two products with sums as factors, multiplied out, if no more than two terms are left and as many
 // vanish: as where an arm's moment of its own inertia becomes a multiple of its angular acceleration.
 static YkRef join_expanded(YkGraph *g, const Product *p, const Product *q)
 {
-    Terms t = {0};
+    Terms t;
     if (find_sum(g, p) == p->count || find_sum(g, q) == q->count) return YK_NONE;
+    if (p->count > 1 && q->count > 1 && !(has_unit(g, p) && has_unit(g, q))) return YK_NONE;
+    t.count = 0;
     if (!expand(g, p, &t) || !expand(g, q, &t)) return YK_NONE;
     size_t before = t.count;
     collect(g, &t);
@@ -210,13 +220,52 @@ YkRef yk_graph_join(YkGraph *g, YkRef a, YkRef b, double sign)
     return joined == YK_NONE || sign > 0 ? joined : yk_graph_minus(g, joined);
 }
 
+// --- products
+
+// Returns whether a value is 1 over another one, which is never 0.
+static bool is_inverse(const YkGraph *g, YkRef value)
+{
+    return at(g, value)->op == YK_VALUE_DIVIDE && at(g, at(g, value)->a)->op == YK_VALUE_NUMBER;
+}
+
+static void drop(Product *p, size_t k)
+{
+    p->count--;
+    for (; k < p->count; k++) p->factor[k] = p->factor[k + 1];
+}
+
+// Removes an inverse that is a factor of both.
+static bool drop_inverse(const YkGraph *g, Product *p, Product *q)
+{
+    for (size_t i = 0; i < p->count; i++)
+        for (size_t k = 0; k < q->count; k++) {
+            if (p->factor[i] != q->factor[k] || !is_inverse(g, p->factor[i])) continue;
+            drop(p, i);
+            drop(q, k);
+            return true;
+        }
+    return false;
+}
+
+YkRef yk_graph_cancel(YkGraph *g, YkRef value, YkRef quotient)
+{
+    YkValue v = *at(g, quotient);
+    Product p = {1, 0, {0}}, q = {1, 0, {0}};
+    if (!g->joins_terms || v.op != YK_VALUE_DIVIDE || !take(g, value, &p) || !take(g, v.b, &q)) return YK_NONE;
+    if (!drop_inverse(g, &p, &q)) return YK_NONE;
+    YkRef left = product_of(g, &p), rest = yk_graph_divide(g, v.a, product_of(g, &q));
+    return yk_graph_multiply(g, left, rest);
+}
+
 // A product of two numbers that ought to be 1 is rounded to it.
 YkRef yk_graph_join_numbers(YkGraph *g, YkRef number, YkRef product)
 {
     const YkValue *v = at(g, product);
-    if (!g->joins_terms || v->op != YK_VALUE_MULTIPLY || at(g, v->a)->op != YK_VALUE_NUMBER) return YK_NONE;
-    double both = at(g, number)->number * at(g, v->a)->number;
-    YkRef rest = v->b;
+    if (!g->joins_terms || v->op != YK_VALUE_MULTIPLY) return YK_NONE;
+    bool is_second = at(g, v->b)->op == YK_VALUE_NUMBER;
+    if (!is_second && at(g, v->a)->op != YK_VALUE_NUMBER) return YK_NONE;
+    YkRef rest = is_second ? v->a : v->b;
+    double both = at(g, number)->number * at(g, is_second ? v->b : v->a)->number;
     if (is_almost(1, fabs(both))) both = both < 0 ? -1 : 1;
     return yk_graph_multiply(g, yk_graph_number(g, both), rest);
 }

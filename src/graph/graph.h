@@ -53,7 +53,7 @@ typedef struct YkValue {
     int32_t section;    // under which heading it is computed
     bool of_parameters; // depends on parameters alone
     int32_t leaf_class; // of a leaf: YkLeafClass
-    YkRef sine;         // of the first part of a unit vector: the second part, or 0
+    YkRef sine;         // of one part of a unit vector: the other part; 0: none
 } YkValue;
 
 typedef enum YkLeafClass {
@@ -143,6 +143,9 @@ void yk_graph_is_unit(YkGraph *graph, YkRefVec v);
 // does not join terms.
 YkRef yk_graph_join(YkGraph *graph, YkRef a, YkRef b, double sign);
 YkRef yk_graph_join_numbers(YkGraph *graph, YkRef number, YkRef product);
+// Returns value times quotient without the inverse of a length that both contain, as the two parts of a force along a
+// normal do; YK_NONE if there is none.
+YkRef yk_graph_cancel(YkGraph *graph, YkRef value, YkRef quotient);
 // A call; the result `k` of it.
 int32_t yk_graph_call(YkGraph *graph, YkCall call);
 YkRef yk_graph_result(YkGraph *graph, int32_t call, size_t k);

@@ -190,7 +190,7 @@ bool yk_tape_make_one(YkTape *t, YkArena *work)
     Maker m = {.tape = t, .one = t->one};
     if (!start(&m, work)) return false;
     for (size_t k = t->prelude_count; k < t->step_count; k++) place_step(&m, &t->steps[k]);
-    for (size_t k = 0; k < t->root_count; k++) 
+    for (size_t k = 0; k < t->root_count; k++)
         t->one->result[k] = &t->one->value[place_of(&m, (int32_t)(t->leaf_count + k))];
     if (yk_arena_failed(t->arena)) return false;
     sort_steps(&m);

@@ -61,7 +61,9 @@ YkRef yk_graph_cross(YkGraph *g, YkRefVec a, YkRefVec b)
 
 void yk_graph_is_unit(YkGraph *g, YkRefVec v)
 {
-    if (g->values[v.x].op != YK_VALUE_NUMBER) g->values[v.x].sine = v.y;
+    if (g->values[v.x].op == YK_VALUE_NUMBER || g->values[v.y].op == YK_VALUE_NUMBER) return;
+    g->values[v.x].sine = v.y;
+    g->values[v.y].sine = v.x;
 }
 
 bool yk_graph_is_zero_vec(const YkGraph *g, YkRefVec v)

@@ -1,6 +1,7 @@
 // Evaluates a law: finds the piece, sums its polynomial and its waves.
 #include <math.h>
 #include "elementary/elementary.h"
+#include "elementary/kernel.h"
 #include "law/inside.h"
 
 enum { ORDERS = YK_LAW_ORDER + 1 };
@@ -109,8 +110,8 @@ static size_t run_of(const YkLaw *law, const double *x, size_t n, const YkPiece 
     *piece = find(law, *x);
     if (*piece + 1 < law->pieces + law->piece_count && (*piece)[1].from < end) end = (*piece)[1].from;
     if ((*piece)->waves > 0 || (*piece)->terms == 0) return 0;
-    bool within;
-    yk_law_within(&within, x, (*piece)->from, end, n);
+    bool within = false;
+    if (YK_KNOWS_BLOCKS) yk_law_within(&within, x, (*piece)->from, end, n);
     if (within) return n;
     while (count < n && x[count] >= (*piece)->from && x[count] < end) count++;
     return count < WIDE ? 0 : count;

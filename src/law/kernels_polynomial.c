@@ -31,7 +31,9 @@ YK_INLINE Sums recur(const double *c, size_t terms, double u)
     Sums s = {{0, 0, 0}, {0, 0, 0}};
     if (terms < 2) return s;
     s = begin(c, terms, u);
-    for (size_t k = terms - 3; terms > STEPS + 3 && k > STEPS; k--) s = next(s, u, c[k]);
+    size_t last = YK_KNOWS_BLOCKS ? STEPS : 0; // where lanes are not vectors, all is the loop
+    for (size_t k = terms - 3; terms > last + 3 && k > last; k--) s = next(s, u, c[k]);
+    if (!YK_KNOWS_BLOCKS) return s;
     if (terms > 7) s = next(s, u, c[5]);
     if (terms > 6) s = next(s, u, c[4]);
     if (terms > 5) s = next(s, u, c[3]);

@@ -62,7 +62,12 @@ static YkLoadItem *add_along(YkLoads *loads, YkLoadKind kind, const char *name, 
     item->is_distance = is_distance;
     item->coordinate = yk_tree_coordinate(loads->mech, joint, is_distance);
     if (item->coordinate != YK_NONE) item->input = loads->mech->coordinates[item->coordinate].input;
-    act_on(loads, yk_joint_end(model, (size_t)joint, 0)->body[0], yk_joint_end(model, (size_t)joint, 1)->body[1]);
+    item->body[0] = yk_joint_end(model, (size_t)joint, 0)->body[0];
+    item->body[1] = yk_joint_end(model, (size_t)joint, 1)->body[1];
+    YkJointAngle angle = yk_joint_angle(loads->mech, joint);
+    item->slot[0] = angle.a;
+    item->slot[1] = angle.b;
+    act_on(loads, item->body[0], item->body[1]);
     return item;
 }
 
@@ -213,5 +218,6 @@ bool yk_loads_set_effort(YkLoads *loads, size_t coordinate, double effort)
     bool is_new = !item && !(loads->is_loaded[body[0]] && loads->is_loaded[body[1]]);
     if (!item) item = add_along(loads, YK_LOAD_EFFORT, c->name, c->joint, c->is_distance);
     item->value[0] = (YkLoadValue){.constant = effort};
+    item->is_given = true;
     return is_new;
 }

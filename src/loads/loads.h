@@ -53,8 +53,9 @@ typedef struct YkLoadItem {
     bool is_distance;
     int32_t coordinate; // in the tree, if the joint has one there; otherwise YK_NONE
     int32_t input;      // of the coordinate; YK_NONE if it is none
-    int32_t body[2];    // FORCE: body[0]; SPRING
-    YkLoadEnd end[2];   // likewise
+    int32_t body[2];    // FORCE: body[0]; SPRING; of a joint: the first body of its first half, the second of its last
+    int32_t slot[2];    // of a joint: the orientations of its own two bodies
+    YkLoadEnd end[2];   // FORCE, SPRING
     bool in_body_axes;
     YkLoadValue value[3]; // EFFORT: [0]; FORCE: x, y, moment; SPRING, ALONG: [0], the pull by a law of its own
     double stiffness, length, damping;
@@ -62,6 +63,7 @@ typedef struct YkLoadItem {
     const YkStop *stop;     // STOP
     double direction;       // COULOMB: of the sliding, +1 or -1; 0: from the rate
     double last;            // EFFORT: its value when last added
+    bool is_given;          // EFFORT: yk_loads_set_effort gave it
     double dry;             // COULOMB, STOP: the present moment or force
     bool is_held;           // COULOMB: the joint sticks; `dry` is given from outside
 } YkLoadItem;

@@ -1,5 +1,6 @@
 // Evaluates what the loads exert at a pose.
 #include <string.h>
+#include "elementary/kernel.h"
 #include "loads/point.h"
 
 YkMotion yk_loads_coordinate(const YkState *state, const YkSpace *space, int32_t coordinate)
@@ -86,8 +87,21 @@ void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t 
     push(load, from, yk_add(a.arm, yk_sub(b.at, a.at)), yk_scale(-1, force));
 }
 
+// Adds a moment about a pin; returns its power.
+static double push_about(const Pose *p, const YkLoadItem *item, double effort)
+{
+    double rate = 0;
+    p->load[item->body[1]].moment += effort;
+    p->load[item->body[0]].moment -= effort;
+    for (int end = 0; end < 2; end++)
+        if (item->slot[end] != 0) rate += (end ? 1 : -1) * yk_space_turn(p->space, item->slot[end]).w[0];
+    return effort * rate;
+}
+
+// Does the same along any joint's freedom.
 static double push_along(const Pose *p, const YkLoadItem *item, double effort)
 {
+    if (!item->is_distance) return push_about(p, item, effort);
     yk_loads_add_effort(p->mech, p->space, item->joint, item->is_distance, effort, p->load);
     return effort * yk_joint_rate(p->mech, p->space, item->joint, item->is_distance);
 }
@@ -195,7 +209,7 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
                   size_t *culprit)
 {
     Pose p = {loads, loads->mech, state, space, load};
-    read_variables(loads, state, space);
+    if (loads->varies) read_variables(loads, state, space);
     for (size_t k = 0; k < loads->item_count; k++) {
         double delivered = push_item(&p, &loads->items[k]);
         if (power) power[k] = delivered;
@@ -209,26 +223,37 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
     return true;
 }
 
-static double find_effort(const YkLoads *loads, YkLoadItem *item, const double *rate, double *effort)
+// Evaluates efforts, of which some follow formulas or laws, into `last`.
+YK_APART void evaluate_efforts(YkLoads *loads, const YkState *state)
 {
-    item->last = loads->varies ? evaluate(loads, &item->value[0]) : item->value[0].constant;
-    effort[item->input] = item->last;
-    return item->last * rate[item->input];
+    read_variables(loads, state, &state->space);
+    for (size_t k = 0; k < loads->item_count; k++) loads->items[k].last = evaluate(loads, &loads->items[k].value[0]);
+}
+
+static size_t first_without_value(const YkLoads *loads)
+{
+    size_t k = 0;
+    while (k + 1 < loads->item_count && isfinite(loads->items[k].last)) k++;
+    return k;
 }
 
 bool yk_loads_efforts(YkLoads *loads, const YkState *state, const double *rate, double *effort, double *power,
                       size_t *culprit)
 {
-    YkLoadItem *item = loads->items, *end = item + loads->item_count;
-    if (loads->varies) read_variables(loads, state, &state->space);
+    double off = 0; // or NaN
+    if (loads->varies) evaluate_efforts(loads, state);
     if (loads->item_count < loads->mech->input_count) memset(effort, 0, loads->mech->input_count * sizeof *effort);
-    for (; item < end; item++) {
-        *power++ = find_effort(loads, item, rate, effort);
-        if (isfinite(item->last)) continue;
-        *culprit = (size_t)(item - loads->items);
-        return false;
+    YkLoadItem *item = loads->items, *end = item + loads->item_count;
+    for (bool varies = loads->varies; item < end; item++) {
+        if (!varies) item->last = item->value[0].constant;
+        double last = item->last;
+        effort[item->input] = last;
+        *power++ = last * rate[item->input];
+        off += last - last;
     }
-    return true;
+    if (off == 0) return true;
+    *culprit = first_without_value(loads);
+    return false;
 }
 
 // Finds what the law of a spring may depend on: its length or angle, and the rate of it.

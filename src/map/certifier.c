@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/text.h"
-#include "map/strand.h"
 #include "map/tube.h"
 #include "solve/state.h"
 
@@ -17,10 +16,18 @@ typedef struct Pose { // of all pieces
     double *within; // [piece]: of x
 } Pose;
 
+typedef struct Chain { // the blocks up to the last group
+    const YkMechanism *mech;
+    YkPiece *pieces;
+    size_t piece_count;
+    YkDiscs discs, over; // in the middle of an interval, and over it
+    YkDiscCoefficients coefficients[2];
+} Chain;
+
 struct YkCertifier {
     YkWitness witness;
-    YkTracer tracer; // of the blocks up to the last group
-    size_t *first;   // [piece]: of its unknowns
+    Chain chain;
+    size_t *first; // [piece]: of its unknowns
     size_t unknowns;
     double *memory, *from, *way; // [input]
     Pose before, here, trial;
@@ -35,7 +42,7 @@ struct YkCertifier {
 
 static const char *read_pieces(YkCertifier *c, size_t steps)
 {
-    YkTracer *t = &c->tracer;
+    Chain *t = &c->chain;
     for (size_t k = 0; k < steps; k++) {
         const YkStep *step = &t->mech->steps[k];
         if (step->kind != YK_STEP_BLOCK && !yk_discs_can_take(t->mech, step))
@@ -71,9 +78,9 @@ static size_t steps_to_groups(const YkMechanism *mech)
 
 static void read_pose(const YkCertifier *c, const YkState *s, Pose *pose)
 {
-    const YkMechanism *mech = c->tracer.mech;
-    for (size_t level = 0; level < c->tracer.piece_count; level++) {
-        const YkPiece *piece = &c->tracer.pieces[level];
+    const YkMechanism *mech = c->chain.mech;
+    for (size_t level = 0; level < c->chain.piece_count; level++) {
+        const YkPiece *piece = &c->chain.pieces[level];
         const YkBlock *block = &mech->blocks[piece->block];
         for (size_t k = 0; k < piece->shape.unknowns; k++) {
             YkColumn column = block->kind == YK_BLOCK_GROUP
@@ -90,11 +97,18 @@ static void read_pose(const YkCertifier *c, const YkState *s, Pose *pose)
     }
 }
 
+// Takes the steps between the blocks before a level and its own.
+static void take_steps(const Chain *t, YkDiscs *discs, size_t level)
+{
+    for (size_t k = level == 0 ? 0 : t->pieces[level - 1].step + 1; k < t->pieces[level].step; k++)
+        yk_discs_take(discs, &t->mech->steps[k]);
+}
+
 // Improves and encloses a pose at a place of the way. Returns false if there is no proof that one solution is there, no farther
 // away than `near`.
 static bool enclose(YkCertifier *c, double at, Pose *pose, double near)
 {
-    YkTracer *t = &c->tracer;
+    Chain *t = &c->chain;
     YkTube point = {.middle = at};
     t->discs.input = yk_ball(yk_vec(at, 0), 0);
     for (size_t level = 0; level < t->piece_count; level++) {
@@ -102,10 +116,11 @@ static bool enclose(YkCertifier *c, double at, Pose *pose, double near)
         YkVec *x = pose->x + c->first[level];
         size_t bytes = piece->shape.unknowns * sizeof *x;
         memcpy(point.x, x, bytes);
-        yk_trace_steps(t, &t->discs, level);
+        take_steps(t, &t->discs, level);
         yk_piece_coefficients(piece, &t->discs, &t->coefficients[0]);
         if (!yk_tube_make(piece, &t->coefficients[0], NULL, 0, &point)) return false;
-        if (!yk_trace_is_inside(piece, point.x, near, x, 0)) return false;
+        for (size_t k = 0; k < piece->shape.unknowns; k++)
+            if (!(yk_sum_norm(yk_sub(x[k], point.x[k])) < near)) return false;
         memcpy(x, point.x, bytes);
         pose->within[level] = point.within;
         yk_tube_place(piece, &point, &t->discs);
@@ -119,7 +134,7 @@ static bool enclose(YkCertifier *c, double at, Pose *pose, double near)
 // not proved to contain exactly one solution everywhere.
 static bool make_tubes(YkCertifier *c, double from, double to, const YkVec *guess)
 {
-    YkTracer *t = &c->tracer;
+    Chain *t = &c->chain;
     double middle = from + 0.5 * (to - from), half = YK_BALL_OUT(fmax(to - middle, middle - from));
     YkDiscCoefficients *at_middle = &t->coefficients[0], *over = &t->coefficients[1];
     YkTube point;
@@ -130,8 +145,8 @@ static bool make_tubes(YkCertifier *c, double from, double to, const YkVec *gues
         YkTube *tube = &c->tubes[level];
         tube->middle = middle;
         memcpy(tube->x, guess + c->first[level], piece->shape.unknowns * sizeof *guess);
-        yk_trace_steps(t, &t->discs, level);
-        yk_trace_steps(t, &t->over, level);
+        take_steps(t, &t->discs, level);
+        take_steps(t, &t->over, level);
         yk_piece_coefficients(piece, &t->discs, at_middle);
         yk_piece_coefficients(piece, &t->over, over);
         if (!yk_tube_make(piece, at_middle, over, half, tube)) return false;
@@ -147,8 +162,8 @@ static bool make_tubes(YkCertifier *c, double from, double to, const YkVec *gues
 
 static void read_line(const YkCertifier *c, double at, YkVec *x)
 {
-    for (size_t level = 0; level < c->tracer.piece_count; level++)
-        yk_tube_at(&c->tracer.pieces[level], &c->tubes[level], at, x + c->first[level]);
+    for (size_t level = 0; level < c->chain.piece_count; level++)
+        yk_tube_at(&c->chain.pieces[level], &c->tubes[level], at, x + c->first[level]);
 }
 
 typedef enum Verdict { PROVED, REFUTED, OPEN } Verdict;
@@ -156,8 +171,8 @@ typedef enum Verdict { PROVED, REFUTED, OPEN } Verdict;
 // Returns whether an enclosed pose is that of the tubes at a place: a pose in them is, for there is only one.
 static Verdict is_in_tubes(const YkCertifier *c, double at, const Pose *pose)
 {
-    for (size_t level = 0; level < c->tracer.piece_count; level++) {
-        const YkPiece *piece = &c->tracer.pieces[level];
+    for (size_t level = 0; level < c->chain.piece_count; level++) {
+        const YkPiece *piece = &c->chain.pieces[level];
         const YkVec *x = pose->x + c->first[level];
         if (yk_tube_contains(piece, &c->tubes[level], at, x, pose->within[level])) continue;
         return yk_tube_excludes(piece, &c->tubes[level], at, x, pose->within[level]) ? REFUTED : OPEN;
@@ -171,8 +186,8 @@ static Verdict is_in_tubes(const YkCertifier *c, double at, const Pose *pose)
 static double way_length(const YkCertifier *c)
 {
     double longest = 0;
-    for (size_t i = 0; i < c->tracer.mech->input_count; i++)
-        longest = fmax(longest, fabs(c->way[i]) / yk_input_unit(c->tracer.mech, i));
+    for (size_t i = 0; i < c->chain.mech->input_count; i++)
+        longest = fmax(longest, fabs(c->way[i]) / yk_input_unit(c->chain.mech, i));
     return longest;
 }
 
@@ -234,7 +249,7 @@ static Verdict prove(YkCertifier *c)
 
 static void set_way(YkCertifier *c, const YkState *s, const double *from)
 {
-    for (size_t i = 0; i < c->tracer.mech->input_count; i++) {
+    for (size_t i = 0; i < c->chain.mech->input_count; i++) {
         c->from[i] = from ? from[i] : s->valid_input[3 * i];
         c->way[i] = s->valid_input[3 * i] - c->from[i];
     }
@@ -243,7 +258,7 @@ static void set_way(YkCertifier *c, const YkState *s, const double *from)
 static void begin(YkWitness *witness, const YkState *s)
 {
     YkCertifier *c = (YkCertifier *)witness;
-    if (c->outside || c->tracer.piece_count == 0 || !s->has_pose) return;
+    if (c->outside || c->chain.piece_count == 0 || !s->has_pose) return;
     set_way(c, s, NULL);
     read_pose(c, s, &c->before);
     c->has_before = enclose(c, 0, &c->before, NEAR);
@@ -252,7 +267,7 @@ static void begin(YkWitness *witness, const YkState *s)
 static void note_step(YkCertifier *c, Verdict verdict)
 {
     size_t most = 0;
-    const YkMechanism *mech = c->tracer.mech;
+    const YkMechanism *mech = c->chain.mech;
     c->found.steps++;
     c->found.proved += verdict == PROVED;
     c->found.is_refuted |= verdict == REFUTED;
@@ -267,7 +282,7 @@ static void note_step(YkCertifier *c, Verdict verdict)
 static bool moves(const YkCertifier *c)
 {
     bool moves = false;
-    for (size_t i = 0; i < c->tracer.mech->input_count; i++) moves |= c->way[i] != 0;
+    for (size_t i = 0; i < c->chain.mech->input_count; i++) moves |= c->way[i] != 0;
     return moves;
 }
 
@@ -275,9 +290,9 @@ static void step(YkWitness *witness, const YkState *s)
 {
     YkCertifier *c = (YkCertifier *)witness;
     c->found.steps += c->outside != NULL;
-    if (c->outside || c->tracer.piece_count == 0) return;
+    if (c->outside || c->chain.piece_count == 0) return;
     double *last = c->memory;
-    for (size_t i = 0; i < c->tracer.mech->input_count; i++) last[i] = c->from[i] + c->way[i];
+    for (size_t i = 0; i < c->chain.mech->input_count; i++) last[i] = c->from[i] + c->way[i];
     set_way(c, s, last);
     if (!moves(c) && c->has_before) return;
     read_pose(c, s, &c->here);
@@ -296,7 +311,10 @@ static bool allocate(YkCertifier *c, const YkMechanism *mech)
     c->first = calloc(blocks, sizeof *c->first);
     c->memory = calloc(2 * vectors + numbers, sizeof *c->memory);
     c->tubes = calloc(blocks, sizeof *c->tubes);
-    if (!c->first || !c->memory || !c->tubes || !yk_tracer_begin(&c->tracer, mech)) return false;
+    c->chain.pieces = calloc(blocks, sizeof *c->chain.pieces);
+    bool has_discs = yk_discs_start(&c->chain.discs, mech);
+    has_discs = yk_discs_start(&c->chain.over, mech) && has_discs;
+    if (!c->first || !c->memory || !c->tubes || !c->chain.pieces || !has_discs) return false;
     c->from = c->memory + inputs;
     c->way = c->from + inputs;
     double *next = c->way + inputs;
@@ -313,13 +331,13 @@ YkCertifier *yk_certifier_new(const YkMechanism *mech)
     c->witness = (YkWitness){begin, step};
     c->found.input = -1;
     c->stride = INFINITY;
-    c->tracer.mech = mech;
+    c->chain.mech = mech;
     if (!allocate(c, mech)) {
         yk_certifier_free(c);
         return NULL;
     }
     c->outside = read_pieces(c, steps_to_groups(mech));
-    YkDiscs *discs[] = {&c->tracer.discs, &c->tracer.over};
+    YkDiscs *discs[] = {&c->chain.discs, &c->chain.over};
     for (size_t k = 0; k < 2; k++) {
         discs[k]->others = c->from;
         discs[k]->ways = c->way;
@@ -330,7 +348,9 @@ YkCertifier *yk_certifier_new(const YkMechanism *mech)
 void yk_certifier_free(YkCertifier *c)
 {
     if (!c) return;
-    yk_tracer_end(&c->tracer);
+    yk_discs_end(&c->chain.discs);
+    yk_discs_end(&c->chain.over);
+    free(c->chain.pieces);
     free(c->first);
     free(c->memory);
     free(c->tubes);
@@ -339,7 +359,7 @@ void yk_certifier_free(YkCertifier *c)
 
 YkStatus yk_state_set_certifier(YkState *state, YkCertifier *certifier)
 {
-    if (certifier && certifier->tracer.mech != state->mech) return YK_BAD_ARGUMENT;
+    if (certifier && certifier->chain.mech != state->mech) return YK_BAD_ARGUMENT;
     state->witness = certifier ? &certifier->witness : NULL;
     return YK_OK;
 }
@@ -348,11 +368,11 @@ YkMotionCertificate yk_certifier_report(const YkCertifier *c)
 {
     YkMotionCertificate found = c->found;
     YkText text = {0};
-    found.is_needed = c->outside || c->tracer.piece_count > 0;
+    found.is_needed = c->outside || c->chain.piece_count > 0;
     found.is_certified = !c->outside && found.steps == found.proved;
     if (c->outside)
         yk_text_format(&text, "not certified: %s", c->outside);
-    else if (c->tracer.piece_count == 0)
+    else if (c->chain.piece_count == 0)
         yk_text_puts(&text, "certified: no group, all in closed form");
     else if (found.is_certified)
         yk_text_puts(&text, "certified: proved to stay on one configuration");

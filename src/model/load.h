@@ -78,6 +78,7 @@ typedef struct YkLoader {
     YkNames fixed;           // names whose dimension is already fixed
     YkText text;             // scratch
     bool *is_wheel;          // per body: gears, belts or racks name it, so its centre is its origin
+    bool has_bad_units;      // what bare numbers mean is not known
     bool has_bad_joint;      // a joint's bodies are unknown, so connections cannot be judged
     bool is_sketch;          // what nothing connects to the ground is welded to it
     bool failed;             // out of memory

@@ -115,6 +115,11 @@ const YkFormula *yk_redesign_compile(YkRedesign *r, const YkExpr *expr)
     return yk_formula_compile(expr, resolve, r, r->arena);
 }
 
+bool yk_redesign_ran_out(const YkRedesign *r)
+{
+    return yk_arena_failed(r->arena);
+}
+
 static const YkFormula *formula_of(YkRedesign *r, const YkExpr *expr)
 {
     const YkFormula *formula = yk_redesign_compile(r, expr);
@@ -422,8 +427,11 @@ static bool finish_bodies(YkModel *model)
     bool good = true;
     for (size_t b = 1; b < model->body_count; b++) {
         YkBody *body = &model->bodies[b];
-        good = good && (!body->mass_expr || body->mass > 0) && !(body->inertia < 0);
-        if (body->rod[0] == YK_NONE || body->rod[1] == YK_NONE) continue;
+        good = good && (!body->mass_expr || body->mass > 0);
+        if (body->rod[0] == YK_NONE || body->rod[1] == YK_NONE) {
+            good = good && !(body->inertia < 0);
+            continue;
+        }
         YkVec p = model->points[body->rod[0]].at, q = model->points[body->rod[1]].at, along = yk_sub(q, p);
         double length = yk_hypot(along.x, along.y);
         good = good && length > 1e-12 * fmax(yk_hypot(p.x, p.y), yk_hypot(q.x, q.y));
@@ -440,7 +448,8 @@ static bool finish_loads(YkModel *model)
         YkSpring *spring = &model->springs[k];
         for (int e = 0; spring->coordinate == YK_NONE && e < 2; e++)
             if (spring->point[e] != YK_NONE) spring->at[e] = model->points[spring->point[e]].at;
-        good = good && spring->stiffness >= 0 && spring->damping >= 0;
+        bool has_length = spring->coordinate == YK_NONE; // along a coordinate it may be any value
+        good = good && spring->stiffness >= 0 && spring->damping >= 0 && !(has_length && spring->length < 0);
     }
     for (size_t k = 0; k < model->force_count; k++) {
         YkForce *force = &model->forces[k];
@@ -448,7 +457,7 @@ static bool finish_loads(YkModel *model)
     }
     for (size_t k = 0; k < model->stop_count; k++) {
         const YkStop *stop = &model->stops[k];
-        good = good && !(stop->low > stop->high) && stop->restitution >= 0 && stop->restitution <= 1;
+        good = good && !(stop->low >= stop->high) && stop->restitution >= 0 && stop->restitution <= 1;
     }
     return good;
 }

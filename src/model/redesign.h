@@ -22,8 +22,8 @@ void yk_redesign_free(YkRedesign *redesign);
 void yk_redesign_hint(YkProblems *problems);      // adds a hint to a problem that says what cannot follow
 YkModel *yk_redesign_model(YkRedesign *redesign); // the copy; valid until freed
 // Sets values[count], SI, in the copy. Returns YK_OK; YK_BAD_MODEL if the machine makes no sense with them: a value is
-// not finite or beyond 1e100, a mass is not positive, an inertia negative, a rod without length, a restitution or
-// friction out of range. Cost: that of the formulas; allocates nothing.
+// not finite or beyond 1e100, a mass is not positive, an inertia or a spring's free length negative, a rod without
+// length, a stop's range empty, a restitution or friction out of range. Cost: that of the formulas; allocates nothing.
 YkStatus yk_redesign_set(YkRedesign *redesign, const double *values);
 double yk_redesign_value(const YkRedesign *redesign, size_t index); // the value of names[index], as last set
 
@@ -42,6 +42,7 @@ const YkFormula *yk_redesign_formula(const YkRedesign *redesign, const double *v
 int32_t yk_redesign_derived(const YkRedesign *redesign, size_t k, const YkFormula **formula);
 // Compiles an expression of parameters alone into such a formula; NULL if it needs more, or when out of memory.
 const YkFormula *yk_redesign_compile(YkRedesign *redesign, const YkExpr *expr);
+bool yk_redesign_ran_out(const YkRedesign *redesign);                               // of memory, at any time
 bool yk_redesign_expression_varies(const YkRedesign *redesign, const YkExpr *expr); // false for NULL
 int32_t yk_redesign_parameter(const YkRedesign *redesign, size_t k); // the index of names[k] in the model
 

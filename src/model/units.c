@@ -85,6 +85,7 @@ static void name_quantities(YkLoader *loader)
 void yk_load_units(YkLoader *loader)
 {
     loader->model->units = yk_units_si();
+    size_t errors = yk_problems_error_count(loader->problems);
     const YkNode *section = yk_load_section(loader, "units");
     if (section) {
         yk_load_check_keys(loader, section, keys, &(YkSubject){.noun = "section", .part = "units"});
@@ -93,5 +94,6 @@ void yk_load_units(YkLoader *loader)
             if (node) read_entry(loader, &entries[i], node);
         }
     }
+    loader->has_bad_units = yk_problems_error_count(loader->problems) > errors;
     name_quantities(loader);
 }

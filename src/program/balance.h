@@ -37,14 +37,18 @@ bool yk_balance_make(YkBalanceSystem *balance, YkForces *f, const YkRates *veloc
                      double unit);
 // Returns an unknown: that of the balance, less what the radial forces of the teeth add to the loads.
 YkRef yk_balance_value(const YkBalanceSystem *balance, size_t k);
-// Reads what joints transmit from the solution: force x, y, moment of each, into f->reaction.
+// Reads what joints transmit from the solution: force x, y, moment of each, into f->reaction; what contacts do into
+// f->contact.
 bool yk_balance_read(YkBalanceSystem *balance);
 // least_norm.c: widens the equations by those of the solution of least norm, where constraints repeat others.
 bool yk_balance_widen(YkBalanceSystem *balance);
 // balance_solve.c: solves it in symbols. Returns false when out of memory, or if it has no solution whatever the pose.
 bool yk_balance_solve(YkBalanceSystem *balance);
 
-// force_channels.c: the value of a channel of forces or energies, once the balance is solved. Returns YK_NONE for what
+// force_channels.c: returns the force of the gear, rack, belt or cam of an unknown on its second body, with the
+// separating force of gears' flanks.
+YkRefVec yk_balance_contact(YkBalanceSystem *balance, size_t unknown);
+// The value of a channel of forces or energies, once the balance is solved. Returns YK_NONE for what
 // is none.
 YkRef yk_balance_channel(YkBalanceSystem *balance, YkChannel channel);
 

@@ -18,14 +18,14 @@ static YkRef not_negative(YkGraph *g, YkRef a)
 static YkRef arm_share(YkProgram *p, const YkBlock *b, int k, YkRef square)
 {
     YkGraph *g = &p->graph;
-    double size = yk_program_size(p), enough = b->arm_is_constant[k] ? YK_PER_ARM_ENOUGH2 : 1;
+    double size = yk_program_block_size(p, b), enough = b->arm_is_constant[k] ? YK_PER_ARM_ENOUGH2 : 1;
     return yk_graph_multiply(g, yk_graph_number(g, enough / (size * size)), square);
 }
 
 // Returns whether an arm is short, or may be.
 static bool is_careful(YkProgram *p, const YkBlock *b, int arms)
 {
-    double size = yk_program_size(p);
+    double size = yk_program_block_size(p, b);
     bool careful = false;
     for (int k = 0; k < arms; k++) {
         YkVec arm = b->aside->arm[k].constant;
@@ -142,10 +142,10 @@ void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
 
 // Returns r over the base, squared, or over the size if that is less, as rpr_margin does; per_K2 is -1 if the line
 // passes through the pin, so that K^2 = r^2.
-static YkRef rpr_margin(YkProgram *p, YkRef r2, YkRef per_K2)
+static YkRef rpr_margin(YkProgram *p, const YkBlock *b, YkRef r2, YkRef per_K2)
 {
     YkGraph *g = &p->graph;
-    double size = yk_program_size(p);
+    double size = yk_program_block_size(p, b);
     YkRef of_size = yk_graph_multiply(g, yk_graph_number(g, 1 / (size * size)), r2);
     YkRef of_base = per_K2 < 0 ? yk_graph_number(g, 1) : yk_graph_multiply(g, r2, per_K2);
     return yk_graph_binary(g, YK_VALUE_LEAST, of_base, of_size);
@@ -172,7 +172,7 @@ void yk_block_place_rpr(YkProgram *p, size_t index, YkPlaced *placed)
     placed->e[1] = yk_graph_vec_multiply(g, e, yk_graph_vec_conjugate(g, f));
     yk_block_set_unit(p, b->column[0].index, placed->e[1]);
     yk_block_set_distance(p, b->column[1].index, yk_graph_subtract(g, r, along));
-    yk_block_keep_margin(p, rpr_margin(p, r2, per_K2), e.x);
+    yk_block_keep_margin(p, rpr_margin(p, b, r2, per_K2), e.x);
 }
 
 // PP: two lines intersect.

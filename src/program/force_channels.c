@@ -8,8 +8,7 @@ static size_t unknown_of_relation(const YkBalanceSystem *w, int32_t relation)
     return k;
 }
 
-// Returns the force of a gear, rack, belt or cam on its second body, with the separating force of gears' flanks.
-static YkRefVec contact_force(YkBalanceSystem *w, size_t k)
+YkRefVec yk_balance_contact(YkBalanceSystem *w, size_t k)
 {
     YkGraph *g = &w->f->program->graph;
     const YkUnknown *c = &w->columns[k];
@@ -34,7 +33,7 @@ static YkRef transmitted(YkBalanceSystem *w, YkChannel c)
     const YkRef *r = w->f->reaction + 3 * index;
     if (c.kind == YK_CHANNEL_MOMENT)
         return is_joint ? r[2] : yk_graph_multiply(g, yk_balance_value(w, k), w->columns[k].moment);
-    YkRefVec force = is_joint ? (YkRefVec){r[0], r[1]} : contact_force(w, k);
+    YkRefVec force = is_joint ? (YkRefVec){r[0], r[1]} : yk_balance_contact(w, k);
     return c.kind == YK_CHANNEL_FORCE_X   ? force.x
            : c.kind == YK_CHANNEL_FORCE_Y ? force.y
                                           : yk_graph_vec_length(g, force);

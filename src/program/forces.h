@@ -12,6 +12,12 @@ typedef struct YkWrenchRef { // on a body: force, and moment about its reference
     YkRef moment;
 } YkWrenchRef;
 
+typedef struct YkContactRef { // of a gear, rack, belt, cam or law on its second body
+    YkRefVec force;
+    YkRef moment;   // of one that transmits couples
+    bool has_force; // otherwise couples alone
+} YkContactRef;
+
 typedef struct YkDryJoint { // a joint with dry friction
     int32_t joint;
     bool slides;
@@ -41,8 +47,9 @@ typedef struct YkForces {
     size_t free_count;
     YkRef inertia; // above 0 if every free input has inertia
     YkRef kinetic, potential;
-    YkRef *reaction;   // per joint: force x, y, moment; NULL: not printed
-    YkRef determinant; // of the reactions' equations
+    YkRef *reaction;       // per joint: force x, y, moment; NULL: not printed
+    YkContactRef *contact; // per relation, where there are reactions
+    YkRef determinant;     // of the reactions' equations
     const char *why_no_reactions;
     YkDryJoint *dry;
     size_t dry_count;

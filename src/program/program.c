@@ -35,3 +35,8 @@ double yk_program_size(const YkProgram *p)
 {
     return yk_exp2(rint(yk_log2(p->mech->size)));
 }
+
+double yk_program_block_size(const YkProgram *p, const YkBlock *block)
+{
+    return yk_exp2(rint(yk_log2(yk_block_size(p->mech, block))));
+}

@@ -48,6 +48,7 @@ typedef struct YkCNames {
     const char **block;                        // of the configuration: the branch; also with _guess
     const char **point;                        // also with _x, _y, _x_rate, ...; NULL on the ground
     const char **joint;                        // also with _force_x, _force_y, _moment
+    const char **contact;                      // likewise, of relations
     const char **law;
 } YkCNames;
 
@@ -90,6 +91,7 @@ bool yk_program_start(YkProgram *program, const YkMechanism *mech, const YkRecip
 void yk_program_end(YkProgram *program);
 // Returns the machine's size to the nearest power of two, for tolerances: the text then depends on no value.
 double yk_program_size(const YkProgram *program);
+double yk_program_block_size(const YkProgram *program, const YkBlock *block); // the same of yk_block_size
 
 // constants.c: numbers of the model as values.
 // Fixes the parameters on which numbers depend that the program cannot compute anew.

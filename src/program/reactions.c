@@ -157,6 +157,23 @@ static void take_own(YkBalanceSystem *w, const YkJoint *pin, YkRef *out)
     out[0] = force.x, out[1] = force.y;
 }
 
+// Reads what gears, racks, belts, cams and laws transmit.
+static bool read_contacts(YkBalanceSystem *w)
+{
+    YkProgram *p = w->f->program;
+    YkGraph *g = &p->graph;
+    w->f->contact = YK_NEW(p->arena, YkContactRef, p->mech->relation_count + 1);
+    if (!w->f->contact) return false;
+    for (size_t k = 0; k < w->count; k++) {
+        const YkUnknown *c = &w->columns[k];
+        if (c->relation == YK_NONE) continue;
+        w->f->contact[c->relation] = (YkContactRef){.force = yk_balance_contact(w, k),
+                                                    .moment = yk_graph_multiply(g, yk_balance_value(w, k), c->moment),
+                                                    .has_force = !yk_graph_is_zero_vec(g, c->force)};
+    }
+    return true;
+}
+
 // Couples are unknown over the unit, as the rows of moments are. Free joints transmit nothing: what their halves do is
 // that of efforts on the way past the carriage.
 bool yk_balance_read(YkBalanceSystem *w)
@@ -164,7 +181,7 @@ bool yk_balance_read(YkBalanceSystem *w)
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
     YkRef *reaction = w->f->reaction = YK_NEW(p->arena, YkRef, 3 * p->model->joint_count + 1);
-    if (!reaction) return false;
+    if (!reaction || !read_contacts(w)) return false;
     for (size_t k = 0; k < 3 * p->model->joint_count; k++) reaction[k] = yk_graph_number(g, 0);
     for (size_t k = 0; k < w->count; k++) {
         const YkUnknown *c = &w->columns[k];

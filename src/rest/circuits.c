@@ -48,22 +48,79 @@ static bool bracket(YkRest *rest, const double *row, double from, double to, dou
     return comes_there ? yk_rest_keep(rest) : !rest->ran_out;
 }
 
+// How the loads accelerate the free coordinate at one of its values, and how that changes along it.
+typedef struct Probe {
+    double at, accel, slope;
+} Probe;
+
+// inward: +1 or -1, a direction in which the coordinate may go from there. Returns false if the machine does not stand there.
+static bool probe(YkRest *rest, const double *row, double at, double inward, Probe *p)
+{
+    double h = inward * 1e-6 * rest->scale[0], beyond;
+    bool has_slope = stand(rest, row, at + h, &beyond);
+    *p = (Probe){.at = at};
+    bool stands = stand(rest, row, at, &p->accel);
+    p->slope = has_slope ? (beyond - p->accel) / h : (double)NAN;
+    return stands;
+}
+
+// Returns whether the acceleration may come to zero between two places at which it has one sign: it may be as far from a straight
+// line as a cubic that has its slopes there.
+static bool may_vanish(const Probe *p, const Probe *q)
+{
+    double span = q->at - p->at, least = fmin(fabs(p->accel), fabs(q->accel)), most = 0;
+    double bend = p->slope * span - (q->accel - p->accel), other = q->slope * span - (q->accel - p->accel);
+    for (double t = 0.25; t < 1; t += 0.25) most = fmax(most, fabs(t * (1 - t) * ((1 - t) * bend - t * other)));
+    return !(least > 2 * most) || isnan(bend) || isnan(other);
+}
+
+static bool is_straight(const Probe *p, const Probe *q)
+{
+    double secant = (q->accel - p->accel) / (q->at - p->at), one = p->slope / secant, other = q->slope / secant;
+    return one > 0.7 && one < 1.5 && other > 0.7 && other < 1.5;
+}
+
+// Finds the equilibria between two places. Several may be close together, so intervals are halved until the acceleration is about
+// a straight line in them. Returns false when out of memory.
+static bool search_between(YkRest *rest, const double *row, Probe p, Probe q, int depth, int *left)
+{
+    const double NONE = 1e-12; // over the largest: what rounding leaves where the machine rests anywhere
+    bool changes = p.accel * q.accel < 0, is_none = fmin(fabs(p.accel), fabs(q.accel)) <= NONE * rest->force_scale;
+    Probe middle;
+    if (!changes && (is_none || !may_vanish(&p, &q))) return true;
+    if (--*left < 0) depth = 0;
+    if (changes && (depth == 0 || is_straight(&p, &q))) return bracket(rest, row, p.at, q.at, p.accel);
+    if (depth == 0) return true;
+    if (!probe(rest, row, 0.5 * (p.at + q.at), q.at > p.at ? 1 : -1, &middle))
+        return !rest->ran_out && (!changes || bracket(rest, row, p.at, q.at, p.accel));
+    return search_between(rest, row, p, middle, depth - 1, left) &&
+           search_between(rest, row, middle, q, depth - 1, left);
+}
+
 static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t index)
 {
+    enum { DEPTH = 16, HALVINGS = 100 };
     YkMapBranch branch = yk_map_branch(map, circuit, index);
     size_t c = yk_rest_input(rest, 0);
-    double beside = 1e-10 * rest->scale[0], last = NAN, accel = NAN, now;
+    double beside = 1e-10 * rest->scale[0];
+    Probe last = {NAN, NAN, NAN}, now;
+    if (branch.rows < 2) return true;
     for (size_t k = 0; k < branch.rows; k++) {
         const double *row = yk_map_row(map, circuit, index, k);
         double at = row[c];
         if (!branch.is_closed && k == 0) at += beside; // exactly at a limit no acceleration is determined
         if (!branch.is_closed && k + 1 == branch.rows) at -= beside;
         if (!yk_pace_spend(rest->pace, rest->mech->step_count + 1)) return false;
-        bool stands = stand(rest, row, at, &now);
+        const double *beyond = yk_map_row(map, circuit, index, k + 1 < branch.rows ? k + 1 : k - 1);
+        bool stands = probe(rest, row, at, beyond[c] > row[c] ? 1 : -1, &now);
         if (rest->ran_out) return false;
         if (!stands) continue;
-        if (now * accel < 0 && !bracket(rest, row, last, at, accel)) return false;
-        last = at, accel = now;
+        rest->q[0] = at;
+        bool is_there = now.accel == 0 && fabs(last.accel) > 0; // else it rests anywhere
+        if (is_there && yk_rest_descend(rest) && !yk_rest_keep(rest)) return false;
+        int left = HALVINGS;
+        if (isfinite(last.at) && !search_between(rest, row, last, now, DEPTH, &left)) return false;
+        last = now;
     }
     return true;
 }

@@ -17,6 +17,16 @@ static const char *const lost_energy = "the balance of energy is off by more tha
                                        "singular position on, or where the steps "
                                        "are too coarse, this is not the machine's motion";
 
+// Counts the pose that stands, (t, y). Returns false if energy was lost.
+static bool count(YkSimulation *sim, const double *y)
+{
+    memcpy(sim->work, y + 2 * sim->free_count, sim->work_count * sizeof *sim->work);
+    yk_simulation_count_energy(sim);
+    if (!yk_simulation_has_lost_energy(sim)) return true;
+    give_up(sim, YK_NOT_CONVERGED, lost_energy);
+    return false;
+}
+
 // Solves the pose at (t, y) and counts it.
 static bool stand(YkSimulation *sim, double t, const double *y)
 {
@@ -26,11 +36,7 @@ static bool stand(YkSimulation *sim, double t, const double *y)
         return false;
     }
     sim->is_elsewhere = true;
-    memcpy(sim->work, y + 2 * sim->free_count, sim->work_count * sizeof *sim->work);
-    yk_simulation_count_energy(sim);
-    if (!yk_simulation_has_lost_energy(sim)) return true;
-    give_up(sim, YK_NOT_CONVERGED, lost_energy);
-    return false;
+    return count(sim, y);
 }
 
 // Releases contacts that cannot hold, at once.
@@ -197,12 +203,17 @@ static void look_back(YkSimulation *sim)
     sim->is_elsewhere = true;
 }
 
+// Returns whether positions and rates at the end of a step suffice, far from singular positions and without contacts.
+static bool is_plain(const YkSimulation *sim)
+{
+    return sim->contact_count == 0 && sim->near_count == 0 && yk_simulation_margin(sim) >= 0.25;
+}
+
 // Returns to the pose at the end of the last step; usually the last evaluation left it there, without accelerations.
 static bool return_to_end(YkSimulation *sim, double t)
 {
     memcpy(sim->y, yk_ode_state(sim->ode), (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
-    if (sim->contact_count > 0 || sim->near_count > 0 || yk_simulation_margin(sim) < 0.25)
-        return yk_simulation_pose(sim, t, sim->y);
+    if (!is_plain(sim)) return yk_simulation_pose(sim, t, sim->y);
     if (sim->is_elsewhere && (!yk_simulation_set(sim, t, sim->y) || yk_state_solve(sim->state) < 0)) return false;
     if (sim->is_elsewhere && yk_simulation_margin(sim) < 0.25) return yk_simulation_pose(sim, t, sim->y);
     sim->time = t;
@@ -260,7 +271,15 @@ static bool sample_energy(YkSimulation *sim)
     enum { EACH = 64, SOME = 16 };
     size_t steps = yk_ode_counts(sim->ode).steps;
     if (sim->pending != YK_PENDING_NONE || (steps > EACH && steps % SOME != 0)) return true;
-    return stand(sim, yk_ode_time(sim->ode), yk_ode_state(sim->ode));
+    double t = yk_ode_time(sim->ode);
+    const double *y = yk_ode_state(sim->ode);
+    bool is_there = !sim->dynamics->tree && !sim->is_elsewhere; // open trees are evaluated without a pose
+    if (sim->guide || !is_plain(sim)) return stand(sim, t, y);
+    if (!is_there && (!yk_simulation_set(sim, t, y) || yk_state_solve(sim->state) < 0)) return stand(sim, t, y);
+    if (!is_there) yk_state_refer(sim->state);
+    sim->time = t;
+    sim->has_forces = false;
+    return count(sim, y);
 }
 
 // --- acting ---------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "elementary/elementary.h"
 
 #define NEAR_SINE2 0.06 // sin^2 below which a block is watched
+#define CLOSE 0.12      // rad from a singular position, inside the watched zone
 #define BLIND 1e-4      // sine below which the pose does not determine its own rates well enough
 
 double yk_simulation_input_scale(const YkSimulation *sim, size_t free)
@@ -112,7 +113,6 @@ void yk_simulation_look_closer(YkSimulation *sim, double t)
 // Returns how far a block's angle may go before it comes so close to a singular position that it must be watched.
 static double way_left(YkDirection d)
 {
-    const double CLOSE = 0.12; // inside the watched zone
     double above = d.angle < 0 ? -d.angle : YK_PI - d.angle, gap = d.rate > 0 ? above : YK_PI - above;
     if (yk_sin(gap) * yk_sin(gap) < NEAR_SINE2 && gap < 1) gap += YK_PI; // that one is watched already
     return gap - CLOSE;
@@ -139,12 +139,25 @@ static double longest_turn(const YkSimulation *sim)
     return fastest > 0 ? 0.5 * eighth / fastest : HUGE_VAL;
 }
 
+// Returns whether a block is so far from a singular position, at the rates that stand, that a step of `length` does not lead
+// there. Does not find the angle between its columns, which is at least the root of the margin away.
+static bool is_far(const YkSimulation *sim, size_t block, double length)
+{
+    const YkBlock *b = &sim->mech->blocks[block];
+    const YkSpace *space = &sim->state->space;
+    bool is_plain = b->kind == YK_BLOCK_RRR && b->arm_is_constant[0] && b->arm_is_constant[1];
+    double margin = space->block_margin[block];
+    if (!is_plain || !(length > 0) || margin < 1.1 * NEAR_SINE2) return false;
+    double rate = yk_space_turn(space, b->column[1].index).w[0] - yk_space_turn(space, b->column[0].index).w[0];
+    return sqrt(margin) - CLOSE > length * fabs(rate);
+}
+
 double yk_simulation_reach(YkSimulation *sim)
 {
-    double reach = HUGE_VAL;
+    double reach = HUGE_VAL, length = sim->guide ? 0 : 1.1 * yk_ode_length(sim->ode); // steps are stretched by less
     YkRun run = yk_state_run(sim->state, &sim->state->space);
     for (size_t b = 0; b < sim->mech->block_count; b++) {
-        if (!yk_has_columns(&sim->mech->blocks[b])) continue;
+        if (!yk_has_columns(&sim->mech->blocks[b]) || is_far(sim, b, length)) continue;
         YkDirection d = yk_between_columns(&run, &sim->mech->blocks[b]);
         if (d.rate != 0 && isfinite(d.rate) && isfinite(d.angle)) reach = fmin(reach, time_left(sim, d));
     }

@@ -249,7 +249,7 @@ bool yk_simulation_sum_poses(YkSimulation *sim, double t, const double *y, const
 static bool closes(YkState *s)
 {
     const double MOST = 1e-7; // of the size
-    return yk_state_residuals(s).position <= MOST * s->mech->size;
+    return yk_state_gap(s) <= MOST * s->mech->size;
 }
 
 bool yk_simulation_take_sum(YkSimulation *sim)

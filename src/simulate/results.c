@@ -87,7 +87,7 @@ void yk_simulation_count_energy(YkSimulation *sim)
     sim->energy_high = fmax(sim->energy_high, e.potential);
     sim->kinetic_high = fmax(sim->kinetic_high, e.kinetic);
     sim->energy_off = fmax(sim->energy_off, fabs(total - s->energy_start - works));
-    s->worst_residual = fmax(s->worst_residual, yk_state_residuals(sim->state).position);
+    s->worst_residual = fmax(s->worst_residual, yk_state_gap(sim->state));
 }
 
 static double energy_span(const YkSimulation *sim)

@@ -67,7 +67,7 @@ int yk_simulation_motion(void *context, double t, const double *y, double *dydt)
     size_t n = sim->free_count;
     if (sim->dynamics->tree && sim->contact_count == 0 && !sim->dynamics->loads->has_dry)
         return move_lean(sim, t, y, dydt);
-    if (yk_simulation_moves_with_guide(sim, t, dydt)) return 0;
+    if (sim->guide && yk_simulation_moves_with_guide(sim, t, dydt)) return 0;
     if (sim->near_count > 0 && yk_simulation_in_zone(sim, t)) {
         YkInterpolation found = yk_simulation_interpolate(sim, t, y, dydt);
         if (found != YK_INTERPOLATION_LEFT) return found == YK_INTERPOLATION_DONE ? 0 : 1;
@@ -89,7 +89,7 @@ bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y)
     YkState *s = sim->state;
     size_t n = sim->free_count;
     double *rate = sim->rate;
-    if (yk_simulation_stands_with_guide(sim, t)) return true;
+    if (sim->guide && yk_simulation_stands_with_guide(sim, t)) return true;
     bool ok = yk_simulation_motion(sim, t, y, rate) == 0;
     bool is_summed = ok && yk_simulation_sum_poses(sim, t, y, rate + n);
     ok = yk_simulation_set(sim, t, y) && ok;

@@ -14,7 +14,7 @@ double yk_pose_gap(const YkMechanism *mech, const double *a, const double *b)
     double gap = 0;
     for (size_t c = 0; c < mech->coordinate_count; c++) {
         double one = yk_gap(mech, mech->coordinates[c].is_distance, a[c] - b[c]);
-        if (!(one <= gap)) gap = one; // NaN stays
+        if (one > gap || isnan(one)) gap = one; // NaN stays
     }
     return gap;
 }

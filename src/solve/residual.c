@@ -16,8 +16,8 @@ static Angle angle_of(const YkState *s, int32_t slot)
     return (Angle){{t.c[0], t.s[0]}, t.w[0], t.a[0]};
 }
 
-// Computes the sum of one loop and the sum of its terms' magnitudes, of order 0, 1, 2.
-static void loop_sums(const YkState *s, const YkSum *sum, YkVec total[3], double scale[3])
+// Computes the sum of one loop and the sum of its terms' magnitudes, of order 0, 1, 2; of order 0 alone without rates.
+static void loop_sums(const YkState *s, const YkSum *sum, bool has_rates, YkVec total[3], double scale[3])
 {
     total[0] = sum->constant;
     total[1] = total[2] = yk_vec(0, 0);
@@ -32,9 +32,10 @@ static void loop_sums(const YkState *s, const YkSum *sum, YkVec total[3], double
             dv = slide.v[0];
             da = slide.a[0];
         }
+        total[0] = yk_add(total[0], yk_scale(d, v));
+        if (!has_rates) continue;
         YkVec rate = yk_add(yk_scale(dv, v), yk_scale(d * t.w, iv));
         YkVec accel = yk_add(yk_scale(da - d * t.w * t.w, v), yk_scale(d * t.a + 2 * dv * t.w, iv));
-        total[0] = yk_add(total[0], yk_scale(d, v));
         total[1] = yk_add(total[1], rate);
         total[2] = yk_add(total[2], accel);
         scale[1] = fmax(scale[1], yk_norm(rate));
@@ -121,16 +122,26 @@ static double stretch(const YkState *s)
     return most;
 }
 
-YkResiduals yk_state_residuals(const YkState *s)
+static YkResiduals measure(const YkState *s, bool has_rates)
 {
     double worst[3] = {s->mech->size * stretch(s), 0, 0}, scale[3] = {s->mech->size, 0, 0};
     for (size_t l = 0; l < s->mech->loop_count; l++) {
         YkVec total[3];
-        loop_sums(s, &s->mech->loops[l].sum, total, scale);
-        for (int k = 0; k < 3; k++) worst[k] = fmax(worst[k], yk_norm(total[k]));
+        loop_sums(s, &s->mech->loops[l].sum, has_rates, total, scale);
+        for (int k = 0; k < (has_rates ? 3 : 1); k++) worst[k] = fmax(worst[k], yk_norm(total[k]));
     }
     for (size_t r = 0; r < s->mech->relation_count; r++) relation_miss(s, &s->mech->relations[r], worst, scale);
     for (int k = 0; k < 3; k++) worst[k] = scale[k] > 0 ? worst[k] / scale[k] : 0;
-    if (!s->has_rates) worst[1] = worst[2] = 0;
+    if (!has_rates) worst[1] = worst[2] = 0;
     return (YkResiduals){worst[0], worst[1], worst[2]};
+}
+
+YkResiduals yk_state_residuals(const YkState *s)
+{
+    return measure(s, s->has_rates);
+}
+
+double yk_state_gap(const YkState *s)
+{
+    return measure(s, false).position;
 }

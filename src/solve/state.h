@@ -84,7 +84,8 @@ void yk_state_place_phases(YkState *state);
 static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 {
     if (state->has_phases) yk_state_place_phases(state);
-    return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1, state->slot_reference, NULL};
+    return (YkRun){state->mech,    space, state->input_lanes,    state->branch,
+                   &state->groups, 1,     state->slot_reference, NULL};
 }
 
 // Tolerances, in one place.
@@ -172,6 +173,8 @@ void yk_state_write_label(const YkState *state, YkText *text);
 void yk_state_accept(YkState *state);
 // Makes the present angles the reference for the next.
 void yk_state_refer(YkState *state);
+// Returns the residual of positions alone, as yk_state_residuals does.
+double yk_state_gap(const YkState *state);
 // Reads coordinate angles and distances directly from a space.
 YkMotion yk_coordinate_in(const YkState *state, const YkSpace *space, size_t coordinate);
 

@@ -20,7 +20,6 @@ typedef struct Worker {
     YkState *home, *state;
     YkLaneMotion *lanes; // or NULL
     bool *is_solved;     // of a chunk of states
-    bool has_own;        // the dynamics have the present values of the parameters
     YkDynamics *dynamics;
     double *value, *acceleration;
     YkMotion *goal;
@@ -60,7 +59,6 @@ static bool start(YkMotionBatch *batch, Worker *w, const YkState *state, const c
     w->dynamics = yk_dynamics_new(w->variant->mech, NULL);
     w->is_solved = calloc(CHUNK, sizeof *w->is_solved);
     if (!w->dynamics || !w->is_solved) return false;
-    w->has_own = true;
     if (status < 0) return true;
     w->lanes = yk_lane_motion_new(w->home, w->dynamics, CHUNK, &fits);
     return w->lanes || !fits;
@@ -126,26 +124,14 @@ static YkStatus set_values(Worker *w, const YkMotionCase *asked, size_t k)
     if (batch->parameter_count == 0) return YK_OK;
     for (size_t p = 0; p < batch->parameter_count; p++)
         w->value[p] = asked->parameters && asked->parameters[p] ? asked->parameters[p][k] : batch->own[p];
-    w->has_own = false;
     return yk_variant_set(w->variant, w->value);
-}
-
-// The equations of one pose contain the machine's numbers, so they are made anew when these have changed.
-static YkStatus make_equations(Worker *w)
-{
-    if (w->has_own) return YK_OK;
-    yk_dynamics_free(w->dynamics);
-    w->dynamics = yk_dynamics_new(w->variant->mech, NULL);
-    w->has_own = w->dynamics != NULL;
-    return w->dynamics ? YK_OK : YK_NO_MEMORY;
 }
 
 // The values are set.
 static YkStatus accelerate(Worker *w, const YkMotionCase *asked, size_t k)
 {
-    YkStatus status = make_equations(w);
-    if (status < 0) return status;
-    status = yk_study_carry(w->variant, w->home, w->state, w->batch->own, w->value, w->batch->parameter_count, w->goal);
+    YkStatus status =
+        yk_study_carry(w->variant, w->home, w->state, w->batch->own, w->value, w->batch->parameter_count, w->goal);
     for (size_t i = 0; status >= 0 && i < w->batch->input_count; i++) {
         if (asked->positions && asked->positions[i]) w->state->input[3 * i] = asked->positions[i][k];
         if (asked->rates && asked->rates[i]) w->state->input[3 * i + 1] = asked->rates[i][k];

@@ -62,6 +62,11 @@ typedef struct Made {
     YkState *state, *base; // base: with the inputs of the start, if these are others
 } Made;
 
+static void tell_no_memory(const Made *m)
+{
+    yk_problem(m->problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the study");
+}
+
 static YkModel *read_with(const YkRemake *r, const double *values, const Made *m)
 {
     const YkModel *model = r->state->mech->model;
@@ -76,6 +81,8 @@ static YkModel *read_with(const YkRemake *r, const double *values, const Made *m
     YkLoadOptions options = {overrides, r->count, model->engaged, m->progress};
     if (overrides && texts && text)
         made = yk_model_parse(text, strlen(text), model->source_name, &options, m->problems);
+    else
+        tell_no_memory(m);
     free(overrides);
     free(texts);
     return made;
@@ -87,6 +94,7 @@ static YkMechanism *compile_as(const Made *m, const YkMechanism *as)
     for (size_t i = 0; inputs && i < as->input_count; i++) inputs[i] = as->coordinates[as->inputs[i]].name;
     YkCompileOptions options = {.inputs = inputs, .input_count = as->input_count, .progress = m->progress};
     YkMechanism *mech = inputs ? yk_mechanism_compile(m->model, &options, m->problems) : NULL;
+    if (!inputs) tell_no_memory(m);
     free(inputs);
     return mech;
 }

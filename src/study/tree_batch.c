@@ -235,7 +235,10 @@ YkTreeBatch *yk_tree_batch_new(YkVariant *variant, const YkState *state, size_t 
     b->parameter_count = parameter_count;
     b->input_count = variant->mech->input_count;
     bool good = b->arena && allocate(b, state) && give_all(b);
-    if (good && !give_efforts(b)) good = *fits = false;
+    if (good && !give_efforts(b)) {
+        good = false;
+        *fits = yk_redesign_ran_out(variant->redesign); // otherwise an effort needs more than parameters
+    }
     if (good && !yk_arena_failed(b->arena)) return b;
     yk_tree_batch_free(b);
     return NULL;

@@ -40,6 +40,9 @@ static void take_side_held(const YkWalk *w)
         double side = yk_walk_side_held(w, k, w->path.last);
         int32_t input = w->path.meetings[k].input;
         if (side == 0) continue;
+        for (size_t i = 0; w->path.meetings[k].is_shared && i < s->mech->input_count; i++)
+            s->heading[i] = -side * yk_meeting_rise(&w->path, k, w->path.last, i);
+        if (w->path.meetings[k].is_shared) continue;
         if (input != YK_NONE)
             s->heading[input] = -side;
         else if (yk_path_is_time(&w->path))

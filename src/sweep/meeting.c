@@ -1,58 +1,14 @@
 // Change points that are known by the place of the input that leads to them. On each side of it the block has one sign,
-// however often and however little the motion goes over it: the pose follows from where the input is, not from its past. If a
-// drive turns back just at a limit, time takes the place of the input.
+// however often and however little the motion goes over it: the pose follows from where the input is, not from its past. Where
+// several inputs lead there together, it follows from where they all are (side.c). If a drive turns back just at a limit, time
+// takes the place of the input.
 #include "sweep/meeting.h"
 
 static const double MEETS = 1e-11, MEETS_LIMIT = YK_SINGULAR_MARGIN, START = 1e-4; // sin^2
 
-// --- where the input is
-
-// Returns how far from the change point an input's value, or a place on the path, lies, in units.
-static double off_of(const YkMeeting *m, double value)
+static int side_at(const YkWalk *w, size_t block, double at)
 {
-    return (value - m->at) / m->unit;
-}
-
-// Returns the distance up to which a place counts as the change point itself.
-static double tolerance(const YkMeeting *m)
-{
-    return 1e-11 * fmax(1, 1e-4 * fabs(off_of(m, 0)));
-}
-
-static double off_at(const YkPath *path, const YkMeeting *m, double at)
-{
-    return off_of(m, m->input == YK_NONE ? at : yk_path_input_at(path, (size_t)m->input, at));
-}
-
-static int side_of(const YkMeeting *m, double off)
-{
-    return fabs(off) > tolerance(m) ? (off > 0) - (off < 0) : 0;
-}
-
-// Returns the side on which the path is just before `at` (way -1) or just behind it (+1); 0: it rests there for ever.
-static int side_beside(const YkPath *path, const YkMeeting *m, double at, double way)
-{
-    enum { DOUBLINGS = 80 };
-    double step = 1e-13 * fmax(yk_path_scale(path), fabs(at));
-    int side = side_of(m, off_at(path, m, at));
-    if (side == 0 && m->input == YK_NONE) return way > 0 ? 1 : -1;
-    for (int k = 0; k < DOUBLINGS && side == 0; k++, step *= 2) {
-        double off = off_at(path, m, at + way * step);
-        if (!isfinite(off)) return 0;
-        side = side_of(m, 0.25 * off);
-    }
-    return side;
-}
-
-void yk_path_place_signs(const YkPath *path, double at)
-{
-    YkState *s = path->state;
-    for (size_t k = 0; k < path->meeting_count; k++) {
-        const YkMeeting *m = &path->meetings[k];
-        if (!m->is_known || m->is_off) continue;
-        int side = side_of(m, off_of(m, m->input == YK_NONE ? at : s->input[3 * m->input]));
-        s->branch[k] = (signed char)((side != 0 ? side : m->side) * m->above);
-    }
+    return yk_meeting_side(&w->path.meetings[block], w->path.state, yk_meeting_off_at(&w->path, block, at));
 }
 
 bool yk_walk_is_at_meeting(const YkWalk *w, size_t block, double a, double b)
@@ -60,7 +16,8 @@ bool yk_walk_is_at_meeting(const YkWalk *w, size_t block, double a, double b)
     const YkPath *path = &w->path;
     if (block >= path->meeting_count || !path->meetings[block].is_known) return false;
     const YkMeeting *m = &path->meetings[block];
-    double before = off_at(path, m, a), after = off_at(path, m, b);
+    if (m->is_shared && a != b && !(yk_path_way(path, a, b) < m->near)) return false; // costs less than the poses
+    double before = yk_meeting_off_at(path, block, a), after = a == b ? before : yk_meeting_off_at(path, block, b);
     bool is_short = m->input == YK_NONE ? fabs(after - before) < m->near : a == b || yk_path_way(path, a, b) < m->near;
     return is_short && fmin(fabs(before), fabs(after)) < m->near;
 }
@@ -69,8 +26,7 @@ bool yk_walk_knows_meeting(const YkWalk *w, size_t block, double at)
 {
     const double FAR = 64; // as the sine falls to less than 1e-3, where rates begin to be blurred
     if (block >= w->path.meeting_count || !w->path.meetings[block].is_known) return false;
-    const YkMeeting *m = &w->path.meetings[block];
-    return fabs(off_at(&w->path, m, at)) < FAR * m->near;
+    return fabs(yk_meeting_off_at(&w->path, block, at)) < FAR * w->path.meetings[block].near;
 }
 
 // --- finding it
@@ -95,7 +51,7 @@ static double sine_at(const Search *f, double value)
     YkStatus status = yk_state_solve(s);
     if (status < 0 && s->report.block <= (int)f->block) return -1;
     double margin = (status < 0 ? &s->spare : &s->space)->block_margin[f->block];
-    return margin >= 0 ? sqrt(margin) : -1;
+    return margin >= YK_LIMIT_MARGIN ? sqrt(fmax(margin, 0)) : -1; // a little below zero is rounding
 }
 
 // Moves a first guess to where the sine, nearly a straight line, is about zero. The guess may be some steps off.
@@ -220,20 +176,79 @@ static bool find_by_place(Search *f)
     return find_value(f, &f->meeting.at);
 }
 
+// Returns how much the sine changes along an input, per unit.
+static double slope_along(const Search *f, size_t input)
+{
+    const double H = 1e-3;
+    Search one = *f;
+    one.meeting.input = (int32_t)input;
+    double unit = yk_input_unit(f->walk->path.state->mech, input), value = f->walk->path.state->input[3 * input];
+    double before = sine_at(&one, value - H * unit), here = sine_at(&one, value),
+           after = sine_at(&one, value + H * unit);
+    sine_at(&one, value);
+    return before < 0 || here < 0 || after < 0 ? 0 : fmax(fabs(after - here), fabs(before - here)) / H;
+}
+
+static size_t steps_up_to(const YkMechanism *mech, size_t block)
+{
+    size_t k = 0;
+    while (mech->steps[k].kind != YK_STEP_BLOCK || (size_t)mech->steps[k].target != block) k++;
+    return k + 1;
+}
+
+// Finds the change point along the input that leads there fastest, with the others as they are here: on the path they all move.
+static bool find_by_several(Search *f)
+{
+    const YkState *s = f->walk->path.state;
+    double most = 0;
+    f->meeting.input = YK_NONE;
+    if (s->mech->has_groups || yk_path_set(&f->walk->path, f->place, true) < 0) return false;
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        double slope = slope_along(f, i);
+        if (slope <= most) continue;
+        most = slope;
+        f->meeting.input = (int32_t)i;
+    }
+    if (f->meeting.input == YK_NONE) return false;
+    f->meeting.unit = yk_input_unit(s->mech, (size_t)f->meeting.input);
+    f->meeting.at = s->input[3 * f->meeting.input];
+    if (!find_value(f, &f->meeting.at)) return false;
+    double step = f->h * f->meeting.unit;
+    f->meeting.slope = (sine_at(f, f->meeting.at + step) + sine_at(f, f->meeting.at - step)) / (2 * f->h);
+    f->meeting.step_count = steps_up_to(s->mech, f->block);
+    for (int k = 0; k < YK_MEETING_SEEN; k++) f->meeting.seen_at[k] = NAN;
+    return f->meeting.is_shared = f->meeting.slope > 0;
+}
+
 static bool find(YkWalk *w, size_t block, double at, YkMeeting *meeting)
 {
     if (block >= w->path.meeting_count || !yk_walk_has_margin(w, block)) return false;
     Search f = {.walk = w, .block = block, .place = at};
+    bool is_of_one = w->path.input >= 0; // the others rest
     w->path.meetings[block].is_known = false;
-    if (!find_by_input(&f) && !find_by_place(&f)) return false;
+    if (!find_by_input(&f) && !(!is_of_one && find_by_several(&f)) && !find_by_place(&f) &&
+        !(is_of_one && find_by_several(&f)))
+        return false;
     *meeting = f.meeting;
     meeting->is_known = true;
     meeting->near = f.h;
     return true;
 }
 
+// Returns whether a change point is the one that was known before: whichever input was followed to it, the sine is the same.
+static bool is_same(YkWalk *w, size_t block, YkMeeting old, YkMeeting m, double at)
+{
+    if (!old.is_known || old.is_shared != m.is_shared) return false;
+    if (!m.is_shared) return old.input == m.input && fabs(old.at - m.at) < 0.1 * m.near * m.unit;
+    w->path.meetings[block] = old;
+    double before = fabs(old.slope * yk_meeting_off_at(&w->path, block, at));
+    w->path.meetings[block] = m;
+    return fabs(before - fabs(m.slope * yk_meeting_off_at(&w->path, block, at))) < 0.1 * m.near * m.slope;
+}
+
 static void keep(YkWalk *w, size_t block, YkMeeting m, int side)
 {
+    w->path.meetings[block].is_known = false;
     if (side == 0) return;
     m.side = (signed char)side;
     m.above = (signed char)(side * w->path.state->branch[block]);
@@ -244,27 +259,30 @@ bool yk_walk_meets(YkWalk *w, size_t block, double at, double known, double way)
 {
     YkMeeting m, old = block < w->path.meeting_count ? w->path.meetings[block] : (YkMeeting){0};
     if (!find(w, block, at, &m)) return false;
-    if (old.is_known && old.input == m.input && fabs(off_of(&m, old.at)) < 0.1 * m.near) {
+    if (is_same(w, block, old, m, known)) {
         w->path.meetings[block] = old;
         return true;
     }
-    int side = side_of(&m, off_at(&w->path, &m, known));
-    if (side == 0) side = side_beside(&w->path, &m, known, -way);
+    w->path.meetings[block] = m;
+    int side = side_at(w, block, known);
+    bool is_off = isnan(yk_meeting_off_at(&w->path, block, known));
+    if (side == 0 && !is_off) side = yk_meeting_side_beside(&w->path, block, known, -way);
     keep(w, block, m, side);
     return side != 0;
 }
 
 // Returns the side from which an earlier motion has come to the change point at which the walk begins: its signs hold there.
 // If none has, they hold where it goes.
-static int side_at_start(const YkWalk *w, const YkMeeting *m, double at, double way)
+static int side_at_start(const YkWalk *w, size_t block, double at, double way)
 {
     const YkPath *path = &w->path;
+    const YkMeeting *m = &path->meetings[block];
     const YkState *s = path->state;
     double heading = yk_path_heading(path);
     for (size_t i = 0; m->input != YK_NONE && i < s->mech->input_count; i++)
-        if (s->arrival[i] != s->valid_input[3 * i]) return side_beside(path, m, at, way);
+        if (s->arrival[i] != s->valid_input[3 * i]) return yk_meeting_side_beside(path, block, at, way);
     if (m->input != YK_NONE) heading = s->heading[m->input];
-    return heading != 0 ? (heading < 0) - (heading > 0) : side_beside(path, m, at, way);
+    return heading != 0 ? (heading < 0) - (heading > 0) : yk_meeting_side_beside(path, block, at, way);
 }
 
 void yk_walk_begin_at(YkWalk *w, double at, double way)
@@ -280,8 +298,11 @@ void yk_walk_begin_at(YkWalk *w, double at, double way)
         bool is_found = find(w, k, at, &m);
         yk_path_probe(&w->path, at, true);
         if (!is_found) continue;
-        int side = side_of(&m, off_at(path, &m, at));
-        keep(w, k, m, side != 0 ? side : side_at_start(w, &m, at, way));
+        path->meetings[k] = m;
+        int side = side_at(w, k, at);
+        if (isnan(yk_meeting_off_at(path, k, at))) path->meetings[k].is_known = false;
+        if (!path->meetings[k].is_known) continue;
+        keep(w, k, m, side != 0 ? side : side_at_start(w, k, at, way));
     }
     if (has_looked) yk_path_probe(&w->path, at, true);
 }
@@ -304,13 +325,13 @@ static void note(YkWalk *w, size_t block, double at)
 }
 
 // Returns where the path goes over the change point between a place on the side of `side` and one on the other.
-static double crossing(const YkPath *path, const YkMeeting *m, double inside, double outside, int side)
+static double crossing(const YkPath *path, size_t block, double inside, double outside, int side)
 {
-    if (!(side * off_at(path, m, inside) > 0)) return inside;
+    if (!(side * yk_meeting_off_at(path, block, inside) > 0)) return inside;
     for (int k = 0; k < 64; k++) {
         double middle = 0.5 * (inside + outside);
         if (middle == inside || middle == outside) break;
-        if (side * off_at(path, m, middle) > 0)
+        if (side * yk_meeting_off_at(path, block, middle) > 0)
             inside = middle;
         else
             outside = middle;
@@ -318,21 +339,39 @@ static double crossing(const YkPath *path, const YkMeeting *m, double inside, do
     return inside;
 }
 
-// Returns the place between a and b at which the path is farthest beyond the change point.
-static double farthest_beyond(const YkPath *path, const YkMeeting *m, double a, double b)
+// Returns the place between a and b at which the path is farthest beyond the change point; a if it cannot get there.
+static double farthest_beyond(const YkPath *path, size_t block, double a, double b)
 {
-    enum { SAMPLES = 16, HALVINGS = 40 };
-    double best = a, least = INFINITY, step = (b - a) / SAMPLES;
-    for (int k = 1; k < SAMPLES; k++) {
-        double at = a + k * step, off = m->side * off_at(path, m, at);
+    enum { SAMPLES = 16, FEW = 4, HALVINGS = 40 };
+    const YkMeeting *m = &path->meetings[block];
+    int samples = m->is_shared ? FEW : SAMPLES;
+    double reach = 2 * (double)path->state->mech->input_count * yk_path_way(path, a, b); // of all inputs together
+    double best = a, step = (b - a) / samples,
+           least = fmin(m->side * yk_meeting_off_at(path, block, a), m->side * yk_meeting_off_at(path, block, b));
+    if (least > reach) return a;
+    least = INFINITY;
+    for (int k = 1; k < samples; k++) {
+        double at = a + k * step, off = m->side * yk_meeting_off_at(path, block, at);
         if (off < least) least = off, best = at;
     }
-    for (int k = 0; k < HALVINGS; k++, step *= 0.6)
+    for (int k = 0; k < HALVINGS && least < reach * step / (b - a); k++, step *= 0.6)
         for (int way = -1; way <= 1; way += 2) {
-            double at = best + 0.5 * way * step, off = m->side * off_at(path, m, at);
+            double at = best + 0.5 * way * step, off = m->side * yk_meeting_off_at(path, block, at);
             if ((at - a) * (b - at) > 0 && off < least) least = off, best = at;
         }
     return best;
+}
+
+// Notes both passages of a change point beyond which the path goes between a and b, though both lie on the same side of it.
+// Returns whether there are any.
+static bool note_excursion(YkWalk *w, size_t block, double a, double b)
+{
+    const YkMeeting *m = &w->path.meetings[block];
+    double beyond = farthest_beyond(&w->path, block, a, b);
+    if (side_at(w, block, beyond) != -m->side) return false;
+    note(w, block, crossing(&w->path, block, a, beyond, m->side));
+    note(w, block, crossing(&w->path, block, b, beyond, m->side));
+    return true;
 }
 
 void yk_walk_note_crossings(YkWalk *w, double a, double b)
@@ -342,31 +381,33 @@ void yk_walk_note_crossings(YkWalk *w, double a, double b)
     for (size_t k = 0; k < path->meeting_count; k++) {
         YkMeeting *m = &path->meetings[k];
         if (!m->is_known) continue;
-        double off = off_at(path, m, b);
-        int side = side_of(m, off);
-        bool is_near = fmin(fabs(off_at(path, m, a)), fabs(off)) < m->near;
-        if (side == m->side && m->input != YK_NONE && yk_walk_is_at_meeting(w, k, a, b)) {
-            double beyond = farthest_beyond(path, m, a, b);
-            if (side_of(m, off_at(path, m, beyond)) == -m->side) {
-                note(w, k, crossing(path, m, a, beyond, m->side));
-                note(w, k, crossing(path, m, b, beyond, m->side));
-                is_moved = true;
-            }
-        }
+        double off = yk_meeting_off_at(path, k, b);
+        int side = yk_meeting_side(m, path->state, off);
+        bool is_near = fmin(fabs(yk_meeting_off_at(path, k, a)), fabs(off)) < m->near;
+        if (side == m->side && m->input != YK_NONE && yk_walk_is_at_meeting(w, k, a, b))
+            is_moved |= note_excursion(w, k, a, b);
+        if (isnan(off) && m->is_shared) m->is_known = false; // the next one may be another
         if (side == 0 || side == m->side) continue;
-        if (is_near) note(w, k, crossing(path, m, a, b, m->side));
+        if (is_near) note(w, k, crossing(path, k, a, b, m->side));
         is_moved |= is_near;
         m->side = (signed char)side;
     }
     if (is_moved && path->state->mech->redundant_count > 0) yk_path_try(&w->path, b, true);
 }
 
+// Returns whether the inputs at `at` are just at a known change point.
+static bool is_there(const YkWalk *w, size_t block, double at)
+{
+    double off = yk_meeting_off_at(&w->path, block, at);
+    return fabs(off) <= yk_meeting_tolerance(&w->path.meetings[block], w->path.state);
+}
+
 bool yk_walk_passes_meeting(YkWalk *w, size_t block, double at, double way, bool is_start)
 {
     YkMeeting *m = &w->path.meetings[block];
-    if (side_of(m, off_at(&w->path, m, at)) != 0) return true; // elsewhere, if at all
-    int ahead = side_beside(&w->path, m, at, way);
-    int before = is_start ? m->side : side_beside(&w->path, m, at, -way);
+    if (!is_there(w, block, at)) return true; // elsewhere, if at all
+    int ahead = yk_meeting_side_beside(&w->path, block, at, way);
+    int before = is_start ? m->side : yk_meeting_side_beside(&w->path, block, at, -way);
     if (ahead == 0 || ahead == before) return false;
     if (m->side != ahead) note(w, block, at);
     m->side = (signed char)ahead;
@@ -375,7 +416,6 @@ bool yk_walk_passes_meeting(YkWalk *w, size_t block, double at, double way, bool
 
 double yk_walk_side_held(const YkWalk *w, size_t block, double at)
 {
-    const YkPath *path = &w->path;
-    const YkMeeting *m = &path->meetings[block];
-    return m->is_known && side_of(m, off_at(path, m, at)) == 0 ? m->side : 0;
+    const YkMeeting *m = &w->path.meetings[block];
+    return m->is_known && is_there(w, block, at) ? m->side : 0;
 }

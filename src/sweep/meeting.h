@@ -19,4 +19,16 @@ void yk_walk_note_crossings(YkWalk *walk, double a, double b);
 // is_start: the walk begins there.
 bool yk_walk_passes_meeting(YkWalk *walk, size_t block, double at, double way, bool is_start);
 
+// --- side.c: where the inputs are
+
+// Returns how far the inputs on the path at `at` are from a block's known change point, in units; NaN where that cannot be told:
+// far away, if several inputs decide together.
+double yk_meeting_off_at(const YkPath *path, size_t block, double at);
+// Returns the distance up to which a place counts as the change point itself.
+double yk_meeting_tolerance(const YkMeeting *meeting, const YkState *state);
+// Returns the side of the change point, +1 or -1, for a distance from it; 0: just there, or unknown.
+int yk_meeting_side(const YkMeeting *meeting, const YkState *state, double off);
+// Returns the side on which the path is just before `at` (way -1) or just behind it (+1); 0: it rests there for ever.
+int yk_meeting_side_beside(const YkPath *path, size_t block, double at, double way);
+
 #endif

@@ -62,7 +62,7 @@ double yk_path_scale(const YkPath *path)
 }
 
 // Sets a point on a line: exactly the goal at its end.
-static void set_on_line(YkPath *path, double at, bool along)
+static void set_on_line(const YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
     for (size_t i = 0; i < s->mech->input_count; i++) {
@@ -75,7 +75,7 @@ static void set_on_line(YkPath *path, double at, bool along)
 }
 
 // Sets the inputs at a time; an input whose position is held has no rate along the path.
-static YkStatus set_at_time(YkPath *path, double time, bool along)
+static YkStatus set_at_time(const YkPath *path, double time, bool along)
 {
     YkState *s = path->state;
     YkStatus status = yk_state_set_time(s, time, NULL);
@@ -97,7 +97,7 @@ double yk_path_length(YkPath *path, double from, double to)
 }
 
 // Sets the coordinate; the other inputs stay where the path began.
-static void set_coordinate(YkPath *path, double at, bool along)
+static void set_coordinate(const YkPath *path, double at, bool along)
 {
     YkState *s = path->state;
     memcpy(s->input, path->others, 3 * s->mech->input_count * sizeof *s->input);
@@ -106,15 +106,20 @@ static void set_coordinate(YkPath *path, double at, bool along)
     if (along) s->input[3 * path->input + 1] = 1;
 }
 
-YkStatus yk_path_set(YkPath *path, double at, bool along)
+YkStatus yk_path_set_inputs(const YkPath *path, double at, bool along)
 {
-    YkStatus status = YK_OK;
     if (path->is_line)
         set_on_line(path, at, along);
     else if (path->input >= 0)
         set_coordinate(path, at, along);
     else
-        status = set_at_time(path, at, along);
+        return set_at_time(path, at, along);
+    return YK_OK;
+}
+
+YkStatus yk_path_set(YkPath *path, double at, bool along)
+{
+    YkStatus status = yk_path_set_inputs(path, at, along);
     if (status >= 0) yk_path_place_signs(path, at);
     return status;
 }

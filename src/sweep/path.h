@@ -8,11 +8,18 @@
 // its rates do not tell which way a channel goes.
 #define YK_BRANCH_MARGIN 1e-10
 
+enum { YK_MEETING_SEEN = 4 };
+
 // A change point of a block, known by the place of the input that leads to it: the block has one sign on each side of it.
 typedef struct YkMeeting {
-    bool is_known, is_off;   // off: the signs are set otherwise for the time being
-    int32_t input;           // over time: the only one that leads there; YK_NONE: the place on the path does
-    double unit, at, near;   // one of its units; its value there; how far from it, in units, nothing else can be
+    bool is_known, is_off; // off: the signs are set otherwise for the time being
+    bool is_shared;        // several inputs lead there together: where this one would be there depends on the others
+    int32_t input;         // over time: the only one that leads there; YK_NONE: the place on the path does
+    double unit, at, near; // one of its units; its value there; how far from it, in units, nothing else can be
+    double slope;          // shared: of the sine of the transmission angle, per unit
+    size_t step_count;     // shared: up to the block's own step
+    double seen_at[YK_MEETING_SEEN], seen_off[YK_MEETING_SEEN]; // shared: where the path was looked at last
+    unsigned seen;
     signed char above, side; // the sign above it; the side on which the motion was last
 } YkMeeting;
 
@@ -25,6 +32,7 @@ typedef struct YkPath {
     double *others;      // the inputs at the start: [3 * input + k]; behind them near.c has its scratch
     const double *goal;  // [3 * input + k], owned by the caller
     YkMeeting *meetings; // [block], owned by a walk; none without one
+    signed char *signs;  // [block], the same: scratch
     size_t meeting_count;
 } YkPath;
 
@@ -44,6 +52,8 @@ double yk_path_heading(const YkPath *path);
 // Sets the inputs, and the signs that blocks are known to have there, at `at`: with the motion's own rates, or (along) with rates per unit of the path. Returns
 // YK_BAD_MODEL if a drive has no value at that time.
 YkStatus yk_path_set(YkPath *path, double at, bool along);
+// Sets the inputs alone.
+YkStatus yk_path_set_inputs(const YkPath *path, double at, bool along);
 // Does the same and solves: to look, or (probe) to continue from there, with the pose's angles as the next reference.
 YkStatus yk_path_try(YkPath *path, double at, bool along);
 // Takes the pose as reference unless it is nearly singular.
@@ -63,8 +73,11 @@ double yk_path_between(const YkPath *path, double a, double b, double part);
 double yk_path_heads(const YkPath *path, size_t input, double at, double way);
 // Returns the value of an input at a time; NaN if its drive has none.
 double yk_path_input_at(const YkPath *path, size_t input, double time);
-// meeting.c: gives blocks near known change points the signs that they have for the inputs as they are set, at `at`.
+// side.c: gives blocks near known change points the signs that they have for the inputs as they are set, at `at`.
 void yk_path_place_signs(const YkPath *path, double at);
+// Returns how far the inputs on the path at `at` go over a block's shared change point, in its units, while one of them goes by one
+// of its own.
+double yk_meeting_rise(const YkPath *path, size_t block, double at, size_t input);
 // Returns whether the inputs, which have come to `at`, turn back there or rest for good.
 bool yk_path_turns_back(const YkPath *path, double at);
 // Finds the last value that closes, to rounding, between a pose that closes and one that does not. The state ends

@@ -43,7 +43,7 @@ bool yk_sweep_record(YkSweep *w, double at)
     w->row_status[row] = (signed char)status;
     yk_sweep_read_channels(w, yk_sweep_row(w, row) + 1);
     if (w->options.visit) w->options.visit(w->options.context, s);
-    w->worst_residual = fmax(w->worst_residual, yk_state_residuals(s).position);
+    w->worst_residual = fmax(w->worst_residual, yk_state_gap(s));
     if (status == YK_SINGULAR)
         yk_walk_note(&w->walk, (YkEvent){.kind = YK_EVENT_SINGULAR, .at = at, .block = s->report.block});
     return true;

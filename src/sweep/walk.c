@@ -17,8 +17,9 @@ bool yk_walk_start(YkWalk *w, YkPath path, double turn_max)
     w->flipped_at = calloc(count, sizeof *w->flipped_at);
     for (size_t k = 0; w->flipped_at && k < count; k++) w->flipped_at[k] = NAN;
     w->path.meetings = calloc(count, sizeof *w->path.meetings);
+    w->path.signs = calloc(count, 1);
     w->path.meeting_count = w->path.meetings && count == blocks ? count : 0;
-    return path.others && w->margins && w->flipped_at && w->path.meetings;
+    return path.others && w->margins && w->flipped_at && w->path.meetings && w->path.signs;
 }
 
 void yk_walk_end(YkWalk *w)
@@ -27,6 +28,7 @@ void yk_walk_end(YkWalk *w)
     free(w->margins);
     free(w->flipped_at);
     free(w->path.meetings);
+    free(w->path.signs);
     free(w->events);
 }
 
@@ -260,6 +262,18 @@ static bool has_passed_unseen(YkWalk *w, size_t block, double a, double b, doubl
     return false;
 }
 
+// Looks, where several inputs move, for the change point of a block that they may pass between a and b, before the intervals are
+// so narrow that there would be very many of them. Returns whether it decides the sign in all of [a, b]; the state is at b again.
+static bool meets_early(YkWalk *w, size_t block, double a, double b)
+{
+    const double WIDE = 2e-4, FINE = 5e-5;
+    double way = yk_path_way(&w->path, a, b);
+    if (w->path.state->mech->input_count < 2 || !(way < WIDE && way > FINE)) return false;
+    bool meets = yk_walk_meets(w, block, b, a, b - a) && yk_walk_is_at_meeting(w, block, a, b);
+    if (!meets) return_to(w, a, b);
+    return meets;
+}
+
 // Judges [a, b] from the margins at both ends and in the middle; in the narrowest intervals a touch is a change point.
 static Verdict look(YkWalk *w, double a, double b, size_t depth)
 {
@@ -269,7 +283,11 @@ static Verdict look(YkWalk *w, double a, double b, size_t depth)
     for (size_t k = 0; k < w->margin_count; k++) {
         if (!yk_walk_has_margin(w, k) || yk_walk_is_at_meeting(w, k, a, b)) continue;
         double least = fmin(ma[k], fmin(mm[k], mb[k]));
-        if (!narrow && !is_decided(w, k, b) && is_within_reach(w, least, a, b)) return FINER;
+        if (!narrow && !is_decided(w, k, b) && is_within_reach(w, least, a, b)) {
+            if (!meets_early(w, k, a, b)) return FINER;
+            touched = true;
+            continue;
+        }
         if (!yk_margin_may_vanish(ma[k], mm[k], mb[k])) {
             touched |= has_passed_unseen(w, k, a, b, least, mb[k]);
             continue;

@@ -69,6 +69,25 @@ static void run_accelerate(Machine *m)
     for (int k = 0; k < 20; k++) machine_accelerate(m, a);
 }
 
+// Whole motions, with all that happens between evaluations: where many loops pass singular positions together, the cost may
+// only grow with their number.
+static void run_motion(Machine *m, double tolerance, double span)
+{
+    YkSimulation *simulation = machine_simulate(m, tolerance, span);
+    if (yk_simulation_advance(simulation, span) != YK_OK) die("no motion");
+    yk_simulation_free(simulation);
+}
+
+static void run_second(Machine *m)
+{
+    run_motion(m, 1e-10, 1);
+}
+
+static void run_hundredths(Machine *m)
+{
+    run_motion(m, 1e-10, 0.03);
+}
+
 static void run_study(Machine *m)
 {
     static const char *const names[] = {"a", "b"};
@@ -125,6 +144,9 @@ static const Task tasks[] = {
     {"double-pendulum-rhs", "double-pendulum", NULL, 0, run_accelerate},
     {"n-four-bar-rhs", NULL, n_four_bar_text, LOOPS, run_accelerate},
     {"chain-rhs", NULL, chain_text, LINKS, run_accelerate},
+    {"n-four-bar-motion", NULL, n_four_bar_text, LOOPS, run_second},
+    {"double-pendulum-motion", "double-pendulum", NULL, 0, run_second},
+    {"andrews-motion", "andrews", NULL, 0, run_hundredths},
     {"four-bar-study", "four-bar", NULL, 0, run_study},
     {"check-andrews", "andrews", NULL, 0, run_check},
     {"derive-double-pendulum", "double-pendulum", NULL, 0, run_derive},

@@ -86,6 +86,13 @@ class Solve(Case):
         self.assertAlmostEqual(pose["points"]["crank.A"]["position"][0], 0.03, places=15)
         self.assertEqual(Run("solve", self.four_bar, "--param", "b=1").code, 2)
 
+    def test_two_values_for_one_name_are_refused(self):
+        for option in ("--at", "--rate", "--accel"):
+            run = Run("solve", self.four_bar, option, "theta1=1", option, "theta1=2")
+            self.assertEqual(run.code, 2)
+            self.assertIn("%s gives `theta1` twice: `1` and `2` [E0817]" % option, run.err)
+            self.assertEqual(Run("solve", self.four_bar, option, "theta1=1", option, "theta1=1").code, 0)
+
     def test_all_gives_both_configurations_with_labels_of_their_own(self):
         answer = self.solve("--all")
         self.assertEqual(len({pose["label"] for pose in answer["configurations"]}), 2)

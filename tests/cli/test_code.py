@@ -216,6 +216,18 @@ class Code(Printed):
         self.assertIn("m_find_reactions", text)
         self.assertEqual(self.run_test(text).stdout, "m: well\n")
 
+    def test_reactions_contain_what_teeth_and_cams_transmit(self):
+        """Their forces, where one is known, are results that the self-test compares with the engine's: with another sign it fails."""
+        for example, contact in (("planetary-gear", "inner"), ("valve-cam", "intake"), ("flat-faced-cam", "disc")):
+            text = self.print(os.path.join(ROOT, "examples", example + ".yaml"))
+            self.assertEqual(self.run_test(text).stdout, "m: well\n", example)
+            for end in ("force_x", "force_y"):
+                name = "%s_%s" % (contact, end)
+                self.assertRegex(text, r"double %s;" % name)
+            wrong, count = re.subn(r"(?m)^(    out->%s_force_y = )" % contact, r"\g<1>3 + ", text)
+            self.assertEqual(count, 1, example)
+            self.assertIn("reactions", self.run_test(wrong).stdout, example)
+
     def test_laws_are_solved_together_with_loops(self):
         """A five-bar whose fourth angle follows its second by a law, both unknown: Newton's method calls the law."""
         with open(os.path.join(ROOT, "examples", "geared-five-bar.yaml"), encoding="utf-8") as file:

@@ -203,7 +203,7 @@ units: {length: mm}
         run = self.good("synthesize", FIVE, "-o", folder)
         self.assertIn("crank-rocker", run.out)
         names = sorted(os.listdir(folder))
-        self.assertEqual(names, ["01-four-bar.yaml", "02-four-bar.yaml", "03-four-bar.yaml", "candidates.svg", "task.json"])
+        self.assertEqual(names, ["01-four-bar.yaml", "02-four-bar.yaml", "03-four-bar.yaml", "burmester.svg", "candidates.svg", "task.json"])
         with open(os.path.join(folder, "task.json"), encoding="utf-8") as file:
             answer = json.load(file)
         for candidate in answer["candidates"]:
@@ -336,6 +336,17 @@ units: {length: mm}
                 self.assertAlmostEqual(one, other, delta=1e-12)
         self.assertEqual(len(polygon["steps"]), 3)
         self.assertIn("Coriolis", self.good("solve", path, "--polygon", "acceleration").out)
+        told = {}
+        for unit in ("m", "mm"):
+            with open(path, encoding="utf-8") as file:
+                own = self.write("polygon.yaml", re.sub(r"(?m)^units:.*$", "", file.read()) + "\nunits: {length: %s}\n" % unit)
+            run = Run("solve", own, "--polygon", "velocity")
+            told[unit] = [float(line.split()[-1]) for line in run.out[run.out.rindex("size ["):].splitlines()[1:] if line.strip()]
+            self.assertIn("size [%s/s]" % unit, run.out)
+            self.assertIn(" %s/s " % unit, run.out[run.out.index("1. "):])
+        for one, other in zip(told["m"], told["mm"]):
+            self.assertAlmostEqual(1000 * one, other, delta=0.01 * abs(other) + 1e-9)
+        self.assertGreater(len(told["m"]), 3)
         self.assertIn("velocity polygon", self.good("draw", path, "--polygon", "velocity").out)
         self.assertIn('class="center"', self.good("draw", path, "--centers").out)
         free = os.path.join(ROOT, "examples", "driven-coupler.yaml")

@@ -483,9 +483,30 @@ static void machines_without_masses_are_refused(void **state)
     yk_problems_free(problems);
 }
 
+// 97 and 101 teeth meet as before only after 101 turns, so one turn says nothing of the orders.
+static void orders_of_what_never_repeats_are_none(void **state)
+{
+    (void)state;
+    Machine m =
+        open_text("bodies:\n  ground: {points: {O: [0, 0], P: [0.198, 0]}}\n"
+                  "  crank: {points: {O: [0, 0]}, mass: 1, center: [.1, 0]}\n"
+                  "  wheel: {points: {P: [0, 0]}, mass: 2, center: [.1, 0]}\n"
+                  "joints:\n  O: {pin: [ground, crank], angle: theta}\n  P: {pin: [ground, wheel], angle: phi}\n"
+                  "gears: {G: {mesh: [crank, wheel], teeth: [97, 101], module: 0.002}}\n"
+                  "drives: {theta: 0.4 + 10 rad/s * t}\n");
+    YkBalancing *b = yk_balancing_new(m.state, NULL, NULL);
+    assert_non_null(b);
+    assert_int_equal(yk_balancing_turns(b), 0);
+    for (size_t n = 1; n <= YK_SHAKING_ORDERS; n++)
+        assert_true(isnan(yk_balancing_order(b, n, false).with) && isnan(yk_balancing_order(b, n, true).against));
+    yk_balancing_free(b);
+    close_machine(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(orders_of_what_never_repeats_are_none),
         cmocka_unit_test(a_crank_alone_balances_half_of_the_piston),
         cmocka_unit_test(a_compromise_is_the_least_in_its_neighbourhood),
         cmocka_unit_test(a_four_bar_gets_the_counterweights_of_berkof_and_lowen),

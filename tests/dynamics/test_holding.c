@@ -372,6 +372,54 @@ static void what_slides_elsewhere_closes_no_range(void **unused)
         }
 }
 
+// A press that moves, beside a block that stands: its frictions and accelerations are those of the press by itself, found
+// in another way.
+static void what_stands_elsewhere_changes_nothing(void **unused)
+{
+    (void)unused;
+    static const char *const blocks[] = {
+        "", "  Z: {slide: [ground, block], along: 0.2 rad, distance: z, friction: {coulomb: 0.3}}\n"};
+    Rig rig[2];
+    for (int which = 0; which < 2; which++) {
+        char text[2000];
+        snprintf(
+            text, sizeof text,
+            "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"
+            "  crank: {points: {O: [0, 0], A: [0.05, 0]}, mass: 6, center: [0.02, 0.01], inertia: 0.3}\n"
+            "  rod: {points: {A: [0, 0], B: [0.13, 0]}, mass: 1.5, center: [0.04, 0], inertia: 0.015}\n"
+            "  ram: {points: {B: [0, 0]}, mass: 4}\n%sjoints:\n  O: {pin: [ground, crank], angle: theta, " PIN(
+                0.02) "}\n"
+                      "  A: {pin: [crank, rod], angle: psi, " PIN(0.02) "}\n  B: {pin: [rod, ram], " PIN(
+                          0.01) "}\n"
+                                "  R: {slide: [ground, ram], along: x, distance: h, friction: {coulomb: 0.4}}\n%s"
+                                "efforts: {theta: 5 N*m, h: -60 N}\nstart: {theta: 70 deg, psi: -90 deg, h: 0.14}\n",
+            which ? "  block: {mass: 2}\n" : "", blocks[which]);
+        rig[which] = rig_of_text(text);
+    }
+    for (int k = 0; k < 24; k++) {
+        double theta = 1.2 + 0.25 * k, rate = (k % 2 ? 3 : -3) + 0.1 * k;
+        if (fabs(sin(theta)) < 0.15) continue; // at dead points friction may jam it
+        for (int which = 0; which < 2; which++) {
+            size_t input = 0, coordinate = yk_coordinate_find(rig[which].mech, "theta");
+            while (yk_input_coordinate(rig[which].mech, input) != coordinate) input++;
+            yk_state_set_input(rig[which].state, input, (YkMotion){theta, rate, 0});
+            assert_int_equal(yk_dynamics_solve(rig[which].dynamics, rig[which].state, YK_METHOD_REDUCED), YK_OK);
+        }
+        CHECK_NEAR(yk_state_coordinate(rig[1].state, yk_coordinate_find(rig[1].mech, "z")).acceleration, 0, 1e-12);
+        for (size_t j = 0; j < 4; j++) {
+            YkReaction alone = yk_dynamics_reaction(rig[0].dynamics, j),
+                       beside = yk_dynamics_reaction(rig[1].dynamics, j);
+            double size = rig[0].dynamics->largest_force;
+            for (int axis = 0; axis < 2; axis++) CHECK_NEAR(beside.force[axis], alone.force[axis], 1e-9 * size);
+        }
+        double a = yk_state_coordinate(rig[0].state, yk_coordinate_find(rig[0].mech, "theta")).acceleration;
+        CHECK_NEAR(yk_state_coordinate(rig[1].state, yk_coordinate_find(rig[1].mech, "theta")).acceleration, a,
+                   1e-9 * fabs(a));
+    }
+    rig_free(&rig[0]);
+    rig_free(&rig[1]);
+}
+
 // A plate that a parallelogram carries and guides keep from turning: its pin stands in every pose, but for rounding, while
 // all else moves. Its friction costs no effort; what rods and guides bear is open.
 static void a_joint_may_stand_while_all_else_moves(void **unused)
@@ -482,6 +530,7 @@ int main(void)
         cmocka_unit_test(a_drive_holds_what_sticks_elsewhere),
         cmocka_unit_test(a_drive_holds_while_the_rest_slips),
         cmocka_unit_test(what_slides_elsewhere_closes_no_range),
+        cmocka_unit_test(what_stands_elsewhere_changes_nothing),
         cmocka_unit_test(a_joint_may_stand_while_all_else_moves),
         cmocka_unit_test(a_machine_without_loads_stays_by_itself),
         cmocka_unit_test(too_many_joints_leave_it_open),

@@ -194,6 +194,38 @@ static void slopes_are_those_of_the_tree(void **state)
     assert_true(none > 1000);
 }
 
+// Lanes have the bits of one evaluation each, and a lane without a value leaves the others alone.
+static void lanes_are_single_values_to_the_last_bit(void **state)
+{
+    (void)state;
+    static double scratch[YK_FORMULA_SCRATCH], x[YK_FORMULA_LANES], y[YK_FORMULA_LANES], z[YK_FORMULA_LANES];
+    const double *variables[VARIABLES] = {x, y, z};
+    uint64_t seed = 23;
+    int finite = 0, none = 0;
+    for (int trial = 0; trial < 1200; trial++) {
+        char text[8192] = "";
+        grow(&seed, 1 + trial % 6, trial % 2 ? WHOLE_POWERS : ANY_POWERS, text, sizeof text);
+        Fixture fixture = fixture_new();
+        const YkFormula *formula = compile(&fixture, text);
+        size_t n = 1 + check_random(&seed) % YK_FORMULA_LANES;
+        for (size_t i = 0; i < n; i++) {
+            Point point = random_point(&seed, 1);
+            x[i] = point.value[X], y[i] = point.value[Y], z[i] = point.value[Z];
+        }
+        const double *lanes = yk_formula_lanes(formula, variables, scratch, n);
+        for (size_t i = 0; i < n; i++) {
+            const double point[VARIABLES] = {x[i], y[i], z[i]};
+            double single = yk_formula_eval(formula, point);
+            bool is_same = isfinite(single) ? memcmp(&single, &lanes[i], sizeof single) == 0 : !isfinite(lanes[i]);
+            if (!is_same) print_error("«%s»: lane %zu is %.17g, alone %.17g\n", text, i, lanes[i], single);
+            assert_true(is_same);
+            *(isfinite(single) ? &finite : &none) += 1;
+        }
+        fixture_free(&fixture);
+    }
+    assert_true(finite > 5000 && none > 1000);
+}
+
 static void whole_powers_are_good_to_the_last_bits(void **state)
 {
     (void)state;
@@ -365,6 +397,7 @@ int main(void)
         cmocka_unit_test(each_mention_is_resolved_once),
         cmocka_unit_test(deep_and_wide_expressions_stand),
         cmocka_unit_test(formulas_agree_with_mathematics),
+        cmocka_unit_test(lanes_are_single_values_to_the_last_bit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -97,12 +97,48 @@ static void derivatives_agree_with_differences(void **state)
     }
 }
 
+// A sum that joins terms has the value of one that does not, and takes fewer operations.
+static void terms_are_joined(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    YkRef c = yk_graph_leaf(g, YK_LEAF_POSE, "c"), s = yk_graph_leaf(g, YK_LEAF_POSE, "s");
+    YkRefVec e = {c, s}, arm = yk_graph_vec_scale(g, yk_graph_number(g, 0.036), e);
+    g->joins_terms = true;
+    yk_graph_is_unit(g, e);
+    assert_true(yk_graph_is_number(g, yk_graph_cross(g, arm, yk_graph_vec_scale(g, t->x, e)), 0));
+    YkRefVec unit = yk_graph_vec_scale(g, yk_graph_inverse(g, yk_graph_vec_length(g, arm)), arm);
+    assert_true(unit.x == c && unit.y == s);
+    assert_true(yk_graph_dot(g, yk_graph_vec_scale(g, t->x, e), yk_graph_vec_scale(g, t->y, e)) ==
+                yk_graph_multiply(g, t->x, t->y));
+    // What turns with e: 3 m from the axis, with an acceleration of x along e and of y across.
+    YkRefVec along = yk_graph_vec_scale(g, t->x, e), across = yk_graph_vec_scale(g, t->y, yk_graph_vec_quarter(g, e));
+    YkRefVec push = yk_graph_vec_scale(g, yk_graph_number(g, 5), yk_graph_vec_add(g, along, across));
+    YkRef moment = yk_graph_cross(g, yk_graph_vec_scale(g, yk_graph_number(g, 3), e), push);
+    assert_true(moment == yk_graph_multiply(g, yk_graph_number(g, 15), t->y));
+    // Terms that are added to one of a longer sum; what is no unit vector stays.
+    YkRef sum = yk_graph_subtract(g, yk_graph_add(g, t->x, t->length), t->y);
+    CHECK_NEAR(value(t, yk_graph_subtract(g, sum, t->length), 7, 2), 5, 0);
+    assert_true(yk_graph_subtract(g, sum, t->length) == yk_graph_subtract(g, t->x, t->y));
+    YkRefVec other = {t->x, t->y};
+    CHECK_NEAR(value(t, yk_graph_dot(g, other, other), 7, 2), 53, 0);
+    YkRef unequal = yk_graph_add(g, yk_graph_multiply(g, c, c),
+                                 yk_graph_multiply(g, yk_graph_number(g, 2), yk_graph_multiply(g, s, s)));
+    assert_true(g->values[unequal].op == YK_VALUE_ADD);
+    // A force of 7 along a normal, from its part across: the length of the normal cancels.
+    YkRef per = yk_graph_inverse(g, yk_graph_vec_length(g, other));
+    YkRefVec normal = yk_graph_vec_scale(g, per, other);
+    YkRef force = yk_graph_divide(g, yk_graph_number(g, 7), normal.x), aside = yk_graph_multiply(g, normal.y, force);
+    assert_true(aside == yk_graph_multiply(g, t->y, yk_graph_divide(g, yk_graph_number(g, 7), t->x)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(what_is_constant_is_folded_and_what_is_there_is_found, set_up, tear_down),
         cmocka_unit_test_setup_teardown(what_hangs_on_parameters_alone_is_known_as_such, set_up, tear_down),
         cmocka_unit_test_setup_teardown(derivatives_agree_with_differences, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(terms_are_joined, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

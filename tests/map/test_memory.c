@@ -95,9 +95,35 @@ static void test_each_failure_of_regions_is_told(void **unused)
     yk_problems_free(problems);
 }
 
+static void test_every_allocation_of_a_certifier_may_fail(void **unused)
+{
+    (void)unused;
+    skip_unless_interposed();
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_load(YOKE_ROOT "/examples/double-butterfly.yaml", NULL, problems);
+    YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
+    long failures = 0, blocks = live;
+    for (long allowed = 0;; allowed++) {
+        countdown = allowed;
+        has_failed = false;
+        YkCertifier *certifier = yk_certifier_new(mech);
+        countdown = -1;
+        assert_true(has_failed == !certifier);
+        yk_certifier_free(certifier);
+        assert_int_equal(live, blocks);
+        if (!has_failed) break;
+        failures++;
+    }
+    assert_true(failures >= 10);
+    yk_mechanism_free(mech);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_failure_is_told),
-                                       cmocka_unit_test(test_each_failure_of_regions_is_told)};
+                                       cmocka_unit_test(test_each_failure_of_regions_is_told),
+                                       cmocka_unit_test(test_every_allocation_of_a_certifier_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

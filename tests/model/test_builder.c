@@ -109,7 +109,7 @@ static void test_problems_name_what_they_are_about(void **context)
     check_told(b, 401, "joint `Z`, pin", "there is no body `crnk`", "did you mean `crank`?");
     b = new_slider_crank();
     yk_builder_mass(b, "rod", -1, 0, 0, 1);
-    check_told(b, 415, "body `rod`, mass", "the mass of `rod` is -1; it must be positive", NULL);
+    check_told(b, 415, "body `rod`, mass", "the mass of `rod` is -1 kg; it must be positive", NULL);
     b = new_slider_crank();
     yk_builder_point(b, "rood", "C", 0, 0);
     check_told(b, 401, NULL, "there is no body `rood`", "did you mean `rod`?");

@@ -61,6 +61,18 @@ static void gravity_with_a_unit_or_of_a_planet_is_taken_as_it_is(void **state)
     is_silent("parameters: {g: 9810 mm/s^2}\nunits: {length: cm}\ngravity: [0, -g]\n");
 }
 
+// What a bare number means is not known then: the mistake in `units:` is told, and nothing that may only follow from it.
+static void bad_units_are_no_reason_to_doubt_gravity(void **state)
+{
+    (void)state;
+    static const char text[] = "units: {length: mn}\ngravity: [0, -9810]\n" CRANK;
+    YkProblems *problems = yk_problems_new();
+    assert_null(yk_model_parse(text, strlen(text), "test.yaml", NULL, problems));
+    assert_non_null(fixture_problem(problems, YK_CODE_UNITS_ENTRY));
+    assert_null(fixture_problem(problems, YK_CODE_ODD_GRAVITY));
+    yk_problems_free(problems);
+}
+
 // Each parameter is twice the one before: a walk that looks at every use anew never ends.
 static void gravity_of_a_long_chain_of_doubled_parameters_is_read(void **state)
 {
@@ -79,6 +91,7 @@ static void gravity_of_a_long_chain_of_doubled_parameters_is_read(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bad_units_are_no_reason_to_doubt_gravity),
         cmocka_unit_test(a_bare_gravity_unlike_any_planets_warns_and_says_what_may_be_meant),
         cmocka_unit_test(gravity_with_a_unit_or_of_a_planet_is_taken_as_it_is),
         cmocka_unit_test(gravity_of_a_long_chain_of_doubled_parameters_is_read),

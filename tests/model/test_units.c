@@ -139,6 +139,36 @@ static void forces_in_units_that_nobody_means_are_told_once(void **state)
     }
 }
 
+static void values_that_cannot_be_are_told_in_the_files_units(void **state)
+{
+    (void)state;
+    static const struct {
+        YkCode code;
+        const char *body, *springs, *part;
+    } cases[] = {
+        {YK_CODE_BAD_MASS, "mass: -5", "", "mass of `rod` is -5 g;"},
+        {YK_CODE_BAD_INERTIA, "mass: 5, inertia: -7", "", "inertia of `rod` is -7 g*mm^2;"},
+        {YK_CODE_BAD_STIFFNESS, "mass: 5", "springs: {k: {along: phi, stiffness: -2 N*mm/deg}}\n", "is -2 N*mm/deg;"},
+        {YK_CODE_BAD_STIFFNESS, "mass: 5", "springs: {k: {between: [ground.P, rod.C], stiffness: -3}}\n",
+         "is -3 N/mm;"},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "units: {length: mm, mass: g, angle: deg, force: N}\n"
+                 "bodies: {ground: {points: {P: [0, 5]}}, rod: {points: {C: [2, 0]}, %s}}\n"
+                 "joints: {O: {pin: [ground, rod], angle: phi}}\n%s",
+                 cases[k].body, cases[k].springs);
+        YkProblems *problems = yk_problems_new();
+        assert_null(yk_model_parse(text, strlen(text), "test.yaml", NULL, problems));
+        const YkProblem *problem = fixture_problem(problems, cases[k].code);
+        if (!problem || !strstr(problem->message, cases[k].part)) print_error("%s", yk_problems_text(problems, 0));
+        assert_non_null(problem);
+        assert_non_null(strstr(problem->message, cases[k].part));
+        yk_problems_free(problems);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -148,6 +178,7 @@ int main(void)
         cmocka_unit_test(every_unit_name_reads_back_as_its_size),
         cmocka_unit_test(forces_in_units_that_nobody_means_are_told_once),
         cmocka_unit_test(wrong_units_are_refused_where_they_stand),
+        cmocka_unit_test(values_that_cannot_be_are_told_in_the_files_units),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

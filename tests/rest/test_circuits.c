@@ -167,8 +167,51 @@ static void all_equilibria_are_found(void **unused)
     }
 }
 
+// A pendulum without weight that a torque drives, zero at given angles and half a turn on from each: two, or three, are closer
+// together than the map's rows.
+static void equilibria_close_together_are_found(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 11;
+    for (uint64_t tried = 0; tried < check_cases(40); tried++) {
+        double root[4], first = check_uniform(&seed, -1, 1), apart = pow(10, check_uniform(&seed, -3.5, -1.3));
+        root[0] = first, root[1] = first + apart;
+        root[2] = tried % 2 ? first + 2.1 * apart : first + 0.7, root[3] = first + 1.4;
+        char text[800];
+        snprintf(
+            text, sizeof text,
+            "bodies:\n  ground: {points: {O: [0, 0]}}\n"
+            "  arm: {points: {O: [0, 0]}, mass: 1, center: [0.1, 0], inertia: 0.01}\n"
+            "joints:\n  O: {pin: [ground, arm], angle: theta}\n"
+            "springs: {k: {along: theta, torque: '1 N*m * sin(angle - %.17g rad)*sin(angle - %.17g rad)*sin(angle - "
+            "%.17g rad)*sin(angle - %.17g rad)'}}\n"
+            "start: {theta: 2.2 rad}\n",
+            root[0], root[1], root[2], root[3]);
+        YkProblems *problems = yk_problems_new();
+        YkModel *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+        YkRestOptions options = yk_default_rest_options();
+        options.starts = 1;
+        YkRest *rest = model ? yk_rest_find(model, &options, problems) : NULL;
+        if (!rest) print_error("%s%s", text, yk_problems_text(problems, 0));
+        assert_non_null(rest);
+        if (yk_rest_count(rest) != 8)
+            print_error("%zu equilibria, %g apart from %.17g\n", yk_rest_count(rest), apart, first);
+        assert_int_equal(yk_rest_count(rest), 8);
+        for (size_t k = 0; k < 8; k++) {
+            YkMotion at = yk_state_coordinate(yk_rest_state(rest, k), yk_rest_input(rest, 0));
+            double off = 1;
+            for (size_t i = 0; i < 4; i++) off = fmin(off, fabs(remainder(at.position - root[i], YK_PI)));
+            CHECK_NEAR(off, 0, 1e-8);
+        }
+        yk_rest_free(rest);
+        yk_model_free(model);
+        yk_problems_free(problems);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_equilibria_are_found)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_equilibria_are_found),
+                                       cmocka_unit_test(equilibria_close_together_are_found)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

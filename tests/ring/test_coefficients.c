@@ -232,6 +232,8 @@ static void multiples_are_found_and_nothing_else(void **state)
     assert_false(yk_ring_is_multiple(read_text(&f, "l1 + m1"), read_text(&f, "l1 + 2 m1"), &p, &q));
     assert_false(yk_ring_is_multiple(read_text(&f, "l1 + m1"), read_text(&f, "l1 - m1"), &p, &q));
     assert_false(yk_ring_is_multiple(read_text(&f, "l1"), read_text(&f, "m1"), &p, &q));
+    assert_false(yk_ring_is_multiple(NULL, read_text(&f, "m1"), &p, &q)); // a failure travels
+    assert_false(yk_ring_is_multiple(read_text(&f, "m1"), NULL, &p, &q));
     yk_ring_free(r);
 }
 

@@ -174,19 +174,24 @@ static void a_swing_is_a_step_beyond_the_angle(void **state)
 static void one_number_that_is_not_finite_is_enough(void **state)
 {
     (void)state;
-    double first[20], second[20], *rows[] = {first, second};
+    enum { ROWS = 11 };
+    static double data[ROWS][20];
+    double *rows[ROWS];
     const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
-    for (size_t i = 0; i < 20; i++) first[i] = 1e300, second[i] = -(double)i;
-    for (size_t n = 1; n <= 20; n++)
-        for (size_t i = 0; i < 20; i++)
-            for (size_t k = 0; k < 6; k++) {
-                double kept = rows[k / 3][i];
-                bool finite;
-                rows[k / 3][i] = bad[k % 3];
-                yk_lanes_finite(&finite, rows, 2, n);
-                assert_int_equal(finite, i >= n);
-                rows[k / 3][i] = kept;
-            }
+    for (size_t k = 0; k < ROWS; k++) rows[k] = data[k];
+    for (size_t k = 0; k < ROWS; k++)
+        for (size_t i = 0; i < 20; i++) data[k][i] = k == 0 ? 1e300 : (double)k - (double)i;
+    for (size_t count = 0; count <= ROWS; count++)
+        for (size_t n = 1; n <= 20; n += count % 3 + 1)
+            for (size_t i = 0; i < 20; i++)
+                for (size_t k = 0; k < ROWS; k++) {
+                    double kept = data[k][i];
+                    bool finite;
+                    data[k][i] = bad[(k + i) % 3];
+                    yk_lanes_finite(&finite, rows, count, n);
+                    assert_int_equal(finite, i >= n || k >= count);
+                    data[k][i] = kept;
+                }
 }
 
 int main(void)

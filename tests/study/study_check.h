@@ -26,6 +26,25 @@ enum { NAMES_MAX = 8 };
     "drives: {theta6: 120 deg + 0.1 rad/s * t}\n"                                                                      \
     "start: {theta2: 120 deg, theta3: -90 deg, theta4: 119 deg, theta5: -101 deg}\n"
 
+// Gears drive a slider-crank: other teeth make another machine.
+#define GEARED                                                                                                         \
+    "parameters: {z1: 20, z2: 40, m: 2 mm, r: 20 mm, l: 80 mm}\n"                                                      \
+    "bodies:\n"                                                                                                        \
+    "  ground: {points: {O: [0, 0], P: [(z1 + z2)*m/2, 0]}}\n"                                                         \
+    "  pinion: {points: {O: [0, 0]}}\n"                                                                                \
+    "  wheel:  {points: {P: [0, 0], A: [r, 0]}, mass: 2 kg, inertia: 0.001 kg*m^2}\n"                                  \
+    "  rod:    {points: {A: [0, 0], B: [l, 0]}}\n"                                                                     \
+    "  piston: {points: {B: [0, 0]}, mass: 1 kg}\n"                                                                    \
+    "joints:\n"                                                                                                        \
+    "  O: {pin: [ground, pinion], angle: q}\n"                                                                         \
+    "  P: {pin: [ground, wheel], angle: theta}\n"                                                                      \
+    "  A: {pin: [wheel, rod], angle: phi}\n"                                                                           \
+    "  B: {pin: [rod, piston]}\n"                                                                                      \
+    "  S: {slide: [ground, piston], along: x, distance: x}\n"                                                          \
+    "gears: {g: {mesh: [pinion, wheel], teeth: [z1, z2], module: m}}\n"                                                \
+    "drives: {q: 10 rad/s * t}\n"                                                                                      \
+    "start: {theta: 30 deg, phi: -20 deg, x: 150 mm}\n"
+
 static inline YkStudy *study_of(const Machine *m, const char *const *parameters, size_t parameter_count,
                                 const char *const *of, size_t count, size_t threads)
 {

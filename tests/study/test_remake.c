@@ -5,24 +5,6 @@ enum { DESIGNS = 4, POSES = 50, CHANNELS = 4 };
 static double out[CHANNELS][DESIGNS * POSES], again[CHANNELS][DESIGNS * POSES];
 static signed char status[DESIGNS * POSES];
 
-#define GEARED                                                                                                         \
-    "parameters: {z1: 20, z2: 40, m: 2 mm, r: 20 mm, l: 80 mm}\n"                                                      \
-    "bodies:\n"                                                                                                        \
-    "  ground: {points: {O: [0, 0], P: [(z1 + z2)*m/2, 0]}}\n"                                                         \
-    "  pinion: {points: {O: [0, 0]}}\n"                                                                                \
-    "  wheel:  {points: {P: [0, 0], A: [r, 0]}, mass: 2 kg, inertia: 0.001 kg*m^2}\n"                                  \
-    "  rod:    {points: {A: [0, 0], B: [l, 0]}}\n"                                                                     \
-    "  piston: {points: {B: [0, 0]}, mass: 1 kg}\n"                                                                    \
-    "joints:\n"                                                                                                        \
-    "  O: {pin: [ground, pinion], angle: q}\n"                                                                         \
-    "  P: {pin: [ground, wheel], angle: theta}\n"                                                                      \
-    "  A: {pin: [wheel, rod], angle: phi}\n"                                                                           \
-    "  B: {pin: [rod, piston]}\n"                                                                                      \
-    "  S: {slide: [ground, piston], along: x, distance: x}\n"                                                          \
-    "gears: {g: {mesh: [pinion, wheel], teeth: [z1, z2], module: m}}\n"                                                \
-    "drives: {q: 10 rad/s * t}\n"                                                                                      \
-    "start: {theta: 30 deg, phi: -20 deg, x: 150 mm}\n"
-
 #define CAM                                                                                                            \
     "parameters: {h: 20 cm, b: 60 mm}\n"                                                                               \
     "laws: {lift: {period: 2*pi, segments: ["                                                                          \

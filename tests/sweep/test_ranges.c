@@ -224,9 +224,40 @@ static void test_the_range_of_a_group_ends_where_sweeps_stop(void **unused)
     }
 }
 
+// The map encloses the limits of all branches by other means.
+static void check_group_range(const char *file)
+{
+    Machine m = machine_load(file);
+    size_t coordinate = yk_input_coordinate(m.mech, 0), found[2] = {0, 0};
+    YkMap *map = yk_map_new(m.state, coordinate, m.problems);
+    YkRange ranges[8];
+    double here = yk_state_coordinate(m.state, coordinate).position;
+    size_t count = yk_closing_ranges(m.state, coordinate, ranges, 8);
+    assert_true(map && yk_map_is_complete(map) && count >= 1 && count <= 8);
+    for (size_t r = 0; r < count; r++) {
+        if (!(ranges[r].from <= here && here <= ranges[r].to)) continue;
+        for (size_t e = 0; e < yk_map_circuit(map, 0).events; e++) {
+            double at = yk_map_event(map, 0, e).at;
+            found[0] += fabs(at - ranges[r].from) < 1e-9;
+            found[1] += fabs(at - ranges[r].to) < 1e-9;
+        }
+    }
+    assert_true(found[0] == 1 && found[1] == 1);
+    yk_map_free(map);
+    machine_free(&m);
+}
+
+static void test_ranges_of_groups_end_at_limits_of_the_map(void **unused)
+{
+    (void)unused;
+    check_group_range("stephenson-awkward");
+    check_group_range("double-butterfly");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ranges_of_groups_end_at_limits_of_the_map),
         cmocka_unit_test(test_ranges_of_random_four_bars),
         cmocka_unit_test(test_a_narrow_gap_is_found),
         cmocka_unit_test(test_a_narrow_range_is_found),

@@ -1,4 +1,4 @@
-// A linkage of some centimetres in a model that is up to 5 km wide: it passes its change points like any other. Its rack and its
+// A linkage of some centimetres in a model that is up to 1e5 km wide: it passes its change points like any other. Its rack and its
 // piston are driven by lengths, whose way is small compared with the model though the links turn far.
 #include "../parallelogram.h"
 #include "../solve/machine.h"
@@ -29,7 +29,7 @@ static void check_parallel(const Machine *m, double crank)
     CHECK_NEAR(machine_ask(m, "theta4"), crank, 1e-6);
 }
 
-static const double widths[] = {0.04, 50, 500, 5e3};
+static const double widths[] = {0.04, 50, 500, 5e3, 1e5, 1e8};
 
 static void test_a_linkage_behind_a_rack_stays_parallel(void **unused)
 {

@@ -114,38 +114,15 @@ static void points_and_claims_have_the_slopes_of_motions(void **state)
     fit_free(&f);
 }
 
-// A four-bar of thirty parameters: lengths, places, masses, springs, a damper and loads.
-static const char thirty[] =
-    "parameters: {a: 0.2, b: 0.7, c: 0.5, g: 0.6, tilt: 0.3, px: 0.3, py: 0.25, m: 2, J: 0.06, m2: 1.5, J2: 0.04,\n"
-    "             x2: 0.25, y2: 0.05, m1: 0.8, J1: 0.01, x1: 0.05, y1: 0.02, k: 300, l0: 0.4, sx: -0.3, sy: 0.9, qx: "
-    "0.1,\n"
-    "             qy: 0.15, k2: 200, l2: 0.3, tx: 0.9, ty: -0.2, damp: 4, fx: 30, fy: -20}\n"
-    "gravity: [0, -9.81 m/s^2]\n"
-    "bodies:\n  ground: {points: {A0: [0, 0], B0: [g*cos(tilt), g*sin(tilt)], S: [sx, sy], T: [tx, ty]}}\n"
-    "  crank: {points: {A0: [0, 0], A: [a, 0]}, mass: m1*1 kg, center: [x1, y1], inertia: J1*1 kg*m^2}\n"
-    "  rod: {points: {A: [0, 0], B: [b, 0], P: [px, py]}, mass: m*1 kg, center: [px, py], inertia: J*1 kg*m^2}\n"
-    "  rocker: {points: {B0: [0, 0], B: [c, 0], Q: [qx, qy]}, mass: m2*1 kg, center: [x2, y2], inertia: J2*1 kg*m^2}\n"
-    "joints:\n  A0: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
-    "  B0: {pin: [ground, rocker], angle: psi}\n  B: {pin: [rod, rocker]}\n"
-    "springs:\n  s: {between: [ground.S, rod.B], stiffness: k*1 N/m, length: l0*1 m}\n"
-    "  t: {between: [ground.T, rocker.Q], stiffness: k2*1 N/m, length: l2*1 m}\n"
-    "efforts: {psi: -damp*psi.rate*(1 N*m*s)}\n"
-    "forces:\n  f: {body: rod, at: P, value: [fx*1 N, fy*1 N]}\n"
-    "drives: {theta: 7 rad/s * t}\nstart: {phi: 0.9, psi: 1.5}\nunits: {length: m}\n";
-
-// A task whose machine is `thirty`, with its first `count` parameters free.
+// A task whose machine is thirty.yaml, with its first `count` parameters free.
 static Fit fit_of_thirty(size_t count, const char *goals)
 {
     static const char *const name[30] = {"a",  "b",  "c",  "g",  "tilt", "px", "py", "m",    "J",  "m2",
                                          "J2", "x2", "y2", "m1", "J1",   "x1", "y1", "k",    "l0", "sx",
                                          "sy", "qx", "qy", "k2", "l2",   "tx", "ty", "damp", "fx", "fy"};
-    char path[] = "/tmp/yoke-thirty-XXXXXX", text[6000];
-    int file = mkstemp(path);
-    FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
-    assert_non_null(out);
-    fputs(thirty, out);
-    fclose(out);
-    int length = snprintf(text, sizeof text, "synthesis: machine\nmachine: %s\nfree: {", path);
+    char text[6000];
+    int length =
+        snprintf(text, sizeof text, "synthesis: machine\nmachine: %s/tests/synthesis/thirty.yaml\nfree: {", YOKE_ROOT);
     for (size_t k = 0; k < count; k++)
         length +=
             snprintf(text + length, sizeof text - (size_t)length, "%s%s: [-500, 500]", k > 0 ? ", " : "", name[k]);
@@ -157,7 +134,6 @@ static Fit fit_of_thirty(size_t count, const char *goals)
     f.fit.weight = 100;
     for (size_t j = 0; j < count; j++) f.at.value[j] = yk_model_parameter(f.task->machine.model, name[j]);
     yk_problems_free(problems);
-    remove(path);
     return f;
 }
 

@@ -433,6 +433,37 @@ static void bounds_and_requirements_leave_out_what_breaks_them(void **state)
     answer_free(&a);
 }
 
+static size_t dyads_of(const char *positions, const char *mechanisms, YkDyadKind kind)
+{
+    char text[600];
+    size_t count = 0;
+    snprintf(text, sizeof text, "synthesis: motion\nmechanisms: [%s]\n%s", mechanisms, positions);
+    Answer a = answer_to(text);
+    for (size_t k = 0; k < yk_synthesis_dyad_count(a.synthesis); k++)
+        count += yk_synthesis_dyad(a.synthesis, k).kind == kind;
+    answer_free(&a);
+    return count;
+}
+
+// A pair has one slide: where four-bars are not sought there are more of them, so that as many pairs are tried.
+static void machines_with_slides_alone_get_a_fair_sample(void **state)
+{
+    (void)state;
+    static const char three[] =
+        "positions: [{at: [0, 0], angle: 0}, {at: [60, 45], angle: 15 deg}, {at: [140, 50], angle: -10 deg}]\n";
+    static const char four[] =
+        "positions: [{at: [0, 0], angle: 0 deg}, {at: [30, 10], angle: 20 deg}, {at: [60, 12], angle: 45 deg},\n"
+        "            {at: [80, 0], angle: 80 deg}]\n";
+    size_t few = dyads_of(three, "four-bar, slider-crank", YK_DYAD_PR),
+           more = dyads_of(three, "slider-crank", YK_DYAD_PR);
+    assert_true(few > 4 && more > 3 * few);
+    more = dyads_of(three, "inverted-slider-crank", YK_DYAD_RP);
+    assert_true(more > 3 * dyads_of(three, "four-bar, inverted-slider-crank", YK_DYAD_RP));
+    few = dyads_of(four, "four-bar", YK_DYAD_RR);
+    more = dyads_of(four, "slider-crank", YK_DYAD_RR);
+    assert_true(few > 40 && more > 7 * few);
+}
+
 static bool stop_at_once(void *context, double part)
 {
     (void)part;
@@ -464,6 +495,7 @@ int main(void)
         cmocka_unit_test(two_and_three_positions_have_slider_cranks_that_pass),
         cmocka_unit_test(four_positions_of_an_inverted_slider_crank_give_its_block),
         cmocka_unit_test(two_and_three_positions_have_inverted_slider_cranks_that_pass),
+        cmocka_unit_test(machines_with_slides_alone_get_a_fair_sample),
         cmocka_unit_test(rates_are_limits_of_positions),
         cmocka_unit_test(bounds_and_requirements_leave_out_what_breaks_them),
         cmocka_unit_test(a_search_that_is_stopped_keeps_what_it_has),

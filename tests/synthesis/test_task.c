@@ -38,6 +38,32 @@ static void machines_that_a_task_cannot_have_are_passed_over_where_others_are_le
     yk_problems_free(problems);
 }
 
+static void nine_points_with_something_given_are_told_to_be_met_nearly(void **state)
+{
+    (void)state;
+    static const char *const fix[] = {"", "fix: {input_pivot: [0, 0]}\n",
+                                      "fix: {input_pivot: [0, 0], output_pivot: [1, 0]}\n", "fix: {ground_angle: 0}\n"};
+    static const char *const left[] = {NULL, "leaves 7 of", "leaves 5 of", "leaves 8 of"};
+    for (size_t k = 0; k < 4; k++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "synthesis: path\npoints: [[.25, 0], [.52, .1], [.8, .7], [1.2, 1], [1.4, 1.3], [1.1, 1.48],\n"
+                 "         [.7, 1.4], [.2, 1], [.02, .4]]\n%s",
+                 fix[k]);
+        YkProblems *problems = yk_problems_new();
+        YkTask *task = yk_task_parse(text, strlen(text), "task.yaml", problems);
+        assert_non_null(task);
+        assert_int_equal(yk_problems_count(problems), k > 0);
+        if (k > 0) {
+            assert_int_equal(yk_problems_get(problems, 0)->code, YK_CODE_TASK_NEARLY);
+            assert_int_equal(yk_problems_get(problems, 0)->place.line, 4);
+            assert_non_null(strstr(yk_problems_text(problems, 0), left[k]));
+        }
+        yk_task_free(task);
+        yk_problems_free(problems);
+    }
+}
+
 static void every_mistake_has_its_code_and_place(void **state)
 {
     (void)state;
@@ -204,6 +230,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(machines_that_a_task_cannot_have_are_passed_over_where_others_are_left),
+        cmocka_unit_test(nine_points_with_something_given_are_told_to_be_met_nearly),
         cmocka_unit_test(every_mistake_has_its_code_and_place),
         cmocka_unit_test(all_mistakes_are_told_at_once),
         cmocka_unit_test(values_have_units_and_parameters),

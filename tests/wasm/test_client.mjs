@@ -150,6 +150,12 @@ const tests = {
     for (const words of [["check", "m.yaml"], ["solve", "m.yaml"], ["derive", "m.yaml"], ["sweep", "m.yaml", "--over", "t=0:1s"], ["draw", "m.yaml"], ["cam", "m.yaml"], ["gears", "m.yaml"],
       ["rest", "m.yaml"], ["simulate", "m.yaml", "--to", "0.1s"], ["explain", "E0401"]])
       assert.deepEqual(await core.run(words, files), await alone.run(words, files), words[0]);
+    const group = { "m.yaml": machine("double-butterfly") }; // its motion is proved by yoke.wasm, which panels.wasm leaves it to
+    for (const words of [["solve", "m.yaml", "--at", "lambda=20deg"], ["sweep", "m.yaml", "--over", "lambda=0:20deg", "--steps", "4", "--format", "json"]]) {
+      const reply = await core.run(words, group);
+      assert.deepEqual(reply, await alone.run(words, group), words[0]);
+      assert.match(reply.out, /\bcertified\b/);
+    }
     for (const words of [["new"], ["study", "m.yaml", "--vary", "b=110mm:130mm:3"], ["code", "m.yaml"], ["report", "m.yaml"], ["map", "m.yaml", "--over", "theta4"], ["cognates", "m.yaml"], ["balance", "m.yaml"], ["--version"]])
       assert.ok(!(await core.run(words, files)).err.includes("this module"), words[0]);
     assert.match((await core.run(["new", "four-bar"], {})).out, /^# A four-bar linkage/);

@@ -15,6 +15,7 @@ async function compile(source: Source): Promise<WebAssembly.Module> {
 // The verbs of panels.wasm, and the calls that core.wasm does not have.
 const PANELS = new Set(["check", "solve", "sweep", "simulate", "draw", "cam", "derive", "gears"]);
 const BEHIND = new Set(["curves", "forces", "trace", "release", "step", "hold"]);
+const LEAVES = "yoke: error: this module does not "; // what panels.wasm says of what it leaves to yoke.wasm
 const SO_FAR = "--so-far"; // the command tells what it has found while it runs
 const PAUSE = 400; // ms after the first machine, before the module behind is fetched
 
@@ -48,7 +49,8 @@ export function serve(port: Port): void {
     const files = new Map(Object.entries(texts).map(([name, text]) => [name, encode.encode(text) as Uint8Array]));
     const given = new Map(files), isHeard = words.includes(SO_FAR);
     const hear = isHeard ? (bytes: Uint8Array) => port.postMessage({ id, heard: hearing.decode(bytes, { stream: true }) }) : undefined;
-    const reply = runCommand(command, { words, files, hear });
+    let reply = runCommand(command, { words, files, hear });
+    if (PANELS.has(words[0]) && decode.decode(reply.err).startsWith(LEAVES)) reply = runCommand(await module("whole"), { words, files, hear });
     const written = [...files].filter(([name, bytes]) => given.get(name) !== bytes);
     return {
       exit: reply.exit, out: decode.decode(reply.out), err: decode.decode(reply.err), complete: true,

@@ -60,7 +60,7 @@ void yk_load_check_gravity(YkLoader *loader)
 {
     const YkModel *model = loader->model;
     double size = yk_units_size(&model->units, YK_DIM_ACCELERATION), g = yk_hypot(model->gravity.x, model->gravity.y);
-    if (!model->has_gravity || !(g > 0)) return;
+    if (!model->has_gravity || !(g > 0) || loader->has_bad_units) return;
     double in_file = g / size;
     bool is_earths_number = size != 1 && in_file > earth_least && in_file < earth_most;
     if (g >= planet_least && g <= planet_most && !is_earths_number) return;

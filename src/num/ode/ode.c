@@ -160,6 +160,10 @@ void yk_ode_set_end(YkOde *ode, double t_end)
     ode->end = (t_end - ode->t) * ode->direction > 0 ? t_end : ode->t;
 }
 
+double yk_ode_length(const YkOde *ode)
+{
+    return ode->h;
+}
 double yk_ode_time(const YkOde *ode)
 {
     return ode->t;

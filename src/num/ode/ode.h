@@ -53,6 +53,8 @@ void yk_ode_set_end(YkOde *ode, double t_end);
 // inside. When it fails, time and state stay those of the last accepted step, but values within that step are no longer
 // available.
 YkOdeStatus yk_ode_step(YkOde *ode);
+// Returns the length of the step that will be tried next, at most; 0 if it is not known.
+double yk_ode_length(const YkOde *ode);
 double yk_ode_time(const YkOde *ode);         // the end of the last accepted step
 double yk_ode_previous(const YkOde *ode);     // the start of that step
 const double *yk_ode_state(const YkOde *ode); // y at yk_ode_time

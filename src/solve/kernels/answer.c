@@ -107,9 +107,10 @@ YK_INLINE void yk_lanes_finite_body(bool *finite, double *const *rows, size_t co
     uint64_t found = 0;
     size_t k = 0;
     for (; k + 4 <= count; k += 4) found |= find_not_finite(rows[k], rows[k + 1], rows[k + 2], rows[k + 3], n);
-    if (k < count && count >= 4) // some rows once more
+    if (YK_KNOWS_BLOCKS && k < count && count >= 4) // some rows once more
         found |= find_not_finite(rows[count - 4], rows[count - 3], rows[count - 2], rows[count - 1], n);
-    for (; k < count && count < 4; k++) found |= find_not_finite(rows[k], rows[k], rows[k], rows[k], n);
+    for (; k < count && !(YK_KNOWS_BLOCKS && count >= 4); k++)
+        found |= find_not_finite(rows[k], rows[k], rows[k], rows[k], n);
     *finite = found >> 63 == 0;
 }
 YK_KERNEL(yk_lanes_finite, (bool *finite, double *const *rows, size_t count, size_t n), (finite, rows, count))

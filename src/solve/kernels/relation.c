@@ -1,33 +1,25 @@
 // Relations: sums of multiples of scalars with their rates, and the chain rule for laws.
 #include "solve/kernels/lanes.h"
 
-YK_INLINE void start(double *out, double offset, double factor, const double *change, size_t n)
+YK_INLINE void multiple(double *out, double offset, bool is_first, double factor, const double *change, size_t n)
 {
     YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) out[i] = offset + factor * change[i];
+    for (size_t i = 0; i < n; i++) out[i] = (is_first ? offset : out[i]) + factor * change[i];
 }
 
-YK_INLINE void add(double *out, double factor, const double *change, size_t n)
+YK_INLINE void yk_lanes_multiple_body(YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n)
 {
-    YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) out[i] += factor * change[i];
-}
-
-YK_INLINE void yk_lanes_multiple_body(YkScalar out, double offset, bool is_first, double factor, YkScalar x,
-                                      size_t n)
-{
-    if (is_first) {
-        start(out.x, offset, factor, x.x, n);
-        start(out.v, 0, factor, x.v, n);
-        start(out.a, 0, factor, x.a, n);
-    } else {
-        add(out.x, factor, x.x, n);
-        add(out.v, factor, x.v, n);
-        add(out.a, factor, x.a, n);
+    double *const to[] = {out.x, out.v, out.a}, *const from[] = {x.x, x.v, x.a};
+    for (size_t k = 0; k < 3; k++) {
+        if (YK_KNOWS_BLOCKS && is_first)
+            multiple(to[k], k == 0 ? offset : 0, true, factor, from[k], n);
+        else if (YK_KNOWS_BLOCKS)
+            multiple(to[k], 0, false, factor, from[k], n);
+        else
+            multiple(to[k], k == 0 ? offset : 0, is_first, factor, from[k], n);
     }
 }
-YK_KERNEL(yk_lanes_multiple,
-          (YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n),
+YK_KERNEL(yk_lanes_multiple, (YkScalar out, double offset, bool is_first, double factor, YkScalar x, size_t n),
           (out, offset, is_first, factor, x))
 
 // Adds what the law gives to `base`, an array or a number.
@@ -45,10 +37,10 @@ YK_INLINE void yk_lanes_add_law_body(YkScalar out, double offset, bool is_first,
                                      YkScalar x, double *slope, size_t n)
 {
     const double *value = law[0], *first = law[1], *second = law[2];
-    if (is_first) {
+    if (YK_KNOWS_BLOCKS && is_first) {
         ADD_LAW(offset, 0, 0)
     } else {
-        ADD_LAW(out.x[i], out.v[i], out.a[i])
+        ADD_LAW(is_first ? offset : out.x[i], is_first ? 0 : out.v[i], is_first ? 0 : out.a[i])
     }
 }
 YK_KERNEL(yk_lanes_add_law,

@@ -5,6 +5,17 @@
 
 enum { RAYS = 48, PIVOTS = 48, LINES = 12, TRY_MICROSECONDS = 600 };
 
+// Where four-bars are not sought a pair has one slide, and there are few of them: with more rays, or lines, as many pairs are
+// tried as four-bars have.
+static size_t rays_of(const YkTask *task)
+{
+    return task->has_four_bar ? RAYS : 8 * RAYS;
+}
+static size_t lines_of(const YkTask *task)
+{
+    return task->has_four_bar ? LINES : 4 * LINES; // of half the directions the pivot is near
+}
+
 // --- dyads
 
 static bool add_five(YkSynthesis *s, YkProblems *problems)
@@ -33,8 +44,9 @@ static void add_four(YkSynthesis *s)
     YkFourPoses four;
     YkDyad dyad[2];
     yk_four_poses(s->task->motion.pose, &four);
-    for (size_t k = 0; k < RAYS; k++) {
-        size_t count = yk_four_poses_ray(&four, YK_PI * ((double)k + from) / RAYS, dyad);
+    size_t rays = rays_of(s->task);
+    for (size_t k = 0; k < rays; k++) {
+        size_t count = yk_four_poses_ray(&four, YK_PI * ((double)k + from) / (double)rays, dyad);
         for (size_t i = 0; i < count; i++) yk_synthesis_add_dyad(s, &dyad[i], 3);
     }
     size_t slides = yk_four_poses_slides(s->task->motion.pose, dyad);
@@ -103,9 +115,10 @@ static void add_lines(YkSynthesis *s)
     const YkMotionTask *motion = &s->task->motion;
     uint64_t seed = s->options.seed;
     double from = yk_mix_unit(&seed);
+    size_t lines = lines_of(s->task);
     YkDyad dyad;
-    for (size_t k = 0; k < LINES && !motion->pivot[1].is_given; k++)
-        if (yk_pose_slide(motion->pose, motion->conditions, YK_PI * ((double)k + from) / LINES,
+    for (size_t k = 0; k < lines && !motion->pivot[1].is_given; k++)
+        if (yk_pose_slide(motion->pose, motion->conditions, YK_PI * ((double)k + from) / (double)lines,
                           4 * filled(from, k, 2) - 2, &dyad))
             yk_synthesis_add_dyad(s, &dyad, 2);
 }
@@ -116,9 +129,10 @@ static void add_blocks(YkSynthesis *s)
     const YkMotionTask *motion = &s->task->motion;
     uint64_t seed = s->options.seed + 1;
     double from = yk_mix_unit(&seed);
+    size_t lines = lines_of(s->task);
     YkDyad dyad;
-    for (size_t k = 0; k < LINES && !motion->pivot[1].is_given; k++)
-        if (yk_pose_block(motion->pose, motion->conditions, YK_PI * ((double)k + from) / LINES,
+    for (size_t k = 0; k < lines && !motion->pivot[1].is_given; k++)
+        if (yk_pose_block(motion->pose, motion->conditions, YK_PI * ((double)k + from) / (double)lines,
                           4 * filled(from, k, 2) - 2, &dyad))
             yk_synthesis_add_dyad(s, &dyad, 2);
 }

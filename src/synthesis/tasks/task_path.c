@@ -156,9 +156,26 @@ static void check_fix(YkTaskReader *reader)
                    "a slider-crank has no output pivot: `output_pivot` belongs to four-bars alone");
 }
 
+// Nine points are met by finitely many four-bars only if nothing else is given.
+static void check_nine(YkTaskReader *reader)
+{
+    enum { NINE = 9 };
+    const YkPathTask *path = &reader->task->path;
+    size_t given = 2 * (size_t)(path->pivot[0].is_given + path->pivot[1].is_given);
+    if (path->ground_angle.is_given && given < 4) given++;
+    if (path->count != NINE || path->timing != YK_TIMING_ANY || given == 0 || !reader->task->has_four_bar) return;
+    yk_problem(reader->loader->problems, YK_CODE_TASK_NEARLY, yk_node_get(reader->loader->root, "fix")->place,
+               "`fix` leaves %z of the nine dimensions of a four-bar, which nine points need: the nearest are sought",
+               NINE - given);
+    yk_problem_hint(reader->loader->problems,
+                    "without `fix` all four-bars that pass the nine points are found; %z points may be met with it",
+                    NINE - given);
+}
+
 void yk_task_check_path(YkTaskReader *reader)
 {
     check_points(reader);
     check_angles(reader);
     check_fix(reader);
+    check_nine(reader);
 }

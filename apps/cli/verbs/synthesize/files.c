@@ -8,8 +8,7 @@ bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder)
 {
     YkSession *session = answer->session;
     size_t count = yk_synthesis_count(answer->synthesis);
-    enum { SHEETS = 2, MORE = 2 + SHEETS };
-    static const char *const sheets[SHEETS] = {"burmester.svg", "errors.svg"};
+    enum { MORE = 2 + YK_SHEET_FILES };
     YkFileEntry *files = calloc(count + MORE, sizeof *files);
     const char *picture = yk_synthesis_picture(answer->synthesis);
     bool good = files && picture;
@@ -26,13 +25,13 @@ bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder)
         yk_synthesis_json(answer, &files[count + 1].text);
         written = count + 2;
     }
-    for (int k = 0; k < SHEETS && good; k++) {
+    for (size_t k = 0; k < YK_SHEET_FILES && good; k++) {
         bool ran_out;
-        const char *sheet = yk_synthesis_sheet(answer->synthesis, (YkSynthesisSheet)k, &ran_out);
+        const char *svg, *name = yk_synthesis_sheet_file(answer, k, &svg, &ran_out);
         good = !ran_out;
-        if (!sheet) continue;
-        files[written].name = sheets[k];
-        yk_text_puts(&files[written++].text, sheet);
+        if (!svg) continue;
+        files[written].name = name;
+        yk_text_puts(&files[written++].text, svg);
     }
     for (size_t k = 0; k < written && good; k++) good = !files[k].text.failed;
     if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");

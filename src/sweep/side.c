@@ -1,0 +1,151 @@
+// On which side of a block's known change point the inputs are. Where one input leads there, its value tells. Where several do,
+// together, poses tell: the sine of the transmission angle, with a sign, is nearly a straight line along any one input, so poses a
+// little farther along it on both sides give the value here to rounding.
+#include "sweep/meeting.h"
+#include <string.h>
+
+double yk_meeting_tolerance(const YkMeeting *m, const YkState *s)
+{
+    const double ROUNDING = 1e-15; // of a sine squared, shared out over the distance of the poses
+    double size = fabs(m->at / m->unit);
+    for (size_t i = 0; m->is_shared && i < s->mech->input_count; i++)
+        size = fmax(size, fabs(s->input[3 * i]) / yk_input_unit(s->mech, i));
+    return fmax(1e-11, m->is_shared ? ROUNDING / (m->near * m->slope) : 0) * fmax(1, 1e-4 * size);
+}
+
+int yk_meeting_side(const YkMeeting *m, const YkState *s, double off)
+{
+    return fabs(off) > yk_meeting_tolerance(m, s) ? (off > 0) - (off < 0) : 0;
+}
+
+// --- several inputs
+
+static void place_before(const YkPath *path, size_t block, double at);
+
+// Returns the sine of the block's transmission angle with the input changed by `steps` units; negative if it does not close.
+static double sine_beside(const YkPath *path, size_t block, double steps, double at)
+{
+    YkState *s = path->state;
+    const YkMeeting *m = &path->meetings[block];
+    double *input = &s->input[3 * m->input], here = *input;
+    *input = here + steps * m->unit;
+    place_before(path, block, at);
+    YkRun run = yk_state_run(s, &s->spare);
+    yk_run_begin(&run);
+    yk_run_steps(&run, 0, m->step_count);
+    *input = here;
+    double margin = s->spare.block_margin[block];
+    return margin >= YK_LIMIT_MARGIN ? sqrt(fmax(margin, 0)) : -1; // a little below zero is rounding
+}
+
+// Returns how far the inputs, as they are set, are beyond the change point along one of them, interpolated between poses on both
+// sides; NaN where it does not close.
+static double off_by_poses(const YkPath *path, size_t block, double at)
+{
+    static const double weights[] = {0.75, -0.3, 0.05};
+    const YkMeeting *m = &path->meetings[block];
+    double level = 0;
+    for (int k = 0; k < 3; k++) {
+        double after = sine_beside(path, block, (k + 1) * m->near, at);
+        double before = sine_beside(path, block, -(k + 1) * m->near, at);
+        if (!(before >= 0 && after >= 0)) return NAN;
+        level += weights[k] * (after - before);
+    }
+    return level / m->slope;
+}
+
+// Returns how far the inputs, as they are set, are from a change point on which several of them decide; NaN where that cannot be
+// told, which is far from it. Farther off than the poses that interpolate, the side is the one to which the sine rises.
+static double off_of_several(const YkPath *path, size_t block, double at)
+{
+    const double FAR = 0.2;
+    const YkMeeting *m = &path->meetings[block];
+    double here = sine_beside(path, block, 0, at), off = here / m->slope;
+    if (!(here >= 0 && here < FAR)) return NAN;
+    if (off < 0.5 * m->near) return off_by_poses(path, block, at);
+    double before = sine_beside(path, block, -off, at), after = sine_beside(path, block, off, at);
+    if (before >= 0 && before < 0.5 * here && after > 1.4 * here) return off;
+    return after >= 0 && after < 0.5 * here && before > 1.4 * here ? -off : (double)NAN;
+}
+
+// --- any
+
+// Returns how far the inputs as they are set, at the place `at`, are from the change point, in units.
+static double off_here(const YkPath *path, size_t block, double at)
+{
+    const YkMeeting *m = &path->meetings[block];
+    if (m->is_shared) return off_of_several(path, block, at);
+    return ((m->input == YK_NONE ? at : path->state->input[3 * m->input]) - m->at) / m->unit;
+}
+
+// Gives the blocks before this one the signs that they have for the inputs as they are set.
+static void place_before(const YkPath *path, size_t block, double at)
+{
+    YkState *s = path->state;
+    for (size_t k = 0; k < block && k < path->meeting_count; k++) {
+        const YkMeeting *m = &path->meetings[k];
+        if (!m->is_known || m->is_off) continue;
+        int side = yk_meeting_side(m, s, off_here(path, k, at));
+        if (m->is_shared) place_before(path, k, at); // the poses that told it have moved them
+        s->branch[k] = (signed char)((side != 0 ? side : m->side) * m->above);
+    }
+}
+
+void yk_path_place_signs(const YkPath *path, double at)
+{
+    place_before(path, path->meeting_count, at);
+}
+
+// Returns it on the path at `at`, where one input is moved on by that much.
+static double off_on_path(const YkPath *path, size_t block, double at, size_t input, double move)
+{
+    YkState *s = path->state;
+    double now = s->time, *kept = path->others + 3 * s->mech->input_count;
+    size_t bytes = 3 * s->mech->input_count * sizeof *kept;
+    memcpy(kept, s->input, bytes);
+    memcpy(path->signs, s->branch, path->meeting_count);
+    bool is_set = yk_path_set_inputs(path, at, true) >= 0;
+    s->input[3 * input] += move;
+    place_before(path, block, at);
+    double off = is_set ? off_here(path, block, at) : (double)NAN;
+    s->time = now;
+    memcpy(s->input, kept, bytes);
+    memcpy(s->branch, path->signs, path->meeting_count);
+    return off;
+}
+
+double yk_meeting_off_at(const YkPath *path, size_t block, double at)
+{
+    YkMeeting *m = &path->meetings[block];
+    if (!m->is_shared)
+        return ((m->input == YK_NONE ? at : yk_path_input_at(path, (size_t)m->input, at)) - m->at) / m->unit;
+    for (int k = 0; k < YK_MEETING_SEEN; k++)
+        if (m->seen_at[k] == at) return m->seen_off[k];
+    double off = off_on_path(path, block, at, 0, 0);
+    m->seen_at[m->seen] = at, m->seen_off[m->seen] = off;
+    m->seen = (m->seen + 1) % YK_MEETING_SEEN;
+    return off;
+}
+
+double yk_meeting_rise(const YkPath *path, size_t block, double at, size_t input)
+{
+    double near = path->meetings[block].near, step = near * yk_input_unit(path->state->mech, input);
+    double after = off_on_path(path, block, at, input, step), before = off_on_path(path, block, at, input, -step);
+    double rise = (after - before) / (2 * near);
+    return fabs(rise) > 1e-6 ? rise : 0;
+}
+
+int yk_meeting_side_beside(const YkPath *path, size_t block, double at, double way)
+{
+    enum { DOUBLINGS = 80 };
+    const YkMeeting *m = &path->meetings[block];
+    double step = 1e-13 * fmax(yk_path_scale(path), fabs(at));
+    int side = yk_meeting_side(m, path->state, yk_meeting_off_at(path, block, at));
+    if (side == 0 && m->input == YK_NONE) return way > 0 ? 1 : -1;
+    for (int k = 0; k < DOUBLINGS && side == 0; k++, step *= 2) {
+        double off = yk_meeting_off_at(path, block, at + way * step);
+        if (!isfinite(off)) return 0;
+        side = yk_meeting_side(m, path->state, 0.25 * off);
+    }
+    return side;
+}
