@@ -99,13 +99,11 @@ static void warn_of_second(YkLoader *loader, const YkCam *cam)
     const YkExpr *expr = cam->oscillates ? cam->other_angle_expr : cam->other_span_expr;
     if (!expr || yk_cam_pair_holds(cam)) return;
     yk_problem(loader->problems, YK_CODE_CAM_TURNED, expr->place,
-               "cam %q: at lift 0 the second roller lies where lift moves it away from the cam, as it does the first: "
-               "the two do not hold the follower",
+               "cam %q: lift moves the second roller away from the cam, as it does the first: the two do not hold the "
+               "follower",
                cam->name);
-    yk_problem_hint(loader->problems, cam->oscillates
-                                          ? "`angle` leads counterclockwise from the first arm to the second; the "
-                                            "rollers lie on both sides of the line of the two pins"
-                                          : "`span` leads from the first roller past the cam's centre to the second");
+    yk_problem_hint(loader->problems,
+                    "it lies beyond the cam's centre: a longer `span`, or an `angle` of the other sign");
 }
 
 static void check_fit(YkLoader *loader, const YkCam *cam)
