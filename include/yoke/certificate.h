@@ -18,7 +18,7 @@ typedef struct YkCertifier YkCertifier;
 YK_API YkCertifier *yk_certifier_new(const YkMechanism *mech);
 YK_API void yk_certifier_free(YkCertifier *certifier);
 // Lets a certifier watch all that moves and sweeps do with a state, from here on; NULL: nobody does any longer. Free it
-// after that. A copy of the state is not watched. Returns YK_BAD_ARGUMENT for another machine's. Cost at every
+// after that. A copy of the state is not watched. Returns YK_BAD_ARGUMENT for the certifier of another machine. Cost at every
 // verified pose: some n^3 multiplications for each of three steps, for n unknowns; none without groups.
 YK_API YkStatus yk_state_set_certifier(YkState *state, YkCertifier *certifier);
 
@@ -31,8 +31,8 @@ typedef struct YkMotionCertificate {
     double from, to;      // its values before and after that step
     char message[200];    // one sentence
 } YkMotionCertificate;
-// Tells what is proved of the motions so far. Between two verified poses, 2 degrees apart at most, all inputs are taken
-// to go straight.
+// Tells what is proved of the motions so far. Between two verified poses, which are at most turn_max apart, all inputs are
+// taken to go straight.
 YK_API YkMotionCertificate yk_certifier_report(const YkCertifier *certifier);
 
 #ifdef __cplusplus

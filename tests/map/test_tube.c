@@ -163,8 +163,46 @@ static void test_solutions_lie_in_their_tubes(void **unused)
     assert_true(tightest > 0.05); // the bound is not far off
 }
 
+// --- a Jacobian that changes along the line
+
+// An arm of length 1 + t and a slide, (1 + t) (e^(i angle) - e^i) + d - 2 = 0: the solution stands, at angle 1 and d = 2, while
+// the Jacobian changes with t. At t = -1 every angle is a solution.
+static const YkPiece growing_arm = {.shape = {.loops = 1, .angles = 1, .unknowns = 2, .turning = {-1, -1}}};
+
+static bool make_growing(double half, YkTube *tube)
+{
+    YkDiscCoefficients *middle = calloc(1, sizeof *middle), *over = calloc(1, sizeof *over);
+    assert_true(middle && over);
+    YkVec away = yk_scale(-1, yk_unit(1)), at[] = {{1, 0}, {1, 0}, yk_sub(away, yk_vec(2, 0))};
+    YkVec rate[] = {{1, 0}, {0, 0}, away};
+    for (size_t k = 0; k < 3; k++) {
+        middle->at[k] = over->at[k] = at[k];
+        over->rate[k] = rate[k];
+        middle->radius[k] = 1e-15;
+        over->rate_radius[k] = k == 1 ? 0 : 1e-15;
+    }
+    *tube = (YkTube){.x = {yk_unit(1), {2, 0}}};
+    bool is_made = yk_tube_make(&growing_arm, middle, over, half, tube);
+    free(middle);
+    free(over);
+    return is_made;
+}
+
+static void test_a_jacobian_that_vanishes_along_the_line_has_no_tube(void **unused)
+{
+    (void)unused;
+    YkTube tube;
+    assert_true(make_growing(0.1, &tube) && make_growing(0.9, &tube));
+    assert_true(tube.rate_within < 1e-9 && fabs(tube.rate[0]) < 1e-12); // the solution stands
+    assert_false(make_growing(1, &tube));
+    assert_false(make_growing(2.5, &tube));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_solutions_lie_in_their_tubes)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_solutions_lie_in_their_tubes),
+        cmocka_unit_test(test_a_jacobian_that_vanishes_along_the_line_has_no_tube),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
