@@ -155,7 +155,8 @@ size_t yk_train_gear_count(const YkTrain *train)
 
 YkTrainGear yk_train_gear(const YkTrain *train, size_t gear)
 {
-    if (gear >= train->gear_count) return (YkTrainGear){.ratio = {.in = YK_NOT_FOUND, .out = YK_NOT_FOUND, .value = (double)NAN}};
+    if (gear >= train->gear_count)
+        return (YkTrainGear){.ratio = {.in = YK_NOT_FOUND, .out = YK_NOT_FOUND, .value = (double)NAN}};
     return train->gears[gear];
 }
 
@@ -188,8 +189,7 @@ size_t yk_train_torque_count(const YkTrain *train)
 YkTrainTorque yk_train_torque(const YkTrain *train, size_t torque)
 {
     if (torque >= train->torque_count)
-        return (YkTrainTorque){
-            .on = YK_NOT_FOUND, .from = YK_NOT_FOUND, .torque = (double)NAN, .power = (double)NAN};
+        return (YkTrainTorque){.on = YK_NOT_FOUND, .from = YK_NOT_FOUND, .torque = (double)NAN, .power = (double)NAN};
     return train->torques[torque];
 }
 
