@@ -32,8 +32,8 @@ typedef struct YkMotionCertificate {
     char message[200];    // one sentence
 } YkMotionCertificate;
 // Tells what is proved of the motions so far. Between two verified poses, which are at most turn_max apart, all inputs are
-// taken to go straight. Ways round a limit that a move tries in vain count too. What a
-// state does between two motions (yk_state_solve, yk_state_assemble, other values of a variant) is not proved.
+// taken to go straight. Ways round a limit that a move tries in vain count too. What a state does between two motions
+// (yk_state_solve, yk_state_assemble, other values of a variant) is not proved.
 YK_API YkMotionCertificate yk_certifier_report(const YkCertifier *certifier);
 
 #ifdef __cplusplus
