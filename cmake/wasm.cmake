@@ -23,7 +23,7 @@ target_compile_options(yaml PRIVATE -w)
 file(GLOB YOKE_SOURCES CONFIGURE_DEPENDS src/*/*.c src/*/*/*.c)
 list(REMOVE_ITEM YOKE_SOURCES ${CMAKE_SOURCE_DIR}/src/write/process.c)
 list(FILTER YOKE_SOURCES EXCLUDE REGEX "/synthesis/(nine_points/alt_.*|paths/path_exact)[.]c$") # small/no_exact_path.c
-add_library(yoke_core STATIC ${YOKE_SOURCES} ${YOKE_WASI}/process.c ${YOKE_WASI}/posix.c web/core/small/no_exact_path.c)
+add_library(yoke_core STATIC ${YOKE_SOURCES} ${YOKE_WASI}/process.c ${YOKE_WASI}/posix.c ${YOKE_WASI}/print.c web/core/small/no_exact_path.c)
 target_include_directories(yoke_core PUBLIC ${YOKE_WASI} include src)
 target_compile_definitions(yoke_core PUBLIC _POSIX_C_SOURCE=200809L _WASI_EMULATED_GETPID _WASI_EMULATED_SIGNAL)
 target_link_libraries(yoke_core PUBLIC yaml)
@@ -38,7 +38,7 @@ set_property(SOURCE ${with_posix} APPEND PROPERTY COMPILE_OPTIONS -include posix
 find_program(YOKE_WASM_OPT wasm-opt)
 function(yoke_shrink target)
   if(YOKE_WASM_OPT)
-    add_custom_command(TARGET ${target} POST_BUILD COMMAND ${YOKE_WASM_OPT} -Oz --zero-filled-memory --low-memory-unused $<TARGET_FILE:${target}>
+    add_custom_command(TARGET ${target} POST_BUILD COMMAND ${YOKE_WASM_OPT} --zero-filled-memory --low-memory-unused -Oz --flatten --rereloop -Oz --converge $<TARGET_FILE:${target}>
       -o $<TARGET_FILE:${target}> VERBATIM)
   endif()
 endfunction()

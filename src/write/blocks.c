@@ -158,9 +158,11 @@ static bool start_anew(YkBlocks *blocks, const char *head, YkProblems *problems)
 
 static void write_head(uint64_t signature, char *head)
 {
+    static const char name[] = "yoke study, partial: ";
     memset(head, ' ', HEAD);
-    int length = snprintf(head, HEAD, "yoke study, partial: %016llx", (unsigned long long)signature);
-    head[length] = ' ';
+    memcpy(head, name, sizeof name - 1);
+    for (int digit = 0; digit < 16; digit++)
+        head[sizeof name - 1 + (size_t)digit] = "0123456789abcdef"[signature >> (60 - 4 * digit) & 15];
     head[HEAD - 1] = '\n';
 }
 
