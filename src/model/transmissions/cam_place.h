@@ -32,4 +32,9 @@ double yk_cam_face_angle(YkVec pivot, double distance, double swing);
 // flat face the unit normal. False: the pins lie on one point, so that the place of the contact is not known.
 bool yk_cam_touch(const YkCam *cam, YkVec *touch);
 
+// Lists the expressions on which the place of a contact's force depends by numbers of the cam (along, offset, pivot):
+// of pins and of the guide's direction. Some may be NULL. Returns how many.
+enum { YK_CAM_EXPRS = 5 };
+size_t yk_cam_place_exprs(const YkModel *model, const YkCam *cam, const YkExpr *expr[YK_CAM_EXPRS]);
+
 #endif
