@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "batch/lane_forces.h"
 #include "law/law.h"
+#include "model/transmissions/cam_place.h"
 #include "program/balance.h"
 
 enum { BODIES_MAX = 64 }; // the equations of all bodies are dense while they are made
@@ -125,8 +126,20 @@ static bool may_be_dry(const YkJoint *joint, const YkVariant *variant)
     return joint->friction.coulomb != 0 || (variant && expr && yk_redesign_expression_varies(variant->redesign, expr));
 }
 
+// Returns whether the place of a cam varies, of which the graph has numbers alone.
+static bool moves_cams(const YkModel *model, const YkVariant *variant)
+{
+    for (size_t k = 0; variant && k < model->cam_count; k++) {
+        const YkExpr *place[YK_CAM_EXPRS];
+        for (size_t i = yk_cam_place_exprs(model, &model->cams[k], place); i-- > 0;)
+            if (yk_redesign_expression_varies(variant->redesign, place[i])) return true;
+    }
+    return false;
+}
+
 static bool can_fit(const YkMechanism *mech, const YkVariant *variant)
 {
+    if (moves_cams(mech->model, variant)) return false;
     for (size_t j = 0; j < mech->model->joint_count; j++)
         if (may_be_dry(&mech->model->joints[j], variant)) return false;
     return mech->model->body_count <= BODIES_MAX && mech->redundant_count + mech->redundant_relation_count == 0;

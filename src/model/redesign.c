@@ -474,6 +474,14 @@ static bool finish_cams(YkRedesign *r)
     return good;
 }
 
+// The side of its pinion on which a rack lies is that of the file.
+static bool finish_racks(const YkModel *model)
+{
+    bool good = true;
+    for (size_t k = 0; k < model->rack_count; k++) good = good && yk_rack_keeps_side(model, &model->racks[k]);
+    return good;
+}
+
 static void finish_size(YkRedesign *r)
 {
     double size = fmax(r->fixed_size, yk_size_of_start(r->model));
@@ -496,7 +504,7 @@ YkStatus yk_redesign_set(YkRedesign *r, const double *values)
     good = finish_joints(r->model) && good;
     good = finish_bodies(r->model) && good;
     good = finish_loads(r->model) && good;
-    good = finish_cams(r) && good;
+    good = finish_cams(r) && finish_racks(r->model) && good;
     finish_size(r);
     return good ? YK_OK : YK_BAD_MODEL;
 }

@@ -60,23 +60,46 @@ static void find_panel(Curves *c)
     yk_panel_square(p);
 }
 
+static void draw_step(const Curves *c, YkVec from, YkVec to)
+{
+    const YkVec ends[2] = {from, to};
+    for (int e = 0; e < 2; e++) {
+        yk_text_puts(c->panel.svg, e == 0 ? "M" : "L");
+        yk_svg_number(c->panel.svg, ends[e].x);
+        yk_text_puts(c->panel.svg, " ");
+        yk_svg_number(c->panel.svg, ends[e].y);
+    }
+}
+
+static const double far_away = 40, unseen = 2; // px
+
+// Joins the two points of a ray beside which the next one misses the curve: there the curve turns back.
+static void draw_turn(const Curves *c, const YkVec *pixel, const bool *is_drawn, size_t count)
+{
+    if (count == 2 && is_drawn[0] && is_drawn[1] && yk_norm(yk_sub(pixel[1], pixel[0])) < far_away)
+        draw_step(c, pixel[0], pixel[1]);
+}
+
 // Draws one of the curves: each point of a ray is joined to the nearest one of the ray before, unless that is far away; steps
 // too short to be seen are left out.
 static void draw_curve(const Curves *c, const YkFourPoses *four, int which, const char *style)
 {
-    static const double far_away = 40, unseen = 2; // px
-    YkVec before[2];
+    YkVec before[2] = {{0, 0}, {0, 0}};
+    bool was_inside[2] = {false, false};
     size_t count_before = 0;
     yk_text_format(c->panel.svg, "<path class=\"%s\" fill=\"none\" %s d=\"", which == CENTRE ? "centres" : "circles",
                    style);
     for (size_t k = 0; k <= RAYS; k++) {
         YkDyad dyad[2];
         YkVec now[2];
+        bool inside[2] = {false, false};
         size_t count = yk_four_poses_ray(four, YK_PI * (double)k / RAYS, dyad);
+        if (count == 0) draw_turn(c, before, was_inside, count_before);
         for (size_t i = 0; i < count; i++) {
             YkVec at = place(c, &dyad[i], which), from = yk_vec(0, 0);
             double nearest = far_away;
             now[i] = yk_panel_pixel(&c->panel, at);
+            inside[i] = is_inside(c, at);
             for (size_t j = 0; j < count_before; j++) {
                 double away = yk_norm(yk_sub(now[i], before[j]));
                 if (away >= nearest) continue;
@@ -84,17 +107,12 @@ static void draw_curve(const Curves *c, const YkFourPoses *four, int which, cons
                 from = before[j];
             }
             if (nearest < unseen) now[i] = from;
-            if (nearest < unseen || nearest >= far_away || !is_inside(c, at)) continue;
-            const YkVec ends[2] = {from, now[i]};
-            for (int e = 0; e < 2; e++) {
-                yk_text_puts(c->panel.svg, e == 0 ? "M" : "L");
-                yk_svg_number(c->panel.svg, ends[e].x);
-                yk_text_puts(c->panel.svg, " ");
-                yk_svg_number(c->panel.svg, ends[e].y);
-            }
+            if (nearest < unseen || nearest >= far_away || !inside[i]) continue;
+            draw_step(c, from, now[i]);
         }
+        if (count_before == 0 && k > 0) draw_turn(c, now, inside, count);
         count_before = count;
-        for (size_t i = 0; i < count; i++) before[i] = now[i];
+        for (size_t i = 0; i < count; i++) before[i] = now[i], was_inside[i] = inside[i];
     }
     yk_text_puts(c->panel.svg, "\"/>\n");
 }

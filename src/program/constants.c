@@ -5,6 +5,7 @@
 #include "graph/function.h"
 #include "model/laws/laws.h"
 #include "model/transmissions/cam_arcs.h"
+#include "model/transmissions/cam_place.h"
 
 // --- expressions
 
@@ -165,6 +166,8 @@ static void fix_wheels(YkProgram *p)
                                c->other_span_expr, c->other_arm_expr, c->other_angle_expr};
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) fix(p, all[i]);
         if (c->arcs) fix_arcs(p, c->arcs);
+        const YkExpr *place[YK_CAM_EXPRS];
+        for (size_t i = yk_cam_place_exprs(m, c, place); i-- > 0;) fix(p, place[i]);
     }
 }
 

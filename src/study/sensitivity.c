@@ -333,7 +333,8 @@ YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, dou
     }
     if (w->pace.is_stopped) status = YK_STOPPED;
     w->pace = (YkPace){0};
-    yk_worker_set(w, study->own);
+    YkStatus back = yk_worker_set(w, study->own);
+    if (status >= 0 && back == YK_NO_MEMORY) status = back;
     end_linear(&l);
     free(scratch);
     return status > 0 ? YK_OK : status;

@@ -228,6 +228,15 @@ class Code(Printed):
             self.assertEqual(count, 1, example)
             self.assertIn("reactions", self.run_test(wrong).stdout, example)
 
+    def test_pins_of_a_cam_whose_contact_they_place_are_fixed(self):
+        """Where the arm lies at lift 0 follows from the pins, by numbers of the file; a follower with a point needs none."""
+        with open(os.path.join(ROOT, "examples", "swing-cam.yaml"), encoding="utf-8") as file:
+            text = file.read().replace("units:", "parameters: {f: -90}\nunits:", 1).replace("Q: [-90, 40]", "Q: [f, 40]")
+        for follower, is_fixed in (("at: P", False), ("arm: 91.24", True)):
+            code = self.print(self.write("swing.yaml", text.replace("at: P}", follower + "}")))
+            self.assertEqual("Fixed, since laws or gears depend on them: f = -0.09" in code, is_fixed, follower)
+            self.assertEqual(self.run_test(code).stdout, "m: well\n", follower)
+
     def test_laws_are_solved_together_with_loops(self):
         """A five-bar whose fourth angle follows its second by a law, both unknown: Newton's method calls the law."""
         with open(os.path.join(ROOT, "examples", "geared-five-bar.yaml"), encoding="utf-8") as file:

@@ -81,6 +81,10 @@ units: {length: mm}
                 self.assertGreater(len(points), 100)
                 for at in points:
                     self.assertLess(self.off_curve(own, at, drawn.get("class") == "centres") * scale[0], 0.05)
+            for drawn in paths[:2 * count - 2]:  # nothing is missing where a ray touches the curve
+                points = re.findall(r"[ML]([-0-9.]+ [-0-9.]+)", drawn.get("d"))
+                ends = [complex(*map(float, at.split())) for at in points if points.count(at) == 1]
+                self.assertEqual([(a, b) for a in ends for b in ends if 3 < abs(a - b) < 40], [])
             marks = {(m.get("class"), int(m.get("data-dyad"))): m for m in group.iter("{http://www.w3.org/2000/svg}circle")}
             self.assertGreater(len(marks), 4)
             for (kind, number), mark in marks.items():

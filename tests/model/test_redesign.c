@@ -134,11 +134,39 @@ static void what_the_loader_refuses_is_refused(void **unused)
     yk_model_free(model);
 }
 
+// The wheel turns the other way there, which a redesign cannot tell.
+static void a_rack_on_the_other_side_of_its_pinion_is_refused(void **unused)
+{
+    (void)unused;
+    static const char *const slides[] = {"[ground, bar], along: a, from: T", "[bar, ground], along: a, to: T"};
+    for (int k = 0; k < 2; k++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "parameters: {h: -0.05, a: 0.2}\nbodies:\n  ground: {points: {O: [0, 0], T: [0.03, h]}}\n  wheel: "
+                 "{points: {O: [0, 0]}}\n  bar: {}\njoints:\n  O: {pin: [ground, wheel], angle: q}\n"
+                 "  R: {slide: %s, distance: s}\nracks: {r: {pinion: wheel, rack: bar, radius: 0.05}}\n",
+                 slides[k]);
+        YkModel *model = fixture_load(text);
+        YkProblems *problems = yk_problems_new();
+        YkRedesign *redesign = yk_redesign_new(model, (const char *[]){"h", "a"}, 2, problems);
+        assert_non_null(redesign);
+        assert_int_equal(yk_redesign_set(redesign, (double[]){-0.04, 0.4}), YK_OK);
+        assert_int_equal(yk_redesign_set(redesign, (double[]){0.05, 0.2}), YK_BAD_MODEL);
+        assert_int_equal(yk_redesign_set(redesign, (double[]){-0.05, 3.3}), YK_BAD_MODEL);
+        assert_int_equal(yk_redesign_set(redesign, (double[]){-0.001, 0.2}), YK_OK);
+        assert_int_equal(yk_redesign_set(redesign, (double[]){-0.05, 0.2}), YK_OK);
+        yk_redesign_free(redesign);
+        yk_problems_free(problems);
+        yk_model_free(model);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_are_those_of_the_file_read_anew),
         cmocka_unit_test(what_the_loader_refuses_is_refused),
+        cmocka_unit_test(a_rack_on_the_other_side_of_its_pinion_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,6 +24,7 @@ static signed char status[DESIGNS * POSES];
     "drives: {theta: 40 deg + 3 rad/s * t}\nstart: {phi: -55 deg, x: 350 mm}\n"
 
 static const char *const of[] = {"theta.effort", "A.force", "x.effort", "t"};
+static const char *file = CRANK, *const *columns = of;
 
 // Asks the dynamics of the file loaded with a value, at a pose and time.
 static void ask_alone(const char *name, double value, double theta, double time, double *values)
@@ -31,13 +32,13 @@ static void ask_alone(const char *name, double value, double theta, double time,
     char text[40];
     snprintf(text, sizeof text, "%.17g", value);
     const YkOverride overrides[] = {{name, text}};
-    Machine m = machine_parse_with(CRANK, overrides, 1);
+    Machine m = machine_parse_with(file, overrides, 1);
     YkDynamics *d = yk_dynamics_new(m.mech, m.problems);
     assert_true(yk_state_assemble(m.state) >= 0);
     assert_true(yk_state_set_time(m.state, time, m.problems) >= 0);
     yk_state_set_input(m.state, 0, (YkMotion){theta, 3, 0});
     assert_true(yk_dynamics_solve(d, m.state, YK_METHOD_NEWTON_EULER) >= 0);
-    for (size_t c = 0; c < 4; c++) values[c] = yk_dynamics_channel(d, m.state, machine_channel(&m, of[c]));
+    for (size_t c = 0; c < 4; c++) values[c] = yk_dynamics_channel(d, m.state, machine_channel(&m, columns[c]));
     yk_dynamics_free(d);
     machine_free(&m);
 }
@@ -45,9 +46,9 @@ static void ask_alone(const char *name, double value, double theta, double time,
 static void check_study(const char *name, const double *values, const double *times, double own_time)
 {
     double theta[POSES], due[4], *outputs[4];
-    Machine m = machine_parse(CRANK, true);
+    Machine m = machine_parse(file, true);
     assert_true(yk_state_set_time(m.state, own_time, m.problems) >= 0);
-    YkStudy *study = study_of(&m, &name, 1, of, 4, 1);
+    YkStudy *study = study_of(&m, &name, 1, columns, 4, 1);
     const double *parameters[] = {values}, *inputs[] = {theta, NULL, NULL};
     YkStudyCase asked = {parameters, DESIGNS, inputs, POSES, false, times};
     for (size_t c = 0; c < 4; c++) outputs[c] = out[c];
@@ -71,6 +72,41 @@ static void test_loads_that_depend_on_time(void **unused)
     check_study("c", c, NULL, 0);
     check_study("c", c, NULL, 0.3);
     check_study("c", c, times, 0.3);
+}
+
+#define CAM(f, cam, follower, joint)                                                                                   \
+    "parameters: {f: " f " mm, h: 10 mm, al: 1.4}\n"                                                                   \
+    "laws: {l: {period: 2*pi, segments: [{rise: {to: 3 rad, by: " cam ", law: 3-4-5}}, {fall: {to: 2*pi, by: " cam     \
+    ", law: cycloidal}}]}}\n"                                                                                          \
+    "cams: {rc: {cam: shaft, follower: f, law: l, base: 40 mm, " follower "}}\n"                                       \
+    "bodies:\n  ground: {points: {O: [0, 0], Q: [f, h]}}\n"                                                            \
+    "  shaft: {points: {O: [1 mm, 2 mm]}, mass: 1 kg, inertia: 5e-4 kg*m^2}\n"                                         \
+    "  f: {points: {Q: [0, 0]}, mass: 0.6 kg, center: [30 mm, 10 mm], inertia: 7e-4 kg*m^2}\n"                         \
+    "joints:\n  O: {pin: [ground, shaft], angle: theta}\n  Q: {" joint "}\n"                                           \
+    "gravity: [0, -9.81 m/s^2]\ndrives: {theta: 40 deg + 3 rad/s * t}\n"
+
+// Where the cam touches its follower depends on the pins between them, and on the follower's guide.
+static void test_places_of_cams_vary(void **unused)
+{
+    (void)unused;
+    static const char *const texts[] = {
+        CAM("95", "0.3 rad", "roller: 9 mm, arm: 80 mm", "pin: [ground, f], angle: phi"),
+        CAM("95", "0.3 rad", "face: flat, offset: 3 mm", "pin: [f, ground], angle: phi"),
+        CAM("12", "20 mm", "roller: 9 mm", "slide: [ground, f], along: al, from: Q, to: Q, distance: s"),
+        CAM("12", "20 mm", "face: flat", "slide: [ground, f], along: al, from: O, to: Q, distance: s")};
+    static const char *const cam[] = {"theta.effort", "rc.force.x", "O.force.y", "t"};
+    static const double values[2][DESIGNS] = {{0.09, 0.1, 0.11}, {-0.5, 0.2, 1}},
+                        little[DESIGNS] = {0.002, 0.012, 0.02};
+    for (size_t k = 0; k < 4; k++) {
+        file = texts[k];
+        columns = cam;
+        if (k < 2) check_study("f", values[0], NULL, 0);
+        if (k == 2) check_study("f", little, NULL, 0);
+        if (k > 1) check_study("al", values[1], NULL, 0);
+        if (k != 2) check_study("h", little, NULL, 0);
+    }
+    file = CRANK;
+    columns = of;
 }
 
 static void test_friction_that_is_none_in_the_file(void **unused)
@@ -186,6 +222,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_loads_that_depend_on_time),
+        cmocka_unit_test(test_places_of_cams_vary),
         cmocka_unit_test(test_friction_that_is_none_in_the_file),
         cmocka_unit_test(test_turns_are_counted_past_forces_without_a_value),
         cmocka_unit_test(test_forces_do_not_count_at_change_points),

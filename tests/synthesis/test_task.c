@@ -38,6 +38,34 @@ static void machines_that_a_task_cannot_have_are_passed_over_where_others_are_le
     yk_problems_free(problems);
 }
 
+// Of five points no start is free, of four one: that of a slider-crank is its crank's.
+static void starts_that_points_leave_no_freedom_for_are_refused(void **state)
+{
+    (void)state;
+    static const char *const kind[] = {"", "mechanisms: [slider-crank]\n"}, *const unit[] = {"deg", "mm"};
+    static const char *const fix[] = {"", "input_start: 20 deg", "output_start: 40 %s",
+                                      "input_start: 20 deg, output_start: 40 %s"};
+    for (int slider = 0; slider < 2; slider++)
+        for (int samples = 3; samples <= 5; samples++)
+            for (int given = 0; given < 4; given++) {
+                char text[400], values[80];
+                snprintf(values, sizeof values, fix[given], unit[slider]);
+                snprintf(text, sizeof text,
+                         "synthesis: function\nof: x^2\nx: [1, 2]\ninput: 60 deg\noutput: 40 %s\nsamples: %d\n"
+                         "fix: {%s}\n%s",
+                         unit[slider], samples, values, kind[slider]);
+                bool is_free = given == 0 || samples == 3 || (samples == 4 && given < (slider ? 2 : 3));
+                YkTask *task = is_free ? yk_task_parse(text, strlen(text), "task.yaml", NULL) : NULL;
+                if (is_free)
+                    assert_non_null(task);
+                else
+                    refuse(text, YK_CODE_TASK_BOUNDS, 7);
+                yk_task_free(task);
+            }
+    refuse("synthesis: function\npairs: [[0, 0], [1, 1], [2, 1.5], [3, 1.7]]\nfix: {input_start: 1, output_start: 2}\n",
+           YK_CODE_TASK_BOUNDS, 3);
+}
+
 static void nine_points_with_something_given_are_told_to_be_met_nearly(void **state)
 {
     (void)state;
@@ -230,6 +258,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(machines_that_a_task_cannot_have_are_passed_over_where_others_are_left),
+        cmocka_unit_test(starts_that_points_leave_no_freedom_for_are_refused),
         cmocka_unit_test(nine_points_with_something_given_are_told_to_be_met_nearly),
         cmocka_unit_test(every_mistake_has_its_code_and_place),
         cmocka_unit_test(all_mistakes_are_told_at_once),

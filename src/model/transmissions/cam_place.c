@@ -78,6 +78,21 @@ void yk_cam_place(const YkModel *model, YkCam *cam)
         place_slide(guide, guide_side, apart, cam);
 }
 
+size_t yk_cam_place_exprs(const YkModel *model, const YkCam *cam, const YkExpr *expr[YK_CAM_EXPRS])
+{
+    const YkJoint *joint[] = {&model->joints[cam->cam_joint], &model->joints[cam->follower_joint]};
+    bool is_between = cam->oscillates ? cam->point == YK_NONE : cam->face != YK_CAM_FACE_FLAT && !cam->offset_expr;
+    size_t count = 0;
+    if (!cam->oscillates) expr[count++] = joint[1]->along_expr;
+    for (size_t k = 0; is_between && k < 2; k++) {
+        int32_t point = joint[k]->point[joint[k]->body[0] == cam->carrier ? 0 : 1];
+        if (point == YK_NONE) continue;
+        expr[count++] = model->points[point].x;
+        expr[count++] = model->points[point].y;
+    }
+    return count;
+}
+
 bool yk_cam_centers_agree(const YkCam *cam)
 {
     double apart = yk_norm(cam->pivot);

@@ -66,20 +66,39 @@ static bool holds_pinion(const YkModel *model, const YkRack *rack, int32_t body,
     return false;
 }
 
-// Returns the side of the rack's line on which the pinion lies, seen along the slide by its first body. A slide written
-// from the rack to the carrier fixes its line in the rack, and the line passes through the carrier's point: both signs
-// change. Where the line passes through the pinion's centre, says that the side is a guess.
+// Returns the side of the rack's line on which the pinion lies, seen along the slide by its first body: times this its
+// distance. A slide written from the rack to the carrier fixes its line in the rack, and the line passes through the
+// carrier's point: both signs change.
+static double side_of(const YkJoint *slide, bool is_reversed, YkVec center)
+{
+    return yk_cross(slide->along, yk_sub(center, slide->at[is_reversed ? 1 : 0]));
+}
+
+static int32_t sense_on(double side, bool is_reversed)
+{
+    return (side < 0) == is_reversed ? 1 : -1;
+}
+
+// Says where the line passes through the pinion's centre that the side is a guess.
 static int32_t sense_of(YkLoader *loader, const YkRack *rack, const YkJoint *slide, bool is_reversed, YkVec center)
 {
-    double side = yk_cross(slide->along, yk_sub(center, slide->at[is_reversed ? 1 : 0]));
-    int32_t sense = side < 0 ? -1 : 1;
+    double side = side_of(slide, is_reversed, center);
     if (fabs(side) <= 1e-9 * rack->radius) {
         yk_problem(loader->problems, YK_CODE_RACK_SIDE, rack->place,
                    "rack %q: slide %q passes through the centre of %q, which is taken to lie to the left of the line",
                    rack->name, slide->name, loader->model->bodies[rack->pinion].name);
         yk_problem_hint(loader->problems, "begin the slide with `from:` at a point beside the pinion");
     }
-    return is_reversed ? -sense : sense;
+    return sense_on(side, is_reversed);
+}
+
+bool yk_rack_keeps_side(const YkModel *model, const YkRack *rack)
+{
+    const YkJoint *slide = &model->joints[rack->slide];
+    bool is_reversed = slide->body[0] == rack->rack;
+    YkVec center;
+    return !holds_pinion(model, rack, rack->carrier, &center) ||
+           sense_on(side_of(slide, is_reversed, center), is_reversed) == rack->sense;
 }
 
 static bool find_slide(YkLoader *loader, YkRack *rack)

@@ -205,6 +205,23 @@ static void check_sizes(YkTaskReader *reader)
     task->has_slider = false;
 }
 
+// Refuses a start that the points leave no freedom for: five none, four one, which of a slider-crank is the input's.
+static void check_starts(YkTaskReader *reader, size_t points)
+{
+    const YkFunctionTask *f = &reader->task->function;
+    const YkNode *fix = yk_node_get(reader->loader->root, "fix");
+    size_t given = (size_t)f->phase[0].is_given + (size_t)f->phase[1].is_given;
+    bool is_place = f->is_slider && points == 4 && f->phase[1].is_given;
+    if (given <= YK_PAIRS_MAX - points && !is_place) return;
+    const char *which = f->phase[0].is_given && !is_place ? "input_start" : "output_start";
+    yk_problem(reader->loader->problems, YK_CODE_TASK_BOUNDS, yk_node_get(fix, which)->place,
+               points == YK_PAIRS_MAX ? "five points leave no start free: `%s` cannot be given"
+               : f->is_slider         ? "four points leave the start of the crank free: `%s` cannot be given"
+                                      : "four points leave one start free: `%s` cannot be given as well",
+               which);
+    yk_problem_hint(reader->loader->problems, "leave it out, or meet fewer points");
+}
+
 void yk_task_check_function(YkTaskReader *reader)
 {
     YkFunctionTask *f = &reader->task->function;
@@ -223,6 +240,8 @@ void yk_task_check_function(YkTaskReader *reader)
     if (f->of) check_ranges(reader);
     if (!f->of && f->count > 0) check_pairs(reader);
     check_sizes(reader);
+    size_t points = !f->of ? f->count : is_count ? (size_t)reader->samples : 0;
+    if (points >= 3) check_starts(reader, points);
     if (!f->of || !is_count) return;
     f->count = (size_t)reader->samples;
     if (errors == 0 && yk_problems_error_count(reader->loader->problems) == 0) take_samples(reader);
