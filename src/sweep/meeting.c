@@ -200,12 +200,13 @@ static size_t steps_up_to(const YkMechanism *mech, size_t block)
 static bool find_by_several(Search *f)
 {
     const YkState *s = f->walk->path.state;
+    const double CLEARLY = 1.01; // else the first: blocks that are alike take the same one
     double most = 0;
     f->meeting.input = YK_NONE;
     if (s->mech->has_groups || yk_path_set(&f->walk->path, f->place, true) < 0) return false;
     for (size_t i = 0; i < s->mech->input_count; i++) {
         double slope = slope_along(f, i);
-        if (slope <= most) continue;
+        if (slope <= CLEARLY * most) continue;
         most = slope;
         f->meeting.input = (int32_t)i;
     }
