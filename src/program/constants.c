@@ -146,6 +146,23 @@ static void fix_arcs(YkProgram *p, const YkCamArcs *arcs)
         for (int i = 0; i < 3; i++) fix(p, arcs->items[k].exprs[i]);
 }
 
+static void fix_point(YkProgram *p, int32_t point)
+{
+    if (point == YK_NONE) return;
+    fix(p, p->model->points[point].x);
+    fix(p, p->model->points[point].y);
+}
+
+// The direction of a follower that slides, and its offset, which follows from the points unless the file gives it.
+static void fix_guide(YkProgram *p, const YkCam *cam)
+{
+    const YkJoint *pin = &p->model->joints[cam->cam_joint], *guide = &p->model->joints[cam->follower_joint];
+    fix(p, guide->along_expr);
+    if (cam->offset_expr) return;
+    fix_point(p, pin->point[pin->body[1] == cam->carrier]);
+    fix_point(p, guide->point[guide->body[1] == cam->carrier]);
+}
+
 static void fix_wheels(YkProgram *p)
 {
     const YkModel *m = p->model;
@@ -165,6 +182,7 @@ static void fix_wheels(YkProgram *p)
                                c->other_span_expr, c->other_arm_expr, c->other_angle_expr};
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) fix(p, all[i]);
         if (c->arcs) fix_arcs(p, c->arcs);
+        if (!c->oscillates) fix_guide(p, c);
     }
 }
 

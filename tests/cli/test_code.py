@@ -228,6 +228,34 @@ class Code(Printed):
             self.assertEqual(count, 1, example)
             self.assertIn("reactions", self.run_test(wrong).stdout, example)
 
+    def test_cams_that_parameters_move_push_where_the_engine_says(self):
+        """The place of a turning follower's pin stays a parameter; the line of one that slides is fixed, as its numbers are."""
+        machine = """parameters: {px: 80 mm, al: 90 deg}
+laws:
+  lift: {period: 2*pi, segments: [{rise: {to: 180 deg, by: %s, law: cycloidal}}, {fall: {to: 360 deg, by: %s, law: cycloidal}}]}
+bodies:
+  ground: {points: {K: [0, 0], P: [%s, 5 mm]}}
+  shaft: {points: {K: [0, 0]}}
+  lever: {points: {P: [0, 0]}, mass: 1 kg, center: [-20 mm, 10 mm], inertia: 0.001 kg*m^2}
+joints:
+  K: {pin: [ground, shaft], angle: theta}
+  P: {%s}
+cams: {c: {cam: shaft, follower: lever, law: lift, base: 30 mm, %s}}
+gravity: [0, -9.81]
+drives: {theta: 1.4 rad + 2 rad/s * t}
+"""
+        pin = "pin: [ground, lever], angle: psi"
+        slide = "slide: [ground, lever], along: al, from: P, distance: s"
+        for name, joint, place, lift, touch, stays in (
+                ("flat", pin, "px", "15 deg", "face: flat", True), ("roller", pin, "px", "15 deg", "roller: 8 mm, arm: 70 mm", True),
+                ("tappet", slide, "px/8", "15 mm", "roller: 8 mm", False)):
+            path = self.write(name + ".yaml", machine % (lift, lift, place, joint, touch))
+            body, cut, _ = parts(self.print(path))
+            self.assertEqual("px" in cut["defaults"], stays, name)
+            if stays:
+                _, cut, test = parts(self.print(path, "--param", "px=95 mm"))
+                self.assertEqual(self.run_test(joined(body, cut, test)).stdout, "m: well\n", name)
+
     def test_laws_are_solved_together_with_loops(self):
         """A five-bar whose fourth angle follows its second by a law, both unknown: Newton's method calls the law."""
         with open(os.path.join(ROOT, "examples", "geared-five-bar.yaml"), encoding="utf-8") as file:
