@@ -47,7 +47,7 @@ static double sine_at(const Search *f, double value)
     bool is_place = f->meeting.input == YK_NONE;
     if (yk_path_set(&f->walk->path, is_place ? value : f->place, true) < 0) return -1;
     if (!is_place) s->input[3 * f->meeting.input] = value;
-    yk_path_place_signs(path, value);
+    yk_path_place_signs(path, is_place ? value : f->place);
     YkStatus status = yk_state_solve(s);
     if (status < 0 && s->report.block <= (int)f->block) return -1;
     double margin = (status < 0 ? &s->spare : &s->space)->block_margin[f->block];
@@ -259,6 +259,7 @@ static void keep(YkWalk *w, size_t block, YkMeeting m, int side)
 bool yk_walk_meets(YkWalk *w, size_t block, double at, double known, double way)
 {
     YkMeeting m, old = block < w->path.meeting_count ? w->path.meetings[block] : (YkMeeting){0};
+    if (old.is_known) yk_path_set(&w->path, known, true); // its sign there
     if (!find(w, block, at, &m)) return false;
     if (is_same(w, block, old, m, known)) {
         w->path.meetings[block] = old;
