@@ -333,7 +333,7 @@ YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, dou
     }
     if (w->pace.is_stopped) status = YK_STOPPED;
     w->pace = (YkPace){0};
-    yk_worker_set(w, study->own);
+    if (yk_worker_set(w, study->own) == YK_NO_MEMORY && status >= 0) status = YK_NO_MEMORY;
     end_linear(&l);
     free(scratch);
     return status > 0 ? YK_OK : status;
