@@ -21,7 +21,7 @@ typedef struct YkMeeting {
     double seen_at[YK_MEETING_SEEN], seen_off[YK_MEETING_SEEN]; // shared: where the path was looked at last
     unsigned seen;
     double off[YK_MEETING_LEVELS]; // scratch of side.c: how far from it the inputs are
-    signed char above, side; // the sign above it; the side on which the motion was last
+    signed char above, side;       // the sign above it; the side on which the motion was last
 } YkMeeting;
 
 typedef struct YkPath {
