@@ -146,23 +146,6 @@ static void fix_arcs(YkProgram *p, const YkCamArcs *arcs)
         for (int i = 0; i < 3; i++) fix(p, arcs->items[k].exprs[i]);
 }
 
-static void fix_point(YkProgram *p, int32_t point)
-{
-    if (point == YK_NONE) return;
-    fix(p, p->model->points[point].x);
-    fix(p, p->model->points[point].y);
-}
-
-// The direction of a follower that slides, and its offset, which follows from the points unless the file gives it.
-static void fix_guide(YkProgram *p, const YkCam *cam)
-{
-    const YkJoint *pin = &p->model->joints[cam->cam_joint], *guide = &p->model->joints[cam->follower_joint];
-    fix(p, guide->along_expr);
-    if (cam->offset_expr) return;
-    fix_point(p, pin->point[pin->body[1] == cam->carrier]);
-    fix_point(p, guide->point[guide->body[1] == cam->carrier]);
-}
-
 static void fix_wheels(YkProgram *p)
 {
     const YkModel *m = p->model;
@@ -182,7 +165,6 @@ static void fix_wheels(YkProgram *p)
                                c->other_span_expr, c->other_arm_expr, c->other_angle_expr};
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) fix(p, all[i]);
         if (c->arcs) fix_arcs(p, c->arcs);
-        if (!c->oscillates) fix_guide(p, c);
     }
 }
 
@@ -244,7 +226,7 @@ YkRefVec yk_program_point(YkProgram *p, int32_t point)
     return (YkRefVec){x, y};
 }
 
-static YkRefVec along_of(YkProgram *p, const YkJoint *joint)
+YkRefVec yk_program_along(YkProgram *p, const YkJoint *joint)
 {
     if (!joint->along_expr) return yk_graph_vec_number(&p->graph, joint->along.x, joint->along.y);
     return yk_graph_unit(&p->graph, yk_program_expr(p, joint->along_expr));
@@ -266,7 +248,7 @@ static YkRefVec by_recipe(YkProgram *p, int32_t index)
         return in_orientation(p, joint->body[node->b], yk_program_point(p, joint->point[node->b]));
     }
     case YK_RECIPE_ALONG:
-        return in_orientation(p, p->model->joints[node->a].body[0], along_of(p, &p->model->joints[node->a]));
+        return in_orientation(p, p->model->joints[node->a].body[0], yk_program_along(p, &p->model->joints[node->a]));
     case YK_RECIPE_NEGATE: {
         YkRef minus_one = yk_graph_number(g, -1);
         return yk_graph_vec_scale(g, minus_one, by_recipe(p, node->a));
@@ -304,7 +286,7 @@ YkRefVec yk_program_line(YkProgram *p, int32_t distance, YkVec value)
         const YkJoint *joint = &p->model->joints[j];
         YkVec along = yk_mul(p->mech->bodies[joint->body[0]].turn_unit, joint->along);
         double sign = yk_dot(along, value) < 0 ? -1 : 1;
-        YkRefVec v = in_orientation(p, joint->body[0], along_of(p, joint));
+        YkRefVec v = in_orientation(p, joint->body[0], yk_program_along(p, joint));
         return yk_graph_vec_scale(&p->graph, yk_graph_number(&p->graph, sign), v);
     }
     return yk_graph_vec_number(&p->graph, value.x, value.y);

@@ -1,5 +1,5 @@
 // Cams, and coordinates that follow others by a law: forces and couples from the slope of the law.
-#include <math.h>
+#include "elementary/elementary.h"
 #include "program/balance.h"
 
 // Returns d value / d argument of the relation's law.
@@ -97,16 +97,37 @@ static void turning_flat_face(YkBalanceSystem *w, size_t column, const YkCam *ca
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, at), n);
 }
 
+// Returns the direction in which a follower slides, in the carrier's axes.
+static YkRefVec line_of(YkProgram *p, const YkCam *cam)
+{
+    const YkJoint *guide = &p->model->joints[cam->follower_joint];
+    YkRefVec along = yk_program_along(p, guide);
+    YkVec back = yk_scale(-1, yk_unit(-guide->turned));
+    if (guide->body[0] == cam->carrier) return along;
+    return yk_graph_vec_multiply(&p->graph, along, yk_graph_vec_number(&p->graph, back.x, back.y));
+}
+
+// Returns how far that line passes from the cam's centre, against the quarter turn from it.
+static YkRef offset_of(YkProgram *p, const YkCam *cam)
+{
+    YkGraph *g = &p->graph;
+    if (cam->offset_expr) return yk_graph_number(g, cam->offset);
+    YkRefVec apart = yk_graph_vec_subtract(g, point_on(p, cam->follower_joint, cam->carrier),
+                                           point_on(p, cam->cam_joint, cam->carrier));
+    return yk_graph_minus(g, yk_graph_dot(g, apart, yk_graph_vec_quarter(g, line_of(p, cam))));
+}
+
 // Returns the roller or edge of a follower that slides and names no point.
 static YkRefVec roller_of(YkBalanceSystem *w, const YkCam *cam, const CamPose *pose)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
-    double reach = cam->base + cam->roller, start = sqrt(reach * reach - cam->offset * cam->offset);
+    double reach = cam->base + cam->roller;
+    YkRef off = offset_of(p, cam), off2 = yk_graph_multiply(g, off, off);
+    YkRef start = yk_graph_unary(g, YK_VALUE_ROOT, yk_graph_subtract(g, yk_graph_number(g, reach * reach), off2));
     YkRef lift = p->distance[p->mech->joint_distance[cam->follower_joint]];
-    YkRefVec along = yk_graph_vec_scale(g, yk_graph_add(g, yk_graph_number(g, start), lift), pose->u);
-    YkRef offset = yk_graph_number(g, -cam->offset);
-    YkRefVec aside = yk_graph_vec_scale(g, offset, yk_graph_vec_quarter(g, pose->u));
+    YkRefVec along = yk_graph_vec_scale(g, yk_graph_add(g, start, lift), pose->u);
+    YkRefVec aside = yk_graph_vec_scale(g, yk_graph_minus(g, off), yk_graph_vec_quarter(g, pose->u));
     return yk_graph_vec_add(g, pose->center, yk_graph_vec_add(g, along, aside));
 }
 
@@ -139,7 +160,7 @@ void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const
     double reach = cam->base + cam->roller;
     pose.way = m->joints[cam->follower_joint].body[1] == cam->follower ? 1 : -1;
     pose.turn = m->joints[cam->cam_joint].body[1] == cam->cam ? 1 : -1;
-    pose.u = turned_with(p, cam->carrier, yk_graph_vec_number(g, cam->along.x, cam->along.y));
+    if (!cam->oscillates) pose.u = turned_with(p, cam->carrier, line_of(p, cam));
     if (!cam->oscillates && (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)))
         flat_face(w, column, cam, &pose);
     else if (cam->point != YK_NONE)
