@@ -11,8 +11,8 @@ extern "C" {
 typedef struct YkBatch YkBatch;
 // Makes a batch with the branches and reference angles of an assembled state. It computes these channels and nothing
 // else. Channels of forces and energies are those of inverse dynamics: the accelerations of all inputs are given, and
-// the effort of each is sought; loads that depend on time take the state's. Of a machine without masses and loads they
-// are 0. Returns NULL when out of memory. Cost of making, with channels of forces: about 1 ms for ten bodies, 25 ms for
+// the effort of each is sought; loads that depend on time take the state's. Forces are 0 for a machine without masses
+// and loads. Returns NULL when out of memory. Cost of making, with channels of forces: about 1 ms for ten bodies, 25 ms for
 // 60.
 YK_API YkBatch *yk_batch_new(const YkState *state, const YkChannel *channels, size_t channel_count);
 YK_API void yk_batch_free(YkBatch *batch);

@@ -179,7 +179,7 @@ typedef struct YkCamLoads {
 YK_API YkCamLoads yk_cam_loads(const YkCamDesign *design);
 typedef struct YkCamForce {
     double effort;  // along the follower's coordinate, by the cam on the follower, N or N m
-    double contact; // normal force between cam and follower, N; negative: they part
+    double contact; // normal force between cam and follower, N; negative: they part, or the second roller bears
     double torque;  // that drives the cam about its axis, along its coordinate, N m
 } YkCamForce;
 YK_API YkCamForce yk_cam_force(const YkCamDesign *design, double speed, double angle);

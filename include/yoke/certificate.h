@@ -2,7 +2,7 @@
 //
 // Dyads are solved in closed form, and every motion knows when they come to a change point. Larger groups are solved by
 // Newton's method from the pose before, which by itself could come to another solution. A certifier proves that it did
-// not: between two poses Krawczyk's operator, rounded outward, shows that all that lies before the last group has
+// not: between two poses Krawczyk's operator, rounded outward, shows that everything up to the last group has
 // exactly one solution in a tube about the way, and that both poses are in it. docs/configurations.md has the mathematics.
 #ifndef YOKE_CERTIFICATE_H
 #define YOKE_CERTIFICATE_H
@@ -17,9 +17,9 @@ extern "C" {
 typedef struct YkCertifier YkCertifier;
 YK_API YkCertifier *yk_certifier_new(const YkMechanism *mech);
 YK_API void yk_certifier_free(YkCertifier *certifier);
-// Lets a certifier watch all that moves and sweeps do with a state, from here on; NULL: nobody does any longer. Free it
-// after that. A copy of the state is not watched. Returns YK_BAD_ARGUMENT for another machine's. Cost at every
-// verified pose: some n^3 multiplications for each of three steps, for n unknowns; none without groups.
+// Lets a certifier watch all that moves and sweeps do with a state, from here on; NULL ends this, and the certifier may
+// be freed then. A copy of the state is not watched. Returns YK_BAD_ARGUMENT for the certifier of another machine.
+// Cost at every verified pose: some n^3 multiplications for each of three steps, for n unknowns; none without groups.
 YK_API YkStatus yk_state_set_certifier(YkState *state, YkCertifier *certifier);
 
 typedef struct YkMotionCertificate {
@@ -31,8 +31,9 @@ typedef struct YkMotionCertificate {
     double from, to;      // its values before and after that step
     char message[200];    // one sentence
 } YkMotionCertificate;
-// Tells what is proved of the motions so far. Between two verified poses, 2 degrees apart at most, all inputs are taken
-// to go straight.
+// Tells what is proved of the motions so far. Between two verified poses, which are at most turn_max apart, all inputs are
+// taken to go straight. Ways round a limit that a move tries in vain count too. What a state does between two motions
+// (yk_state_solve, yk_state_assemble, other values of a variant) is not proved.
 YK_API YkMotionCertificate yk_certifier_report(const YkCertifier *certifier);
 
 #ifdef __cplusplus

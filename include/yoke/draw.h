@@ -22,7 +22,7 @@ YK_API YkDrawOptions yk_default_draw_options(void);
 
 typedef struct YkDrawing YkDrawing;
 // Starts a drawing. It collects poses (all but the last are drawn faint, as under a stroboscope) and traced positions,
-// and then writes SVG, each text of which lives until the drawing's next call. The mechanism must outlive it. Returns
+// and then writes SVG. Each text lives until the drawing's next call. The mechanism must outlive it. Returns
 // NULL when out of memory.
 YK_API YkDrawing *yk_drawing_new(const YkMechanism *mech, const YkDrawOptions *options);
 YK_API void yk_drawing_free(YkDrawing *drawing);

@@ -34,7 +34,7 @@ typedef enum YkMethod {
 // Solves the dynamics at the inputs of `state` (assembled): solves its pose, finds the free inputs' accelerations,
 // sets them, solves the state again, then finds all reactions and efforts. Returns YK_OK; YK_REDUNDANT with least-norm
 // reactions; YK_SINGULAR at a dead point or for a freedom without inertia (see the report); YK_CHANGE_POINT at a pose
-// whose rates are limits, which stay. Allocates nothing, but for the first pose of a variant's design.
+// whose rates are limits, which stay. Allocates nothing, except at the first pose of a variant's design.
 // Cost: linear for trees, chains of loops and ladders.
 YK_API YkStatus yk_dynamics_solve(YkDynamics *dynamics, YkState *state, YkMethod method);
 // Finds only the accelerations, the fast part of the above: accelerations[input], prescribed ones too. The state's

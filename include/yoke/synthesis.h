@@ -161,7 +161,7 @@ YK_API size_t yk_synthesis_curve(const YkSynthesis *synthesis, size_t candidate,
 // All candidates side by side with the task and their curves, as SVG. The text belongs to the synthesis. NULL when out
 // of memory.
 YK_API const char *yk_synthesis_picture(YkSynthesis *synthesis);
-// Further pictures, as SVG: Burmester's curves of a motion through four or five positions, with the pivots of the dyads to pick;
+// Further pictures, as SVG: Burmester's curves of a motion through four or five positions, with the pivots of the dyads to choose from;
 // the errors of function generators over the range, evened out and before. The text belongs to the synthesis. NULL where the task
 // has none, or when out of memory: *ran_out (may be NULL) tells.
 typedef enum YkSynthesisSheet { YK_SHEET_BURMESTER, YK_SHEET_ERRORS } YkSynthesisSheet;

@@ -11,8 +11,8 @@ extern "C" {
 typedef struct YkVariant YkVariant;
 
 // Makes a copy of the mechanism whose numbers follow the parameters names[count] of its model. Use one per thread.
-// States, batches and dynamics are made from yk_variant_mechanism. States, batches and dynamics follow every
-// yk_variant_set at once (YkDynamics makes its equations anew at the next pose, and keeps the efforts and the choice of
+// States, batches and dynamics are made from yk_variant_mechanism, and follow every yk_variant_set
+// at once (YkDynamics makes its equations anew at the next pose, and keeps the efforts and the choice of
 // free inputs that were set); simulations must be made after it. The copy has the inputs, blocks and
 // branches of `mech`, in the same order; `mech` must outlive it. Points, directions of slides, masses, gravity, springs,
 // dampers, stops and friction can follow. A parameter is refused if it enters gears, racks, belts, cams, laws or

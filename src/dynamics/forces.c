@@ -50,7 +50,8 @@ static void take_joint(YkDynamics *d, size_t joint)
     const YkJoint *j = &d->mech->model->joints[joint];
     YkJointForce f = yk_free_bodies_joint(d->bodies, joint);
     YkVec at = joint_point(d, joint);
-    size_t by = yk_model_joint_body(d->mech->model, joint, 0), on = yk_model_joint_body(d->mech->model, joint, 1);
+    size_t by = (size_t)yk_joint_end(d->mech->model, joint, 0)->body[0],
+           on = (size_t)yk_joint_end(d->mech->model, joint, 1)->body[1];
     if (j->is_free) { // it transmits nothing
         d->joint[joint] = (YkReaction){by, on, {0, 0}, 0, {at.x, at.y}, true};
         d->whole[joint] = yk_vec(0, 0);
@@ -243,7 +244,7 @@ static const YkReaction no_reaction = {.by = YK_NOT_FOUND,
 
 YkReaction yk_dynamics_reaction(const YkDynamics *d, size_t joint)
 {
-    if (joint >= d->mech->model->joint_count) return no_reaction;
+    if (joint >= yk_model_joint_count(d->mech->model)) return no_reaction;
     return d->joint[joint];
 }
 

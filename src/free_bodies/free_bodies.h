@@ -36,7 +36,8 @@ typedef struct YkJointForce {
 } YkJointForce;
 YkJointForce yk_free_bodies_joint(const YkFreeBodies *bodies, size_t joint);
 double yk_free_bodies_effort(const YkFreeBodies *bodies, size_t input);
-// Adds the forces along the lines of centres that gears' pressure angles cause with the forces found, times sign, to
+// Adds the forces along the lines of centres that gears' pressure angles cause with the forces found, and what the
+// bearing one of a cam's two rollers changes, times sign, to
 // load[body]. Returns false if there are none. They turn nothing: solving again with them changes only reactions.
 bool yk_free_bodies_radial(const YkFreeBodies *bodies, YkLoad *load, double sign);
 // What a relation of the mechanism - gears, a rack, a belt, a cam, a law - exerts on its second body.

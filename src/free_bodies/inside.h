@@ -28,11 +28,12 @@ typedef struct YkWrenchColumn {
     YkWrenchKind kind;
     // At the pose:
     YkVec force;      // on the second body
-    YkVec at;         // MESH with a force: where it acts, world axes
+    YkVec at[2];      // MESH with a force: where it acts while its share is positive, negative; world axes
     double moment[2]; // about the reference points of both bodies, over the size; on the first with its sign
     YkVec other;      // MESH: on the third, its opposite on the fourth
     double third_moment, fourth_moment;
-    YkVec radial; // MESH of gears: on the second body for each newton of the force's magnitude; turns nothing
+    YkVec radial; // MESH of gears and cams with two rollers: on the second body for each newton of the force's
+                  // magnitude; turns nothing
     double radial_moment[2]; // ... about the reference points, m
     double bias;             // 1/s^2: value of A^T accelerations when the coordinate does not accelerate
     // Solved:

@@ -4,6 +4,9 @@
 // - belts: couples on both pulleys and on their carrier
 // - cams: a force along the common normal through the follower's roller (or edge), or where a flat face touches; couples
 // for a follower that turns about a pin on the cam's own, in which case nothing tells where it is
+// - cams with two rollers: the first bears while the force is positive, otherwise the second, with its own normal. With
+// a and b the forces of both that do the same work as the lift grows, that is (a + b)/2 for each newton, and
+// (a - b)/2 for each newton of its magnitude, which turns nothing
 // Flanks of gears lean by the pressure angle: the force across comes with one along the line of centres, towards the
 // first wheel's centre on that wheel, whichever flank bears. It turns nothing, so it follows from the solution and is
 // applied as a load.
@@ -85,7 +88,7 @@ static YkVec wheel_center(const YkFreeBodies *f, const YkSpace *space, int32_t b
 static void set_force(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec at, YkVec force)
 {
     c->force = force;
-    c->at = at;
+    c->at[0] = c->at[1] = at;
     c->third_moment = 0;
     for (int k = 0; k < 2; k++) {
         YkVec arm = yk_sub(at, place_of(f, space, c->body[k], f->reference[c->body[k]]).at);
@@ -107,7 +110,8 @@ static void set_radial(const YkFreeBodies *f, const YkSpace *space, YkWrenchColu
 static void set_couples(YkWrenchColumn *c, double a, double b, double third)
 {
     double most = fmax(fabs(a), fmax(fabs(b), fabs(third)));
-    c->force = yk_vec(0, 0);
+    c->force = c->radial = yk_vec(0, 0);
+    c->radial_moment[0] = c->radial_moment[1] = 0;
     c->moment[0] = a / most;
     c->moment[1] = b / most;
     c->third_moment = third / most;
@@ -173,11 +177,18 @@ static void pose_turning_flat(const YkFreeBodies *f, const YkSpace *space, YkWre
     set_force(f, space, c, yk_add(center, at), n);
 }
 
+// A cam at a pose.
+typedef struct CamPose {
+    const YkCam *cam;
+    YkVec center, pin, u;    // of the cam; a follower that turns: its pin; one that slides: its line
+    double slope, way, turn; // +1 if the follower, the cam, is the second body of its joint
+} CamPose;
+
 // Finds the follower's roller or edge; returns false if its place is unknown.
-static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *cam, YkVec center, YkVec u, double lift,
-                      YkVec *at)
+static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const CamPose *p, double lift, YkVec *at)
 {
     const YkModel *model = f->mech->model;
+    const YkCam *cam = p->cam;
     const YkJoint *guide = &model->joints[cam->follower_joint];
     YkVec arm;
     if (cam->point != YK_NONE) {
@@ -190,8 +201,50 @@ static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const YkCam *
         *at = place_of(f, space, cam->follower, yk_add(guide->at[guide->body[1] == cam->follower], arm)).at;
         return true;
     }
-    *at = yk_add(center, yk_add(yk_scale(sqrt(start) + lift, u), yk_scale(-cam->offset, yk_quarter(u))));
+    *at = yk_add(p->center, yk_add(yk_scale(sqrt(start) + lift, p->u), yk_scale(-cam->offset, yk_quarter(p->u))));
     return true;
+}
+
+// Returns the second roller of a pair, behind the first.
+static YkVec second_roller(const CamPose *p, YkVec first)
+{
+    const YkCam *cam = p->cam;
+    if (!cam->oscillates) return yk_sub(first, yk_scale(cam->other_span, p->u));
+    YkVec turned = yk_scale(cam->other_arm / cam->arm, yk_unit(cam->other_angle));
+    return yk_add(p->pin, yk_mul(turned, yk_sub(first, p->pin)));
+}
+
+// Returns how a place of the follower moves as the lift grows.
+static YkVec moves_of(const CamPose *p, YkVec at)
+{
+    return p->cam->oscillates ? yk_scale(p->way, yk_quarter(yk_sub(at, p->pin))) : p->u;
+}
+
+// Returns the common normal at the follower's roller, across its path on the cam: outwards if the cam turns
+// counterclockwise, inwards if clockwise; 0 if it rests there.
+static YkVec normal_at(const CamPose *p, YkVec at)
+{
+    YkVec against = yk_sub(yk_scale(p->slope, moves_of(p, at)), yk_scale(p->turn, yk_quarter(yk_sub(at, p->center))));
+    double speed = yk_norm(against);
+    return speed > 0 ? yk_scale(1 / speed, yk_quarter(against)) : yk_vec(0, 0);
+}
+
+// Adds half the second roller's force that does the work of the first's, `normal`. Half of that, outwards so that a
+// positive share pushes, is in the column.
+static void add_second(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const CamPose *p, YkVec first,
+                       YkVec normal)
+{
+    YkVec at = second_roller(p, first), other = normal_at(p, at);
+    YkWrenchColumn second = *c;
+    double ratio = yk_dot(moves_of(p, first), normal) / yk_dot(moves_of(p, at), other);
+    set_force(f, space, &second, at, yk_scale(0.5 * p->turn * ratio, other));
+    c->radial = yk_sub(c->force, second.force);
+    c->force = yk_add(c->force, second.force);
+    for (int k = 0; k < 2; k++) {
+        c->radial_moment[k] = (c->moment[k] - second.moment[k]) * f->size;
+        c->moment[k] += second.moment[k];
+    }
+    c->at[1] = at;
 }
 
 static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkRelation *r,
@@ -199,40 +252,35 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
 {
     const YkModel *model = f->mech->model;
     const YkJoint *guide = &model->joints[cam->follower_joint], *shaft = &model->joints[cam->cam_joint];
-    double slope = space->gain[c->relation * (int32_t)space->stride] / r->gain,
-           way = guide->body[1] == cam->follower ? 1 : -1, turn = shaft->body[1] == cam->cam ? 1 : -1, lift = 0;
-    YkVec center = center_of(f, space, cam->cam_joint, cam->cam), u = {0, 0}, velocity = {0, 0}, at;
-    Place carrier = place_of(f, space, cam->carrier, yk_vec(0, 0));
-    if (!cam->oscillates) {
-        u = yk_mul(carrier.e, cam->along);
+    CamPose p = {.cam = cam,
+                 .slope = space->gain[c->relation * (int32_t)space->stride] / r->gain,
+                 .way = guide->body[1] == cam->follower ? 1 : -1,
+                 .turn = shaft->body[1] == cam->cam ? 1 : -1,
+                 .center = center_of(f, space, cam->cam_joint, cam->cam)};
+    double lift = 0;
+    YkVec at;
+    if (cam->oscillates) {
+        p.pin = center_of(f, space, cam->follower_joint, cam->follower);
+    } else {
+        p.u = yk_mul(place_of(f, space, cam->carrier, yk_vec(0, 0)).e, cam->along);
         lift = yk_space_slide(space, f->mech->joint_distance[cam->follower_joint]).d[0];
         double reach = cam->base + cam->roller;
         if (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)) {
-            pose_flat(f, space, c, center, u, slope * turn);
+            pose_flat(f, space, c, p.center, p.u, p.slope * p.turn);
             return;
         }
     }
     if (cam->oscillates && cam->face == YK_CAM_FACE_FLAT && yk_cam_touch(cam, &at)) {
-        pose_turning_flat(f, space, c, cam, center, at, way * slope, turn);
+        pose_turning_flat(f, space, c, cam, p.center, at, p.way * p.slope, p.turn);
         return;
     }
-    if (!roller_of(f, space, cam, center, u, lift, &at)) {
-        set_couples(c, -slope * turn, way, slope * turn - way);
+    YkVec normal = roller_of(f, space, &p, lift, &at) ? normal_at(&p, at) : yk_vec(0, 0);
+    if (!(yk_norm(normal) > 0)) {
+        set_couples(c, -p.slope * p.turn, p.way, p.slope * p.turn - p.way);
         return;
     }
-    if (cam->oscillates)
-        velocity =
-            yk_scale(way * slope, yk_quarter(yk_sub(at, center_of(f, space, cam->follower_joint, cam->follower))));
-    else
-        velocity = yk_scale(slope, u);
-    // Velocity of the roller relative to the cam.
-    YkVec against = yk_sub(velocity, yk_scale(turn, yk_quarter(yk_sub(at, center))));
-    double speed = yk_norm(against);
-    if (!(speed > 0)) {
-        set_couples(c, -slope * turn, way, slope * turn - way);
-        return;
-    }
-    set_force(f, space, c, at, yk_scale(1 / speed, yk_quarter(against)));
+    set_force(f, space, c, at, cam->is_conjugate ? yk_scale(0.5 * p.turn, normal) : normal);
+    if (cam->is_conjugate) add_second(f, space, c, &p, at, normal);
 }
 
 // A unit effort along a coordinate, on its joint's second body and its reaction on the first; about their reference
@@ -312,7 +360,8 @@ void yk_mesh_pose(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c
 static bool add_radial(const YkWrenchColumn *c, YkLoad *load, double sign)
 {
     double size = sign * fabs(c->share);
-    if (c->radial.x == 0 && c->radial.y == 0) return false;
+    bool is_none = c->radial.x == 0 && c->radial.y == 0 && c->radial_moment[0] == 0 && c->radial_moment[1] == 0;
+    if (is_none) return false;
     for (int i = 0; i < 2; i++) {
         YkLoad *l = &load[c->body[i]];
         l->force = yk_add(l->force, yk_scale(i ? size : -size, c->radial));
@@ -333,8 +382,8 @@ YkMeshForce yk_free_bodies_mesh(const YkFreeBodies *f, const YkSpace *space, siz
 {
     const YkWrenchColumn *c = &f->columns[f->first_mesh + relation];
     YkVec force = yk_add(yk_scale(c->share, c->force), yk_scale(fabs(c->share), c->radial));
-    bool is_couple = c->force.x == 0 && c->force.y == 0;
-    YkVec at = is_couple ? yk_body_motion(f->mech, space, (size_t)c->body[1]).at : c->at;
+    bool is_couple = c->force.x == 0 && c->force.y == 0 && c->radial.x == 0 && c->radial.y == 0;
+    YkVec at = is_couple ? yk_body_motion(f->mech, space, (size_t)c->body[1]).at : c->at[c->share < 0];
     const YkRelation *r = &f->mech->relations[relation];
     const int32_t *body = r->kind == YK_RELATION_GEAR ? f->mech->model->gears[r->index].body : c->body;
     return (YkMeshForce){force, c->share * c->moment[1] * f->size, c->share < 0, is_couple, at, {body[0], body[1]}};

@@ -258,6 +258,7 @@ static void set_way(YkCertifier *c, const YkState *s, const double *from)
 static void begin(YkWitness *witness, const YkState *s)
 {
     YkCertifier *c = (YkCertifier *)witness;
+    c->has_before = false;
     if (c->outside || c->chain.piece_count == 0 || !s->has_pose) return;
     set_way(c, s, NULL);
     read_pose(c, s, &c->before);

@@ -181,7 +181,8 @@ static bool find_solution(const Proof *p, YkTube *tube)
         evaluate_middle(p, tube, step, J);
         if (yk_lu_factor(p->n, J, pivot, scale) == 0) return false;
         yk_lu_solve(p->n, J, pivot, step);
-        for (size_t k = 0; k < p->n; k++) most = fabs(step[k]) <= most ? most : fabs(step[k]); // also for NaN
+        for (size_t k = 0; k < p->n; k++)
+            if (!(fabs(step[k]) <= most) && !isnan(most)) most = fabs(step[k]); // NaN stays
         if (!(most < 1)) return false;
         change(shape, tube, step);
         if (most < STILL) break;
@@ -255,7 +256,7 @@ static double image_of(const Proof *p, const Bounds *bounds, double r)
     double most = 0;
     for (size_t k = 0; k < p->n; k++) {
         double part = YK_BALL_OUT(bounds->miss[k] + (bounds->a[k] + bounds->b[k] * r) * r) / p->size[k];
-        most = part <= most ? most : part; // also for NaN
+        if (!(part <= most) && !isnan(most)) most = part; // NaN stays
     }
     return YK_BALL_OUT(most);
 }

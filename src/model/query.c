@@ -46,7 +46,7 @@ size_t yk_model_joint_count(const YkModel *model)
 
 const char *yk_model_joint_name(const YkModel *model, size_t joint)
 {
-    return joint < model->joint_count ? model->joints[joint].name : NULL;
+    return joint < yk_model_joint_count(model) ? model->joints[joint].name : NULL;
 }
 
 static size_t find(const YkNames *names, const char *name)

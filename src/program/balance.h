@@ -10,7 +10,8 @@ typedef struct YkUnknown { // a unit wrench on a joint's second body, its opposi
     YkRefVec force;        // of a mesh: on its second body
     bool is_couple;
     YkRef moment;  // of a mesh that transmits couples alone: on its second body
-    size_t radial; // for gears with a force: the right side of its radial component; 0: none
+    size_t radial; // gears with a force: the right side of its radial component; cams with two rollers: of half the
+                   // first one's force less half the second's, as in free_bodies/meshes; 0: none
 } YkUnknown;
 
 typedef struct YkBalanceSystem {
@@ -67,7 +68,10 @@ void yk_meshes_enter(YkBalanceSystem *balance, size_t column);
 // Adds a couple on each of three bodies, in proportion; a force on the second body, and its opposite on the first.
 void yk_meshes_couples(YkBalanceSystem *balance, size_t column, const int32_t *bodies, const YkRef *couples);
 void yk_meshes_force(YkBalanceSystem *balance, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force);
+// Returns where the force of a column or right side on its second body is kept.
+YkRefVec *yk_meshes_force_of(YkBalanceSystem *balance, size_t column);
 // meshes_laws.c: cams, and coordinates that follow others by a law.
+bool yk_meshes_cam_has_pair(const YkCam *cam); // of rollers whose places are known
 void yk_meshes_cam(YkBalanceSystem *balance, size_t column, const YkRelation *relation, const YkCam *cam);
 void yk_meshes_follow(YkBalanceSystem *balance, size_t column, const YkRelation *relation, const YkFollow *follow);
 

@@ -9,6 +9,14 @@ static bool has_force(const YkGear *gear)
     return gear->center_distance > 0;
 }
 
+// Returns whether it transmits something for each newton of its force's magnitude too.
+static bool has_radial(const YkModel *m, const YkRelation *r)
+{
+    if (r->kind == YK_RELATION_CAM) return yk_meshes_cam_has_pair(&m->cams[r->index]);
+    if (r->kind != YK_RELATION_GEAR || !has_force(&m->gears[r->index])) return false;
+    return yk_tan(m->gears[r->index].pressure_angle) != 0;
+}
+
 void yk_meshes_columns(YkBalanceSystem *w)
 {
     const YkProgram *p = w->f->program;
@@ -16,8 +24,7 @@ void yk_meshes_columns(YkBalanceSystem *w)
         const YkRelation *r = &p->mech->relations[k];
         YkUnknown *u = &w->columns[w->count++];
         *u = (YkUnknown){.joint = YK_NONE, .input = YK_NONE, .relation = (int32_t)k};
-        if (r->kind != YK_RELATION_GEAR || !has_force(&p->model->gears[r->index])) continue;
-        if (yk_tan(p->model->gears[r->index].pressure_angle) != 0) u->radial = w->sides++;
+        if (has_radial(p->model, r)) u->radial = w->sides++;
     }
 }
 
@@ -39,10 +46,15 @@ static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodi
     yk_meshes_couples(w, column, bodies, couples);
 }
 
+YkRefVec *yk_meshes_force_of(YkBalanceSystem *w, size_t column)
+{
+    return column < w->n ? &w->columns[column].force : &w->radial[column - w->n];
+}
+
 // Adds a force on the second body at a place of the world, and its opposite on the first.
 void yk_meshes_force(YkBalanceSystem *w, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force)
 {
-    *(column < w->n ? &w->columns[column].force : &w->radial[column - w->n]) = force;
+    *yk_meshes_force_of(w, column) = force;
     yk_balance_push(w, column, bodies[0], -1, place, force);
     yk_balance_push(w, column, bodies[1], 1, place, force);
 }
@@ -67,7 +79,7 @@ static void push_teeth(YkBalanceSystem *w, size_t column, const YkGear *gear, Yk
     double sign = gear->planet ? 1 : -1;
     YkRefVec axis = center_of(p, wheel), none = yk_graph_vec_number(g, 0, 0);
     YkRef couple = yk_graph_cross(g, yk_graph_vec_subtract(g, pitch, axis), force);
-    *(column < w->n ? &w->columns[column].force : &w->radial[column - w->n]) = force;
+    *yk_meshes_force_of(w, column) = force;
     yk_balance_push(w, column, gear->body[gear->planet], sign, pitch, force);
     yk_balance_push(w, column, gear->carrier, -sign, axis, force);
     if (column < w->n) yk_balance_add(w, column, wheel, none, yk_graph_multiply(g, yk_graph_number(g, -sign), couple));

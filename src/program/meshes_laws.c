@@ -131,23 +131,87 @@ static YkRefVec roller_of(YkBalanceSystem *w, const YkCam *cam, const CamPose *p
     return yk_graph_vec_add(g, pose->center, yk_graph_vec_add(g, along, aside));
 }
 
-// Adds a force along the common normal: across the path of the roller on the cam.
-static void roller_force(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec at)
+static YkRefVec cam_arm(YkBalanceSystem *w, const YkCam *cam, YkRefVec at)
 {
     YkProgram *p = w->f->program;
-    YkGraph *g = &p->graph;
+    return yk_graph_vec_subtract(&p->graph, at, joint_on(p, cam->follower_joint, cam->follower));
+}
+
+// Returns the common normal: across the path of the roller on the cam.
+static YkRefVec normal_at(YkBalanceSystem *w, const YkCam *cam, const CamPose *pose, YkRefVec at)
+{
+    YkGraph *g = &w->f->program->graph;
     YkRefVec velocity = yk_graph_vec_scale(g, pose->slope, pose->u);
     if (cam->oscillates) {
-        YkRefVec arm = yk_graph_vec_subtract(g, at, joint_on(p, cam->follower_joint, cam->follower));
         YkRef spin = times(g, pose->way, pose->slope);
-        velocity = yk_graph_vec_scale(g, spin, yk_graph_vec_quarter(g, arm));
+        velocity = yk_graph_vec_scale(g, spin, yk_graph_vec_quarter(g, cam_arm(w, cam, at)));
     }
     YkRefVec out = yk_graph_vec_quarter(g, yk_graph_vec_subtract(g, at, pose->center));
     YkRefVec against = yk_graph_vec_subtract(g, velocity, yk_graph_vec_scale(g, yk_graph_number(g, pose->turn), out));
     YkRef speed = yk_graph_vec_length(g, against);
     YkRef per = yk_graph_inverse(g, speed);
-    YkRefVec force = yk_graph_vec_scale(g, per, yk_graph_vec_quarter(g, against));
-    yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, force);
+    return yk_graph_vec_scale(g, per, yk_graph_vec_quarter(g, against));
+}
+
+// Returns how far a place moves along a direction as the lift grows.
+static YkRef lever_of(YkBalanceSystem *w, const YkCam *cam, const CamPose *pose, YkRefVec at, YkRefVec direction)
+{
+    YkGraph *g = &w->f->program->graph;
+    if (!cam->oscillates) return yk_graph_dot(g, pose->u, direction);
+    return times(g, pose->way, yk_graph_cross(g, cam_arm(w, cam, at), direction));
+}
+
+// Returns the second roller of a pair, behind the first.
+static YkRefVec second_roller(YkBalanceSystem *w, const YkCam *cam, const CamPose *pose, YkRefVec first)
+{
+    YkGraph *g = &w->f->program->graph;
+    YkRef span = yk_graph_number(g, cam->other_span);
+    if (!cam->oscillates) return yk_graph_vec_subtract(g, first, yk_graph_vec_scale(g, span, pose->u));
+    YkVec turned = yk_scale(cam->other_arm / cam->arm, yk_unit(cam->other_angle));
+    YkRefVec arm = cam_arm(w, cam, first);
+    YkRefVec other = yk_graph_vec_multiply(g, yk_graph_vec_number(g, turned.x, turned.y), arm);
+    return yk_graph_vec_add(g, first, yk_graph_vec_subtract(g, other, arm));
+}
+
+// Adds the forces of two rollers to a column or right side.
+static void push_two(YkBalanceSystem *w, size_t column, const YkCam *cam, const YkRefVec at[2], const YkRefVec force[2])
+{
+    for (int k = 0; k < 2; k++) yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at[k], force[k]);
+    *yk_meshes_force_of(w, column) = yk_graph_vec_add(&w->f->program->graph, force[0], force[1]);
+}
+
+// Pushes the bearing one of two rollers: half the forces of both that do the same work, and for each newton of magnitude
+// half their difference (free_bodies/meshes.c).
+static void roller_pair(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec first,
+                        YkRefVec normal)
+{
+    YkGraph *g = &w->f->program->graph;
+    const YkRefVec at[] = {first, second_roller(w, cam, pose, first)};
+    YkRefVec other = normal_at(w, cam, pose, at[1]);
+    YkRef own = lever_of(w, cam, pose, first, normal), its = lever_of(w, cam, pose, at[1], other);
+    double half = 0.5 * pose->turn; // outwards: a positive share pushes
+    YkRef ratio = times(g, half, yk_graph_divide(g, own, its));
+    YkRefVec force[2];
+    force[0] = yk_graph_vec_scale(g, yk_graph_number(g, half), normal);
+    force[1] = yk_graph_vec_scale(g, ratio, other);
+    push_two(w, column, cam, at, force);
+    force[1] = yk_graph_vec_scale(g, yk_graph_number(g, -1), force[1]);
+    push_two(w, w->n + w->columns[column].radial, cam, at, force);
+}
+
+// Pushes the roller or edge along the common normal.
+static void roller_force(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec at)
+{
+    YkRefVec normal = normal_at(w, cam, pose, at);
+    if (w->columns[column].radial != 0)
+        roller_pair(w, column, cam, pose, at, normal);
+    else
+        yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, normal);
+}
+
+bool yk_meshes_cam_has_pair(const YkCam *cam)
+{
+    return cam->is_conjugate && (!cam->oscillates || cam->point != YK_NONE || cam->is_apart);
 }
 
 void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const YkCam *cam)

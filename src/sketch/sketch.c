@@ -87,7 +87,7 @@ size_t yk_sketch_lack_count(const YkSketch *sketch)
 
 YkLack yk_sketch_lack(const YkSketch *sketch, size_t index)
 {
-    YkLack none = {.body = YK_NOT_FOUND, .point = YK_NOT_FOUND, .other = YK_NOT_FOUND};
+    YkLack none = {.body = YK_NOT_FOUND, .point = YK_NOT_FOUND, .other = YK_NOT_FOUND, .coordinate = YK_NOT_FOUND};
     return index < sketch->lack_count ? sketch->lacks[index] : none;
 }
 

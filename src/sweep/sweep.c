@@ -181,7 +181,8 @@ size_t yk_sweep_event_count(const YkSweep *w)
 }
 YkEvent yk_sweep_event(const YkSweep *w, size_t index)
 {
-    if (index >= w->walk.event_count) return (YkEvent){.at = (double)NAN, .block = -1, .value = (double)NAN};
+    if (index >= w->walk.event_count)
+        return (YkEvent){.at = (double)NAN, .block = -1, .channel = YK_NOT_FOUND, .value = (double)NAN};
     return w->walk.events[index];
 }
 double yk_sweep_worst_residual(const YkSweep *w)

@@ -1,4 +1,5 @@
 """`yoke cam`: answers of the gallery's cams against the oracle, published figures, shapes of JSON, files, refusals."""
+import cmath
 import csv
 import glob
 import json
@@ -306,6 +307,155 @@ class Answers(Cam):
     def test_the_same_request_gives_the_same_bytes(self):
         words = ("cam", example("swing-cam"), "--format", "json", "--compare", "3-4-5")
         self.assertEqual(self.good(*words).out, self.good(*words).out)
+
+
+PAIR = """
+units: {length: mm, angle: deg, force: N}
+parameters: {n: 500 rpm%(parameters)s}
+laws:
+  lift:
+    period: 360
+    segments:
+      - {rise: {to: 150, by: %(by)s, law: cycloidal}}
+      - {dwell: {to: 200}}
+      - {fall: {to: 330, by: %(by)s, law: 3-4-5}}
+      - {dwell: {to: 360}}
+cams:
+  c: {cam: shaft, follower: fol, law: lift, roller: 8, base: 30, %(cam)s}
+bodies:
+  ground: {points: {O: [0, 0], Q: [-90, 20]}}
+  shaft: {points: {O: [0, 0]}, mass: 2 kg, inertia: 900 kg*mm^2}
+  fol: {points: {Q: [0, 0]%(point)s}, mass: 2 kg, center: [%(center)s], inertia: 900 kg*mm^2}
+joints:
+  O: {pin: %(pin)s, angle: th}
+  %(guide)s
+drives: {th: n * t}
+"""
+
+
+class Pairs(Cam):
+    """Cams with two rollers: where the first would have to pull, the second bears, with its own common normal."""
+
+    def push(self, places, moves, spin, need):
+        """The force on the follower by hand: from the roller that bears, along the normal of its path on the cam."""
+        at, moves = (places[need < 0], moves[need < 0])
+        path = moves[1] - 1j * spin * at  # moves: per lift, and now
+        normal = 1j * path / abs(path)
+        if (normal.conjugate() * at).real < 0:
+            normal = -normal
+        size = need / (moves[0].conjugate() * normal).real
+        self.assertGreaterEqual(size, -1e-9)  # a roller only pushes
+        return size * normal
+
+    def agree(self, text, guide, hand):
+        """solve by both methods, cam, simulate, the printed C and the symbols against hand(th, lift, rate, accel)."""
+        file = self.write("pair.yaml", text)
+        words = ("sweep", file, "--over", "th=10:370deg", "--steps", "36", "--format", "csv", "--of")
+        of = "q,q.rate,q.accel,c.force.x,c.force.y,%s.force.x,%s.force.y,O.force.x,O.force.y,th.effort" % (guide, guide)
+        rows = self.good(*words, of).csv()[1]
+        other = self.good(*words, of, "--method", "newton-euler").csv()[1]
+        head, known = self.good("cam", file, "--steps", "36", "--format", "csv").csv()
+        known = {round(math.degrees(row[0])) % 360: row[head.index("contact_force")] for row in known}
+        seconds = 0
+        for row, again in zip(rows, other):
+            need, force, guide, shaft = hand(*row[1:4])
+            seconds += need < -1e-9
+            for got, want in ((row[4:6], force), (row[6:8], guide), (row[8:10], shaft)):
+                self.assertAlmostEqual(complex(*got), want, delta=1e-9)
+            self.assertAlmostEqual(math.copysign(abs(force), need), known[round(math.degrees(row[0])) % 360], delta=1e-6)
+            self.assertAlmostEqual(row[10] * 500 * math.pi / 30, need * row[2], delta=1e-9)  # what the drive gives, the follower takes
+            for value, same in zip(row, again):
+                self.assertAlmostEqual(value, same, delta=1e-9)
+        self.assertTrue(10 < seconds < 26)
+        steps = self.good("simulate", file, "--to", "0.12s", "--steps", "36", "--format", "csv", "--of", "c.force.x,c.force.y", "-q").csv()[1]
+        for step, row in zip(steps[1:], rows):
+            for k in (0, 1):
+                self.assertAlmostEqual(step[1 + k], row[4 + k], delta=1e-6)
+        self.good("code", file, "-o", self.path("pair.c"))
+        subprocess.run([os.environ.get("CC", "cc"), "-Dpair_TEST", "-o", self.path("pair"), self.path("pair.c"), "-lm"], check=True)
+        self.assertIn("well", subprocess.run([self.path("pair")], capture_output=True, encoding="utf-8", check=True).stdout)
+        for at in (5, 10):  # 60 and 110 deg: the first bears, then the second
+            text = self.good("derive", file, "--what", "free-bodies", "--numbers", "--at", "th=%ddeg" % (10 * at + 10)).out
+            self.assertIn("at the roller that bears", text)
+            shown = re.search(r"by (?:ground|shaft) at O:.* \[ *(\S+) *\]\n.* \[ *(\S+) *\]", text).groups()
+            contact = re.search(r"by shaft at c:.* \[ *(\S+) *\]\n.* \[ *(\S+) *\]", text).groups()
+            for k in (0, 1):
+                self.assertAlmostEqual(float(contact[k]), rows[at][4 + k], delta=1e-3)
+                self.assertAlmostEqual(abs(float(shown[k])), abs(rows[at][8 + k]), delta=1e-3)
+
+    def test_a_follower_that_slides(self):
+        for pin, turn, guide, way in (("[ground, shaft]", 1, "[ground, fol]", 1), ("[shaft, ground]", -1, "[fol, ground]", -1)):
+            text = PAIR % {"by": 20, "cam": "offset: 6, conjugate: {roller: 10, span: 90}", "parameters": "", "point": "", "center": "0, 0", "pin": pin,
+                           "guide": "G: {slide: %s, along: y, distance: q}" % guide}
+            u, spin = way * 1j, turn * 500 * math.pi / 30
+            start = math.sqrt(0.038**2 - 0.006**2) * u - 0.006j * u
+
+            def hand(lift, rate, accel):
+                need = 2 * accel
+                first = start + lift * u
+                force = self.push((first, first - 0.09 * u), [(u, rate * u)] * 2, spin, need)
+                return need, force, way * (need * u - force), turn * force
+
+            self.agree(text, "G", hand)
+
+    def test_a_follower_that_turns(self):
+        pivot, arm, speed = -0.09 + 0.02j, 0.085, 500 * math.pi / 30
+        between = (0.038**2 - abs(pivot)**2 - arm**2) / (2 * abs(pivot) * arm)  # cos of the angle from the pivot to the arm
+        for cam, has_point, pin, turn, guide, way in (("arm: 85, conjugate: {arm: 70, angle: -75}", False, "[ground, shaft]", 1, "[ground, fol]", 1),
+                                                      ("at: P, conjugate: {roller: 9, angle: 80}", True, "[shaft, ground]", -1, "[fol, ground]", -1)):
+            start = arm * pivot / abs(pivot) * cmath.exp(-way * 1j * math.acos(between))
+            place = ", x: %.17g m, y: %.17g m" % (start.real, start.imag) if has_point else ""
+            point = ", P: [x, y]" if has_point else ""
+            text = PAIR % {"by": 15, "cam": cam, "parameters": place, "point": point, "center": "50, 5", "pin": pin, "guide": "Q: {pin: %s, angle: q}" % guide}
+            behind = cmath.exp(80j * DEG) if has_point else 70 / 85 * cmath.exp(-75j * DEG)
+            center = 0.05 + 0.005j
+
+            def hand(lift, rate, accel):
+                turned = cmath.exp(1j * way * lift)
+                need = (900e-6 + 2 * abs(center)**2) * accel
+                arms = (start * turned, start * turned * behind)
+                force = self.push([pivot + a for a in arms], [(way * 1j * a, rate * way * 1j * a) for a in arms], turn * speed, need)
+                pulls = 2 * (way * 1j * accel - rate**2) * center * turned
+                return need, force, way * (pulls - force), turn * force
+
+            self.agree(text, "Q", hand)
+
+    def test_dry_friction_of_the_guide(self):
+        """The guide's friction grows with the sideways force of the roller that bears."""
+        text = PAIR % {"by": 20, "cam": "conjugate: {roller: 10, span: 90}", "parameters": "", "point": "", "center": "0, 0", "pin": "[ground, shaft]",
+                       "guide": "G: {slide: [ground, fol], along: y, distance: q, friction: {coulomb: 0.3}}"}
+        file = self.write("pair.yaml", text)
+        seconds = 0
+        for lift, rate, accel, x, y in (row[1:] for row in self.good("sweep", file, "--over", "th=10:370deg", "--steps", "36", "--of",
+                                                                     "q,q.rate,q.accel,c.force.x,c.force.y", "--format", "csv").csv()[1]):
+            if rate == 0:
+                continue
+            self.assertAlmostEqual(y, 2 * accel + math.copysign(0.3 * abs(x), rate), delta=1e-9)
+            seconds += y < 0
+            height = 0.038 + lift - (0.09 if y < 0 else 0)
+            self.assertAlmostEqual(x, -y * rate / (500 * math.pi / 30) / height, delta=1e-9)
+        self.assertGreater(seconds, 5)
+        self.good("code", file, "-o", self.path("pair.c"))
+        subprocess.run([os.environ.get("CC", "cc"), "-Dpair_TEST", "-o", self.path("pair"), self.path("pair.c"), "-lm"], check=True)
+        self.assertIn("well", subprocess.run([self.path("pair")], capture_output=True, encoding="utf-8", check=True).stdout)
+
+    def test_a_groove_keeps_the_normal(self):
+        """The other flank lies on the same line, whichever bears."""
+        text = PAIR % {"by": 20, "cam": "groove: true", "parameters": "", "point": "", "center": "0, 0", "pin": "[ground, shaft]",
+                       "guide": "G: {slide: [ground, fol], along: y, distance: q}"}
+        file = self.write("groove.yaml", text)
+        for lift, rate, accel, x, y in (row[1:] for row in self.good("sweep", file, "--over", "th=10:370deg", "--steps", "36", "--of",
+                                                                     "q,q.rate,q.accel,c.force.x,c.force.y", "--format", "csv").csv()[1]):
+            slope = rate / (500 * math.pi / 30)
+            self.assertAlmostEqual(y, 2 * accel, delta=1e-9)
+            self.assertAlmostEqual(x, -2 * accel * slope / (0.038 + lift), delta=1e-9)
+
+    def test_a_second_roller_on_the_first_ones_side_is_told(self):
+        for cam, guide in (("conjugate: {span: 20}", "G: {slide: [ground, fol], along: y, distance: q}"),
+                           ("arm: 85, conjugate: {arm: 70, angle: 75}", "Q: {pin: [ground, fol], angle: q}")):
+            text = PAIR % {"by": 15, "cam": cam, "parameters": "", "point": "", "center": "0, 0", "pin": "[ground, shaft]", "guide": guide}
+            run = self.good("check", self.write("wrong.yaml", text))
+            self.assertIn("the two do not hold the follower [W0474]", run.err)
 
 
 class Files(Cam):

@@ -230,6 +230,30 @@ static void test_moves_of_many_turns_are_certified(void **unused)
     yk_certifier_free(c);
 }
 
+// A motion that begins at no pose proves nothing, whatever the certifier has seen before.
+static void test_a_motion_from_nowhere_is_not_certified(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("double-butterfly");
+    YkState *next = yk_state_new(m.mech), *fresh = yk_state_new(m.mech);
+    YkCertifier *c = yk_certifier_new(m.mech);
+    assert_true(next && fresh && c && yk_state_copy(next, m.state) == YK_OK && move_by(next, 0.01, 0.03) >= 0);
+    assert_int_equal(yk_state_set_certifier(m.state, c), YK_OK);
+    YkWitness *witness = m.state->witness;
+    witness->begin(witness, m.state);
+    witness->step(witness, next);
+    assert_int_equal(yk_certifier_report(c).proved, 1);
+    assert_false(fresh->has_pose);
+    witness->begin(witness, fresh);
+    witness->step(witness, m.state);
+    YkMotionCertificate found = yk_certifier_report(c);
+    assert_true(found.steps == 2 && found.proved == 1 && !found.is_certified);
+    yk_state_free(next);
+    yk_state_free(fresh);
+    machine_free(&m);
+    yk_certifier_free(c);
+}
+
 // Two loops tied by gears are outside of what is proved: it says so and proves nothing.
 static void test_gears_in_a_group_are_not_certified(void **unused)
 {
@@ -254,6 +278,7 @@ int main(void)
         cmocka_unit_test(test_large_steps_are_proved_or_refused),
         cmocka_unit_test(test_dyads_need_no_certificate),
         cmocka_unit_test(test_moves_of_many_turns_are_certified),
+        cmocka_unit_test(test_a_motion_from_nowhere_is_not_certified),
         cmocka_unit_test(test_gears_in_a_group_are_not_certified),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -163,8 +163,131 @@ static void test_solutions_lie_in_their_tubes(void **unused)
     assert_true(tightest > 0.05); // the bound is not far off
 }
 
+// --- a Jacobian that changes along the line
+
+// An arm of length 1 + t and a slide, (1 + t) (e^(i angle) - e^i) + d - 2 = 0: the solution stands, at angle 1 and d = 2, while
+// the Jacobian changes with t. At t = -1 every angle is a solution.
+static const YkPiece growing_arm = {.shape = {.loops = 1, .angles = 1, .unknowns = 2, .turning = {-1, -1}}};
+
+static bool make_growing(double half, YkTube *tube)
+{
+    YkDiscCoefficients *middle = calloc(1, sizeof *middle), *over = calloc(1, sizeof *over);
+    assert_true(middle && over);
+    YkVec away = yk_scale(-1, yk_unit(1)), at[] = {{1, 0}, {1, 0}, yk_sub(away, yk_vec(2, 0))};
+    YkVec rate[] = {{1, 0}, {0, 0}, away};
+    for (size_t k = 0; k < 3; k++) {
+        middle->at[k] = over->at[k] = at[k];
+        over->rate[k] = rate[k];
+        middle->radius[k] = 1e-15;
+        over->rate_radius[k] = k == 1 ? 0 : 1e-15;
+    }
+    *tube = (YkTube){.x = {yk_unit(1), {2, 0}}};
+    bool is_made = yk_tube_make(&growing_arm, middle, over, half, tube);
+    free(middle);
+    free(over);
+    return is_made;
+}
+
+static void test_a_jacobian_that_vanishes_along_the_line_has_no_tube(void **unused)
+{
+    (void)unused;
+    YkTube tube;
+    assert_true(make_growing(0.1, &tube) && make_growing(0.9, &tube));
+    assert_true(tube.rate_within < 1e-9 && fabs(tube.rate[0]) < 1e-12); // the solution stands
+    assert_false(make_growing(1, &tube));
+    assert_false(make_growing(2.5, &tube));
+}
+
+// --- a slot that turns, in closed form
+
+// e^(i angle) (d + i b) = c, with c = rho e^(i phi) at the time t: a slot at the distance b from its pivot. Two solutions,
+// d = +s and -s with s^2 = rho^2 - b^2.
+static const YkPiece slot = {.shape = {.loops = 1, .angles = 1, .unknowns = 2, .turning = {-1, 0}}};
+
+typedef struct Slot {
+    double b, rho, phi, rho_rate, phi_rate;
+    double spin; // of the axes in which all is told, which changes no solution
+} Slot;
+
+static YkVec slot_end(const Slot *s, double t)
+{
+    return yk_scale(s->rho + t * s->rho_rate, yk_unit(s->phi + t * s->phi_rate));
+}
+
+static bool slot_solution(const Slot *s, double t, double sign, YkVec *x)
+{
+    double rho = s->rho + t * s->rho_rate, square = rho * rho - s->b * s->b, d = sign * sqrt(square);
+    if (!(square > 0)) return false;
+    x[0] = yk_scale(1 / (rho * rho), yk_mul(slot_end(s, t), yk_conj(yk_vec(d, s->b))));
+    x[1] = yk_vec(d, 0);
+    return true;
+}
+
+static bool make_slot(const Slot *s, double half, double sign, YkTube *tube)
+{
+    YkDiscCoefficients *middle = calloc(1, sizeof *middle), *over = calloc(1, sizeof *over);
+    assert_true(middle && over);
+    double most = fabs(s->rho) + half * fabs(s->rho_rate), w = fabs(s->phi_rate + s->spin);
+    YkVec at[] = {{0, s->b}, {1, 0}, yk_scale(-1, slot_end(s, 0))};
+    for (size_t k = 0; k < 3; k++) {
+        middle->at[k] = over->at[k] = at[k];
+        middle->radius[k] = 1e-15;
+        over->rate[k] = yk_scale(s->spin, yk_quarter(at[k]));
+        over->rate_radius[k] = 1e-15 + 1.0001 * half * s->spin * s->spin * yk_norm(at[k]);
+    }
+    over->rate[2] = yk_scale(-1, yk_mul(yk_vec(s->rho_rate, s->rho * (s->phi_rate + s->spin)), yk_unit(s->phi)));
+    over->rate_radius[2] = 1e-15 + 1.0001 * half * (2 * fabs(s->rho_rate) * w + most * w * w);
+    *tube = (YkTube){.middle = 0};
+    bool is_made = slot_solution(s, 0, sign, tube->x) && yk_tube_make(&slot, middle, over, half, tube);
+    free(middle);
+    free(over);
+    return is_made;
+}
+
+static void check_slot(const Slot *s, double half, double sign, double *farthest)
+{
+    YkTube tube;
+    YkVec own[2], other[2], line[2];
+    if (!make_slot(s, half, sign, &tube)) return;
+    for (size_t p = 0; p < PLACES; p++) {
+        double t = half * (2.0 * (double)p / (PLACES - 1) - 1);
+        assert_true(slot_solution(s, t, sign, own) && slot_solution(s, t, -sign, other));
+        yk_tube_at(&slot, &tube, t, line);
+        double rho = s->rho + t * s->rho_rate, d = own[1].x, size = fmax(1, fabs(tube.x[1].x));
+        double rate = rho * s->rho_rate / d, turn = s->phi_rate + s->b * rate / (rho * rho);
+        double off = fmax(fabs(turn_between(line[0], own[0])), fabs(d - line[1].x) / size);
+        double off_rate = fmax(fabs(turn - tube.rate[0]), fabs(rate - tube.rate[1]) / size);
+        assert_true(off <= tube.within + 1e-14 && off_rate <= tube.rate_within + 1e-12);
+        assert_true(yk_tube_contains(&slot, &tube, t, own, 1e-14) && !yk_tube_excludes(&slot, &tube, t, own, 1e-14));
+        assert_false(yk_tube_contains(&slot, &tube, t, other, 0));
+        double gap = fmax(fabs(turn_between(line[0], other[0])), fabs(other[1].x - line[1].x) / size);
+        *farthest = fmax(*farthest, tube.radius / gap);
+    }
+}
+
+static void test_slots_that_turn_have_one_solution_in_a_tube(void **unused)
+{
+    (void)unused;
+    double farthest = 0;
+    for (uint64_t seed = 1; seed <= 100 * check_cases(RANDOM_TRIES); seed++) {
+        uint64_t random = seed;
+        Slot s = {.b = exp(check_uniform(&random, -3, 2)), .phi = check_uniform(&random, -3, 3)};
+        s.rho = s.b * (1 + exp(check_uniform(&random, -7, 2)));
+        s.rho_rate = s.rho * check_uniform(&random, -1, 1);
+        s.phi_rate = check_uniform(&random, -2, 2);
+        s.spin = check_uniform(&random, -2, 2);
+        check_slot(&s, exp(check_uniform(&random, -9, 0)), seed % 2 ? 1 : -1, &farthest);
+    }
+    print_message("a tube reaches %.2f of the way to the other solution at most\n", farthest);
+    assert_true(farthest > 0.1 && farthest < 1); // it is not too narrow to be of use
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_solutions_lie_in_their_tubes)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_solutions_lie_in_their_tubes),
+        cmocka_unit_test(test_slots_that_turn_have_one_solution_in_a_tube),
+        cmocka_unit_test(test_a_jacobian_that_vanishes_along_the_line_has_no_tube),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

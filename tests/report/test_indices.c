@@ -104,6 +104,14 @@ static void blocks_of_carriages_answer(void **unused)
         assert_true(yk_block_joint(d.mech, b, of.joint_count) == YK_NOT_FOUND);
         assert_true(yk_block_body(d.mech, b, of.body_count) == YK_NOT_FOUND);
     }
+    size_t past_last = yk_model_joint_count(d.model); // where carriages have their joints
+    assert_true(!yk_model_joint_name(d.model, past_last) && !yk_model_joint_kind(d.model, past_last));
+    assert_true(yk_model_joint_body(d.model, past_last, 0) == YK_NOT_FOUND);
+    YkDynamics *f = yk_dynamics_new(d.mech, NULL);
+    assert_true(yk_dynamics_solve(f, d.state, YK_METHOD_REDUCED) >= 0);
+    assert_true(yk_dynamics_reaction(f, past_last).on == YK_NOT_FOUND);
+    assert_true(yk_dynamics_reaction(f, 0).on < yk_model_body_count(d.model));
+    yk_dynamics_free(f);
     close_door(d);
 }
 
@@ -178,6 +186,7 @@ static void sweeps_and_simulations_answer(void **unused)
                index = past(yk_rest_count(rest), which);
         assert_true(isnan(yk_sweep_at(sweep, row)) && isnan(yk_sweep_value(sweep, 0, past(0, which))));
         assert_true(yk_sweep_row_status(sweep, row) == YK_BAD_ARGUMENT);
+        assert_true(yk_sweep_event(sweep, event).channel == YK_NOT_FOUND);
         assert_true(isnan(yk_sweep_event(sweep, event).at) && isnan(yk_sweep_event_value(sweep, event, 0)));
         assert_null(yk_derivation_section_name(section));
         assert_null(yk_derivation_section_title(section));
@@ -193,7 +202,8 @@ static void sweeps_and_simulations_answer(void **unused)
         double real, imaginary;
         yk_rest_root(rest, 0, past(2 * yk_rest_freedom(rest), which), &real, &imaginary);
         assert_true(isnan(real) && isnan(imaginary));
-        assert_true(yk_sketch_lack(sketch, past(yk_sketch_lack_count(sketch), which)).body == YK_NOT_FOUND);
+        YkLack lack = yk_sketch_lack(sketch, past(yk_sketch_lack_count(sketch), which));
+        assert_true(lack.body == YK_NOT_FOUND && lack.coordinate == YK_NOT_FOUND);
     }
     yk_sketch_free(sketch);
     yk_rest_free(rest);
@@ -220,9 +230,15 @@ static void trains_and_cams_answer(void **unused)
         assert_true(isnan(yk_train_input(train, input).speed) && isnan(yk_train_body(train, member).speed));
         assert_true(isnan(yk_train_share(train, member, 0).value) && isnan(yk_train_share(train, 0, input).value));
         assert_true(!yk_train_mesh(train, mesh).name && isnan(yk_train_rack_speed(train, mesh)));
-        assert_null(yk_train_gear(train, past(yk_train_gear_count(train), which)).lock);
-        assert_int_equal(yk_train_table(train, past(yk_train_table_count(train), which)).count, 0);
-        assert_true(yk_train_torque(train, past(yk_train_torque_count(train), which)).on == YK_NOT_FOUND);
+        YkTrainMesh none = yk_train_mesh(train, mesh);
+        assert_true(none.body[0] == YK_NOT_FOUND && none.body[1] == YK_NOT_FOUND && none.driver == -1);
+        assert_true(isnan(none.torque[1]) && isnan(none.radius[0]) && isnan(none.loss));
+        YkTrainGear gear = yk_train_gear(train, past(yk_train_gear_count(train), which));
+        assert_true(!gear.lock && gear.ratio.in == YK_NOT_FOUND && isnan(gear.ratio.value));
+        YkTrainTable table = yk_train_table(train, past(yk_train_table_count(train), which));
+        assert_true(table.count == 0 && isnan(table.x) && isnan(table.y));
+        YkTrainTorque torque = yk_train_torque(train, past(yk_train_torque_count(train), which));
+        assert_true(torque.on == YK_NOT_FOUND && isnan(torque.torque) && isnan(torque.power));
         assert_null(yk_train_remark(train, past(yk_train_remark_count(train), which)).text);
         assert_true(isnan(yk_cam_segment(cam, segment).from) && isnan(yk_cam_condition(cam, segment, 0).at));
         assert_true(isnan(yk_cam_condition(cam, 0, past(yk_cam_segment(cam, 0).condition_count, which)).value));

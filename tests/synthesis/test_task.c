@@ -43,7 +43,7 @@ static void nine_points_with_something_given_are_told_to_be_met_nearly(void **st
     (void)state;
     static const char *const fix[] = {"", "fix: {input_pivot: [0, 0]}\n",
                                       "fix: {input_pivot: [0, 0], output_pivot: [1, 0]}\n", "fix: {ground_angle: 0}\n"};
-    static const char *const left[] = {NULL, "leaves 7 of", "leaves 5 of", "leaves 8 of"};
+    static const char *const left[] = {NULL, "leaves 7:", "leaves 5:", "leaves 8:"};
     for (size_t k = 0; k < 4; k++) {
         char text[400];
         snprintf(text, sizeof text,

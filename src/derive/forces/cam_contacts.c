@@ -62,6 +62,62 @@ static const YkPoisson *offset_of(YkMeshMaking *m, const Cam *of, const YkPoisso
     return yk_ring_negate(ring, yk_ring_cross(ring, in_carrier, apart));
 }
 
+// Adds to what the unknown is.
+static void tell(YkMeshMaking *m, YkText *word)
+{
+    m->mesh->word = yk_derive_text(m->d, m->mesh->word, yk_text_get(word), "");
+    m->d->failed |= word->failed;
+    yk_text_free(word);
+}
+
+// Returns a symbol that has one value while the first of two rollers bears, and another while the second does.
+static const YkPoisson *bearing(YkMeshMaking *m, int place, const char *stem, bool is_angle, double first,
+                                double second)
+{
+    const char *name = yk_derive_force_name(m->f, stem, m->between, "");
+    int32_t symbol = is_angle ? yk_derive_angle(m->d, name) : yk_derive_symbol(m->d, name, YK_RING_FUNCTION);
+    m->mesh->bearing[place] = symbol;
+    m->mesh->bearing_value[0][place] = first;
+    m->mesh->bearing_value[1][place] = second;
+    if (symbol < 0) return NULL;
+    return is_angle ? yk_ring_unit(m->ring, symbol) : yk_ring_of(m->ring, symbol);
+}
+
+// Returns how far behind the first roller of a follower that slides the one is that bears.
+static const YkPoisson *span_of(YkMeshMaking *m, const YkCam *cam)
+{
+    YkText word = {0};
+    const YkPoisson *span = bearing(m, 0, "l_b", false, 0, cam->other_span);
+    if (!span) return NULL;
+    const char *name = yk_ring_symbol_name(m->ring, m->mesh->bearing[0]);
+    yk_text_format(
+        &word,
+        " at the roller that bears: the first, with %s = 0, or where that one would have to pull the second, "
+        "%s = %e m behind it",
+        name, name, cam->other_span);
+    tell(m, &word);
+    return span;
+}
+
+// Returns the arm of the roller that bears over the first's, of a follower that turns.
+static const YkPoisson *arm_ratio(YkMeshMaking *m, const YkCam *cam)
+{
+    YkText word = {0};
+    double ratio = cam->other_arm / cam->arm;
+    const YkPoisson *size = bearing(m, 0, "k_b", false, 1, ratio);
+    const YkPoisson *turn = bearing(m, 1, "psi_b", true, 0, cam->other_angle);
+    if (!size || !turn) return NULL;
+    const char *k = yk_ring_symbol_name(m->ring, m->mesh->bearing[0]);
+    const char *psi = yk_ring_symbol_name(m->ring, m->mesh->bearing[1]);
+    yk_text_format(&word,
+                   " at the roller that bears, whose arm is %s times the first's and turned from it by %s: the first, "
+                   "with %s = 1 and %s = 0, or where that one would have to pull the second, with %s = %e and %s = %e "
+                   "deg",
+                   k, psi, k, psi, k, ratio, psi, cam->other_angle * 180 / YK_PI);
+    tell(m, &word);
+    return yk_ring_multiply(m->ring, size, turn);
+}
+
 // A follower that slides along u. Its roller is h from the cam's centre along u and e beside it.
 static void make_sliding(YkMeshMaking *m, const Cam *of)
 {
@@ -90,6 +146,7 @@ static void make_sliding(YkMeshMaking *m, const Cam *of)
         start = yk_derive_root(m->f, name, "height of the roller over the cam's centre at lift 0", square);
     }
     const YkPoisson *h = yk_ring_add(ring, start, lift), *reach = yk_ring_multiply(ring, e, iu);
+    if (cam->is_conjugate) h = yk_ring_subtract(ring, h, span_of(m, cam));
     reach = yk_ring_subtract(ring, yk_ring_multiply(ring, h, u), reach);
     const YkPoisson *aside = yk_ring_subtract(ring, v, e);
     aside = yk_ring_multiply(ring, yk_ring_i(ring), aside);
@@ -110,9 +167,7 @@ static const YkPoisson *start_of(YkMeshMaking *m, const Cam *of, YkVec touch)
     yk_text_format(&word, "; at lift 0 the follower's %s has the angle %s of %e deg",
                    of->cam->face == YK_CAM_FACE_FLAT ? "normal" : "arm", yk_ring_symbol_name(d->ring, symbol),
                    angle * 180 / YK_PI);
-    m->mesh->word = yk_derive_text(d, m->mesh->word, yk_text_get(&word), "");
-    d->failed |= word.failed;
-    yk_text_free(&word);
+    tell(m, &word);
     return yk_ring_unit(d->ring, symbol);
 }
 
@@ -155,6 +210,7 @@ static void make_turning(YkMeshMaking *m, const Cam *of)
         make_turning_flat(m, of, c, yk_ring_multiply(ring, unit, start_of(m, of, touch)));
         return;
     }
+    const YkPoisson *ratio = cam->is_conjugate ? arm_ratio(m, cam) : NULL;
     if (cam->point == YK_NONE) {
         const YkPoisson *arm = yk_derive_expression(m->d, cam->arm_expr);
         swing = yk_ring_multiply(ring, yk_ring_multiply(ring, unit, arm), start_of(m, of, touch));
@@ -163,6 +219,7 @@ static void make_turning(YkMeshMaking *m, const Cam *of)
         swing =
             yk_ring_multiply(ring, unit, yk_ring_subtract(ring, yk_derive_at(m->d, cam->follower, cam->point), pin));
     }
+    if (cam->is_conjugate) swing = yk_ring_multiply(ring, swing, ratio);
     const YkPoisson *slope = yk_ring_scale(ring, of->v, of->turn * of->way, 1);
     const YkPoisson *rest = yk_ring_subtract(ring, yk_ring_rational(ring, 1, 1), slope);
     const YkPoisson *normal = yk_ring_add(ring, c, yk_ring_multiply(ring, rest, swing));

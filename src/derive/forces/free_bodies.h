@@ -95,6 +95,10 @@ typedef struct YkDeriveMesh {
     int32_t lean;
     double lean_value;
     const YkPoisson *direction, *length;
+    // Cams with two rollers: symbols that say which one bears, with their values for the first and the second. YK_NONE:
+    // none.
+    int32_t bearing[2];
+    double bearing_value[2][2];
 } YkDeriveMesh;
 
 // A symbol for a quotient of constants that is not a polynomial.

@@ -8,7 +8,7 @@
 // - belts: couples T r, T the pull of one span less that of the other
 // - cams: N along the common normal, at phi from the line of motion of a follower that slides (the pressure angle,
 //   tan phi = (v - e) / h), otherwise from the carrier's x axis; a flat face is pushed along its normal. Couples, if a
-//   follower turns about the cam's own pin.
+//   follower turns about the cam's own pin. Of two rollers it is the one that bears: symbols tell where that is.
 // - laws: an effort along the coordinate that follows, and minus the law's slope times it along the other
 // This is the model of free_bodies/meshes.c, derived anew.
 #include "derive/forces/meshes.h"
@@ -209,7 +209,7 @@ bool yk_derive_enter_meshes(YkDeriveForces *f)
     for (size_t k = 0; k < d->tie_count && yk_derivation_is_well(d); k++) {
         YkMeshMaking m = {
             .f = f, .d = d, .ring = d->ring, .index = k, .tie = &ties[k], .mesh = &f->meshes[k], .point = ties[k].name};
-        *m.mesh = (YkDeriveMesh){.symbol = YK_NONE, .lean = YK_NONE};
+        *m.mesh = (YkDeriveMesh){.symbol = YK_NONE, .lean = YK_NONE, .bearing = {YK_NONE, YK_NONE}};
         makers[ties[k].kind](&m, &d->mech->relations[k]);
     }
     return yk_derivation_is_well(d);

@@ -101,6 +101,19 @@ static void fill_reaction(const YkDeriveForces *f, size_t k, YkDynamics *dynamic
         }
 }
 
+static void fill_lean(const YkDeriveForces *f, const YkDeriveMesh *mesh, double *values)
+{
+    if (mesh->lean == YK_NONE) return;
+    YkVec direction = mesh->direction ? yk_ring_value(f->d->ring, mesh->direction, values) : yk_vec(0, 0);
+    values[mesh->lean] = mesh->direction ? yk_atan2(direction.y, direction.x) : mesh->lean_value;
+}
+
+static void fill_bearing(const YkDeriveMesh *mesh, bool is_second, double *values)
+{
+    for (int k = 0; k < 2; k++)
+        if (mesh->bearing[k] != YK_NONE) values[mesh->bearing[k]] = mesh->bearing_value[is_second][k];
+}
+
 // Fills a relation's unknown: the engine's force (or moment) on the second body is a multiple of it.
 static void fill_mesh(const YkDeriveForces *f, size_t tie, const YkState *state, YkDynamics *dynamics, double *values)
 {
@@ -109,6 +122,11 @@ static void fill_mesh(const YkDeriveForces *f, size_t tie, const YkState *state,
     YkMeshForce found = yk_free_bodies_mesh(dynamics->bodies, &state->space, tie);
     if (mesh->lean != YK_NONE && !mesh->direction)
         values[mesh->lean] = found.is_backward ? -mesh->lean_value : mesh->lean_value;
+    if (mesh->bearing[0] != YK_NONE && found.is_backward) { // elsewhere, with another normal
+        fill_bearing(mesh, true, values);
+        yk_ring_complete(ring, values);
+        fill_lean(f, mesh, values);
+    }
     bool is_force = !yk_ring_is_zero(mesh->push.force);
     const YkPoisson *of = is_force ? mesh->push.force : mesh->push.moment;
     YkVec unit = yk_ring_value(ring, yk_ring_coefficient(ring, of, mesh->symbol, 1), values);
@@ -136,28 +154,19 @@ static void fill_rates(const YkDeriveForces *f, double *values)
             values[f->lengths[k].rate_symbol] = yk_ring_value(f->d->ring, f->lengths[k].rate, values).x;
 }
 
-// Fills lines of action; for gears as if their unknowns were positive, until a pose says otherwise.
-static void fill_leans(const YkDeriveForces *f, double *values)
-{
-    for (size_t k = 0; k < f->d->tie_count; k++) {
-        const YkDeriveMesh *mesh = &f->meshes[k];
-        if (mesh->lean == YK_NONE) continue;
-        YkVec direction = mesh->direction ? yk_ring_value(f->d->ring, mesh->direction, values) : yk_vec(0, 0);
-        values[mesh->lean] = mesh->direction ? yk_atan2(direction.y, direction.x) : mesh->lean_value;
-    }
-}
-
 void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values)
 {
     const YkDeriveForces *f = context;
     (void)state;
+    for (size_t k = 0; k < f->d->tie_count; k++) fill_bearing(&f->meshes[k], false, values);
     fill_constants(f, values);
     fill_rates(f, values); // the force of a spring may depend on it
     for (size_t k = 0; k < f->opaque_count; k++) fill_opaque(&f->opaques[k], values);
     for (const YkDeriveLump *l = f->lumps[0]; l; l = l->next)
         values[l->symbol] = yk_ring_value(f->d->ring, l->value, values).x;
     yk_ring_complete(f->d->ring, values);
-    fill_leans(f, values);
+    // Lines of action as if the unknowns of gears and of pairs of rollers were positive, until a pose says otherwise:
+    for (size_t k = 0; k < f->d->tie_count; k++) fill_lean(f, &f->meshes[k], values);
     fill_steps(f, values);
     if (!dynamics) return;
     fill_dry(f, dynamics, values);

@@ -18,12 +18,20 @@ static double lever(const YkCamShape *shape, const YkCamPoint *point)
     return shape->face == YK_CAM_FACE_FLAT ? point->reach : shape->arm * yk_cos(point->pressure_angle);
 }
 
+// Returns the force of the roller that bears, negative if it is the second of a pair.
+static double contact_at(const YkCamDesign *design, double effort, const YkCamPoint *point)
+{
+    if (!design->cam->is_conjugate || effort >= 0) return effort / lever(&design->shape, point);
+    YkCamPoint second = yk_cam_shape_at(&design->second, point->angle, point->lift);
+    return effort / lever(&design->second, &second);
+}
+
 static YkCamForce force_at(const YkCamDesign *design, double speed, const YkCamPoint *point)
 {
     YkCamSample sample = {.angle = point->angle};
     for (int k = 0; k <= YK_LAW_ORDER; k++) sample.lift[k] = point->lift[k];
     double effort = effort_at(design, speed, &sample);
-    return (YkCamForce){effort, effort / lever(&design->shape, point), effort * point->lift[1]};
+    return (YkCamForce){effort, contact_at(design, effort, point), effort * point->lift[1]};
 }
 
 YkCamForce yk_cam_force(const YkCamDesign *design, double speed, double angle)

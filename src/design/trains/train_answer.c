@@ -106,9 +106,21 @@ static void add_power(const YkTrainMeshPower *power, YkTrainMesh *mesh)
     mesh->loss = power->loss;
 }
 
+// The answer for a mesh that does not exist.
+static const YkTrainMesh no_mesh = {.body = {YK_NOT_FOUND, YK_NOT_FOUND},
+                                    .carrier = YK_NOT_FOUND,
+                                    .module = (double)NAN,
+                                    .radius = {(double)NAN, (double)NAN},
+                                    .distance = (double)NAN,
+                                    .torque = {(double)NAN, (double)NAN},
+                                    .carrier_torque = (double)NAN,
+                                    .rolling_power = (double)NAN,
+                                    .driver = -1,
+                                    .loss = (double)NAN};
+
 YkTrainMesh yk_train_mesh(const YkTrain *train, size_t index)
 {
-    if (index >= yk_train_mesh_count(train)) return (YkTrainMesh){.carrier = YK_NOT_FOUND, .driver = -1};
+    if (index >= yk_train_mesh_count(train)) return no_mesh;
     const YkModel *model = train->model;
     YkTrainMesh mesh = {.willis = train->willis ? train->willis[index] : NULL};
     if (index < model->gear_count) {
@@ -143,7 +155,8 @@ size_t yk_train_gear_count(const YkTrain *train)
 
 YkTrainGear yk_train_gear(const YkTrain *train, size_t gear)
 {
-    if (gear >= train->gear_count) return (YkTrainGear){.lock = NULL};
+    if (gear >= train->gear_count)
+        return (YkTrainGear){.ratio = {.in = YK_NOT_FOUND, .out = YK_NOT_FOUND, .value = (double)NAN}};
     return train->gears[gear];
 }
 
@@ -154,7 +167,7 @@ size_t yk_train_table_count(const YkTrain *train)
 
 YkTrainTable yk_train_table(const YkTrain *train, size_t table)
 {
-    if (table >= train->group_count) return (YkTrainTable){.carrier = YK_NOT_FOUND};
+    if (table >= train->group_count) return (YkTrainTable){.carrier = YK_NOT_FOUND, .x = (double)NAN, .y = (double)NAN};
     const YkTrainGroup *group = &train->groups[table];
     return (YkTrainTable){.carrier = (size_t)group->carrier,
                           .count = (size_t)group->count,
@@ -175,7 +188,8 @@ size_t yk_train_torque_count(const YkTrain *train)
 
 YkTrainTorque yk_train_torque(const YkTrain *train, size_t torque)
 {
-    if (torque >= train->torque_count) return (YkTrainTorque){.on = YK_NOT_FOUND, .from = YK_NOT_FOUND};
+    if (torque >= train->torque_count)
+        return (YkTrainTorque){.on = YK_NOT_FOUND, .from = YK_NOT_FOUND, .torque = (double)NAN, .power = (double)NAN};
     return train->torques[torque];
 }
 

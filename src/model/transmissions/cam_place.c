@@ -32,6 +32,16 @@ bool yk_cam_touch(const YkCam *cam, YkVec *touch)
     return true;
 }
 
+bool yk_cam_pair_holds(const YkCam *cam)
+{
+    double reach = cam->base + cam->roller, aside = cam->offset;
+    YkVec arm;
+    if (!cam->oscillates) return cam->other_span > sqrt(fmax(reach * reach - aside * aside, 0));
+    if (!yk_cam_touch(cam, &arm)) return true; // nothing tells
+    arm = yk_mul(yk_scale(cam->other_arm / cam->arm, yk_unit(cam->other_angle)), arm);
+    return cam->swing * yk_dot(yk_add(cam->pivot, arm), yk_quarter(arm)) < 0;
+}
+
 static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
 {
     cam->along = side == 0 ? guide->along : yk_scale(-1, yk_mul(guide->along, yk_unit(-guide->turned)));

@@ -32,4 +32,8 @@ double yk_cam_face_angle(YkVec pivot, double distance, double swing);
 // flat face the unit normal. False: the pins lie on one point, so that the place of the contact is not known.
 bool yk_cam_touch(const YkCam *cam, YkVec *touch);
 
+// Returns whether the second of two rollers lies where the lift brings it nearer to the cam, so that the two hold the
+// follower between them.
+bool yk_cam_pair_holds(const YkCam *cam);
+
 #endif

@@ -93,6 +93,19 @@ static void warn_of_couple(YkLoader *loader, const YkCam *cam)
     yk_problem_hint(loader->problems, "give the pins points in the carrier, `centers` apart");
 }
 
+// Warns that a second roller would leave its cam where the first would leave its own.
+static void warn_of_second(YkLoader *loader, const YkCam *cam)
+{
+    const YkExpr *expr = cam->oscillates ? cam->other_angle_expr : cam->other_span_expr;
+    if (!expr || yk_cam_pair_holds(cam)) return;
+    yk_problem(loader->problems, YK_CODE_CAM_TURNED, expr->place,
+               "cam %q: lift moves the second roller away from the cam, as it does the first: the two do not hold the "
+               "follower",
+               cam->name);
+    yk_problem_hint(loader->problems,
+                    "it lies beyond the cam's centre: a longer `span`, or an `angle` of the other sign");
+}
+
 static void check_fit(YkLoader *loader, const YkCam *cam)
 {
     const YkLaw *law = cam->law == YK_NONE ? NULL : loader->model->laws[cam->law].law;
@@ -101,6 +114,7 @@ static void check_fit(YkLoader *loader, const YkCam *cam)
     case YK_CAM_FITS:
         if (cam->oscillates) warn_of_place(loader, cam);
         if (cam->oscillates) warn_of_couple(loader, cam);
+        warn_of_second(loader, cam);
         break;
     case YK_CAM_OFFSET:
         yk_problem(loader->problems, YK_CODE_CAM_SIZE, place_of(cam, cam->offset_expr),

@@ -165,7 +165,7 @@ static void check_nine(YkTaskReader *reader)
     if (path->ground_angle.is_given && given < 4) given++;
     if (path->count != NINE || path->timing != YK_TIMING_ANY || given == 0 || !reader->task->has_four_bar) return;
     yk_problem(reader->loader->problems, YK_CODE_TASK_NEARLY, yk_node_get(reader->loader->root, "fix")->place,
-               "`fix` leaves %z of the nine dimensions of a four-bar, which nine points need: the nearest are sought",
+               "nine points need all nine dimensions of a four-bar, and `fix` leaves %z: the nearest are sought",
                NINE - given);
     yk_problem_hint(reader->loader->problems,
                     "without `fix` all four-bars that pass the nine points are found; %z points may be met with it",
