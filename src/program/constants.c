@@ -229,7 +229,7 @@ YkRefVec yk_program_point(YkProgram *p, int32_t point)
     return (YkRefVec){x, y};
 }
 
-static YkRefVec along_of(YkProgram *p, const YkJoint *joint)
+YkRefVec yk_program_along(YkProgram *p, const YkJoint *joint)
 {
     if (!joint->along_expr) return yk_graph_vec_number(&p->graph, joint->along.x, joint->along.y);
     return yk_graph_unit(&p->graph, yk_program_expr(p, joint->along_expr));
@@ -251,7 +251,7 @@ static YkRefVec by_recipe(YkProgram *p, int32_t index)
         return in_orientation(p, joint->body[node->b], yk_program_point(p, joint->point[node->b]));
     }
     case YK_RECIPE_ALONG:
-        return in_orientation(p, p->model->joints[node->a].body[0], along_of(p, &p->model->joints[node->a]));
+        return in_orientation(p, p->model->joints[node->a].body[0], yk_program_along(p, &p->model->joints[node->a]));
     case YK_RECIPE_NEGATE: {
         YkRef minus_one = yk_graph_number(g, -1);
         return yk_graph_vec_scale(g, minus_one, by_recipe(p, node->a));
@@ -289,7 +289,7 @@ YkRefVec yk_program_line(YkProgram *p, int32_t distance, YkVec value)
         const YkJoint *joint = &p->model->joints[j];
         YkVec along = yk_mul(p->mech->bodies[joint->body[0]].turn_unit, joint->along);
         double sign = yk_dot(along, value) < 0 ? -1 : 1;
-        YkRefVec v = in_orientation(p, joint->body[0], along_of(p, joint));
+        YkRefVec v = in_orientation(p, joint->body[0], yk_program_along(p, joint));
         return yk_graph_vec_scale(&p->graph, yk_graph_number(&p->graph, sign), v);
     }
     return yk_graph_vec_number(&p->graph, value.x, value.y);

@@ -1,7 +1,5 @@
 // Cams, and coordinates that follow others by a law: forces and couples from the slope of the law.
-#include <math.h>
 #include "elementary/elementary.h"
-#include "model/transmissions/cam_place.h"
 #include "program/balance.h"
 
 // Returns d value / d argument of the relation's law.
@@ -25,18 +23,41 @@ typedef struct CamPose {
     double way, turn;   // +1 if the follower, the cam, is the second body of its joint
 } CamPose;
 
-static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
+// Returns a joint's point on one of its bodies, in that body's axes.
+static YkRefVec point_on(YkProgram *p, int32_t joint, int32_t body)
 {
     const YkJoint *j = &p->model->joints[joint];
-    return yk_program_at(p, body, yk_program_point(p, j->point[j->body[1] == body]));
+    return yk_program_point(p, j->point[j->body[1] == body]);
+}
+
+static YkRefVec joint_on(YkProgram *p, int32_t joint, int32_t body)
+{
+    return yk_program_at(p, body, point_on(p, joint, body));
 }
 
 // Returns a vector that is given in the body's axes.
-static YkRefVec turned_with(YkProgram *p, int32_t body, YkVec vector)
+static YkRefVec turned_with(YkProgram *p, int32_t body, YkRefVec vector)
 {
     YkGraph *g = &p->graph;
     YkRefVec unit = yk_graph_vec_multiply(g, p->unit[p->mech->bodies[body].orientation], p->turn_unit[body]);
-    return yk_graph_vec_multiply(g, unit, yk_graph_vec_number(g, vector.x, vector.y));
+    return yk_graph_vec_multiply(g, unit, vector);
+}
+
+// Returns where a follower that turns touches its cam at lift 0, as yk_cam_touch does, from the places of the pins: d and f are the
+// pivot's distance along the direction, and its own, so that the direction is pivot (d -+ i sqrt(f^2 - d^2)) / f^2.
+static YkRefVec touch_of(YkProgram *p, const YkCam *cam)
+{
+    YkGraph *g = &p->graph;
+    bool is_flat = cam->face == YK_CAM_FACE_FLAT;
+    double reach = cam->base + (is_flat ? cam->offset : cam->roller), arm = is_flat ? 1 : cam->arm;
+    YkRefVec center = point_on(p, cam->cam_joint, cam->carrier), pin = point_on(p, cam->follower_joint, cam->carrier);
+    YkRefVec pivot = yk_graph_vec_subtract(g, pin, center);
+    YkRef f2 = yk_graph_dot(g, pivot, pivot), d = yk_graph_number(g, reach);
+    if (!is_flat) d = times(g, 0.5 / arm, yk_graph_subtract(g, yk_graph_number(g, (reach - arm) * (reach + arm)), f2));
+    YkRef aside = yk_graph_unary(g, YK_VALUE_ROOT, yk_graph_subtract(g, f2, yk_graph_multiply(g, d, d)));
+    YkRefVec turn = {d, cam->swing > 0 ? yk_graph_minus(g, aside) : aside};
+    YkRef per = yk_graph_divide(g, yk_graph_number(g, arm), f2);
+    return yk_graph_vec_scale(g, per, yk_graph_vec_multiply(g, pivot, turn));
 }
 
 // Adds couples in the ratio of the motions, for followers that turn about the cam's own pin.
@@ -59,12 +80,12 @@ static void flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const
 }
 
 // Pushes a flat face that turns along its normal, where it touches (free_bodies/meshes.c).
-static void turning_flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkVec touch)
+static void turning_flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
     YkRefVec pin = joint_on(p, cam->follower_joint, cam->follower);
-    YkRefVec n = turned_with(p, cam->follower, touch);
+    YkRefVec n = turned_with(p, cam->follower, touch_of(p, cam));
     YkRefVec across = yk_graph_vec_quarter(g, n), pivot = yk_graph_vec_subtract(g, pin, pose->center);
     YkRef slope = times(g, pose->way, pose->slope);
     YkRef against = yk_graph_subtract(g, slope, yk_graph_number(g, pose->turn));
@@ -76,16 +97,37 @@ static void turning_flat_face(YkBalanceSystem *w, size_t column, const YkCam *ca
     yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, at), n);
 }
 
+// Returns the direction in which a follower slides, in the carrier's axes.
+static YkRefVec line_of(YkProgram *p, const YkCam *cam)
+{
+    const YkJoint *guide = &p->model->joints[cam->follower_joint];
+    YkRefVec along = yk_program_along(p, guide);
+    YkVec back = yk_scale(-1, yk_unit(-guide->turned));
+    if (guide->body[0] == cam->carrier) return along;
+    return yk_graph_vec_multiply(&p->graph, along, yk_graph_vec_number(&p->graph, back.x, back.y));
+}
+
+// Returns how far that line passes from the cam's centre, against the quarter turn from it.
+static YkRef offset_of(YkProgram *p, const YkCam *cam)
+{
+    YkGraph *g = &p->graph;
+    if (cam->offset_expr) return yk_graph_number(g, cam->offset);
+    YkRefVec apart = yk_graph_vec_subtract(g, point_on(p, cam->follower_joint, cam->carrier),
+                                           point_on(p, cam->cam_joint, cam->carrier));
+    return yk_graph_minus(g, yk_graph_dot(g, apart, yk_graph_vec_quarter(g, line_of(p, cam))));
+}
+
 // Returns the roller or edge of a follower that slides and names no point.
 static YkRefVec roller_of(YkBalanceSystem *w, const YkCam *cam, const CamPose *pose)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
-    double reach = cam->base + cam->roller, start = sqrt(reach * reach - cam->offset * cam->offset);
+    double reach = cam->base + cam->roller;
+    YkRef off = offset_of(p, cam), off2 = yk_graph_multiply(g, off, off);
+    YkRef start = yk_graph_unary(g, YK_VALUE_ROOT, yk_graph_subtract(g, yk_graph_number(g, reach * reach), off2));
     YkRef lift = p->distance[p->mech->joint_distance[cam->follower_joint]];
-    YkRefVec along = yk_graph_vec_scale(g, yk_graph_add(g, yk_graph_number(g, start), lift), pose->u);
-    YkRef offset = yk_graph_number(g, -cam->offset);
-    YkRefVec aside = yk_graph_vec_scale(g, offset, yk_graph_vec_quarter(g, pose->u));
+    YkRefVec along = yk_graph_vec_scale(g, yk_graph_add(g, start, lift), pose->u);
+    YkRefVec aside = yk_graph_vec_scale(g, yk_graph_minus(g, off), yk_graph_vec_quarter(g, pose->u));
     return yk_graph_vec_add(g, pose->center, yk_graph_vec_add(g, along, aside));
 }
 
@@ -169,8 +211,7 @@ static void roller_force(YkBalanceSystem *w, size_t column, const YkCam *cam, co
 
 bool yk_meshes_cam_has_pair(const YkCam *cam)
 {
-    YkVec touch;
-    return cam->is_conjugate && (!cam->oscillates || cam->point != YK_NONE || yk_cam_touch(cam, &touch));
+    return cam->is_conjugate && (!cam->oscillates || cam->point != YK_NONE || cam->is_apart);
 }
 
 void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const YkCam *cam)
@@ -179,25 +220,23 @@ void yk_meshes_cam(YkBalanceSystem *w, size_t column, const YkRelation *r, const
     YkGraph *g = &p->graph;
     const YkModel *m = p->model;
     CamPose pose = {.slope = slope_of(w, r)};
-    YkVec touch;
-    bool is_placed = cam->oscillates && yk_cam_touch(cam, &touch);
     pose.center = joint_on(p, cam->cam_joint, cam->cam);
     double reach = cam->base + cam->roller;
     pose.way = m->joints[cam->follower_joint].body[1] == cam->follower ? 1 : -1;
     pose.turn = m->joints[cam->cam_joint].body[1] == cam->cam ? 1 : -1;
-    pose.u = turned_with(p, cam->carrier, cam->along);
+    if (!cam->oscillates) pose.u = turned_with(p, cam->carrier, line_of(p, cam));
     if (!cam->oscillates && (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)))
         flat_face(w, column, cam, &pose);
     else if (cam->point != YK_NONE)
         roller_force(w, column, cam, &pose, yk_program_at(p, cam->follower, yk_program_point(p, cam->point)));
-    else if (cam->oscillates && !is_placed)
+    else if (cam->oscillates && !cam->is_apart)
         cam_couples(w, column, cam, &pose);
     else if (cam->oscillates && cam->face == YK_CAM_FACE_FLAT)
-        turning_flat_face(w, column, cam, &pose, touch);
+        turning_flat_face(w, column, cam, &pose);
     else if (cam->oscillates)
-        roller_force(
-            w, column, cam, &pose,
-            yk_graph_vec_add(g, joint_on(p, cam->follower_joint, cam->follower), turned_with(p, cam->follower, touch)));
+        roller_force(w, column, cam, &pose,
+                     yk_graph_vec_add(g, joint_on(p, cam->follower_joint, cam->follower),
+                                      turned_with(p, cam->follower, touch_of(p, cam))));
     else
         roller_force(w, column, cam, &pose, roller_of(w, cam, &pose));
 }

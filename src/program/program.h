@@ -103,7 +103,9 @@ YkRef yk_program_expr(YkProgram *program, const YkExpr *expr); // of parameters 
 // the length and the rate, or NULL.
 YkRef yk_program_expr_of(YkProgram *program, const YkExpr *expr, const YkMotionRef *motion, const YkRef *own);
 YkRefVec yk_program_point(YkProgram *program, int32_t point); // in the body's axes; YK_NONE: the origin
-YkRefVec yk_program_term(YkProgram *program, size_t term);    // of the mechanism's terms
+YkRefVec yk_program_along(YkProgram *program,
+                          const YkJoint *joint);           // the direction of its line, in its first body's axes
+YkRefVec yk_program_term(YkProgram *program, size_t term); // of the mechanism's terms
 YkRefVec yk_program_constant(YkProgram *program, const YkSum *sum);
 YkRefVec yk_program_line(YkProgram *program, int32_t distance, YkVec value); // of a block: a unit vector
 YkRef yk_program_joint_offset(YkProgram *program, int32_t joint); // angle of the joint = Phi_b - Phi_a + this

@@ -47,7 +47,7 @@ static double sine_at(const Search *f, double value)
     bool is_place = f->meeting.input == YK_NONE;
     if (yk_path_set(&f->walk->path, is_place ? value : f->place, true) < 0) return -1;
     if (!is_place) s->input[3 * f->meeting.input] = value;
-    yk_path_place_signs(path, value);
+    yk_path_place_signs(path, is_place ? value : f->place);
     YkStatus status = yk_state_solve(s);
     if (status < 0 && s->report.block <= (int)f->block) return -1;
     double margin = (status < 0 ? &s->spare : &s->space)->block_margin[f->block];
@@ -200,12 +200,13 @@ static size_t steps_up_to(const YkMechanism *mech, size_t block)
 static bool find_by_several(Search *f)
 {
     const YkState *s = f->walk->path.state;
+    const double CLEARLY = 1.01; // else the first: blocks that are alike take the same one
     double most = 0;
     f->meeting.input = YK_NONE;
     if (s->mech->has_groups || yk_path_set(&f->walk->path, f->place, true) < 0) return false;
     for (size_t i = 0; i < s->mech->input_count; i++) {
         double slope = slope_along(f, i);
-        if (slope <= most) continue;
+        if (slope <= CLEARLY * most) continue;
         most = slope;
         f->meeting.input = (int32_t)i;
     }
@@ -258,6 +259,7 @@ static void keep(YkWalk *w, size_t block, YkMeeting m, int side)
 bool yk_walk_meets(YkWalk *w, size_t block, double at, double known, double way)
 {
     YkMeeting m, old = block < w->path.meeting_count ? w->path.meetings[block] : (YkMeeting){0};
+    if (old.is_known) yk_path_set(&w->path, known, true); // its sign there
     if (!find(w, block, at, &m)) return false;
     if (is_same(w, block, old, m, known)) {
         w->path.meetings[block] = old;

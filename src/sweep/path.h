@@ -8,7 +8,7 @@
 // its rates do not tell which way a channel goes.
 #define YK_BRANCH_MARGIN 1e-10
 
-enum { YK_MEETING_SEEN = 4 };
+enum { YK_MEETING_SEEN = 4, YK_MEETING_LEVELS = 4 };
 
 // A change point of a block, known by the place of the input that leads to it: the block has one sign on each side of it.
 typedef struct YkMeeting {
@@ -20,7 +20,8 @@ typedef struct YkMeeting {
     size_t step_count;     // shared: up to the block's own step
     double seen_at[YK_MEETING_SEEN], seen_off[YK_MEETING_SEEN]; // shared: where the path was looked at last
     unsigned seen;
-    signed char above, side; // the sign above it; the side on which the motion was last
+    double off[YK_MEETING_LEVELS]; // scratch of side.c: how far from it the inputs are
+    signed char above, side;       // the sign above it; the side on which the motion was last
 } YkMeeting;
 
 typedef struct YkPath {

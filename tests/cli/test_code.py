@@ -228,14 +228,37 @@ class Code(Printed):
             self.assertEqual(count, 1, example)
             self.assertIn("reactions", self.run_test(wrong).stdout, example)
 
-    def test_pins_of_a_cam_whose_contact_they_place_are_fixed(self):
-        """Where the arm lies at lift 0 follows from the pins, by numbers of the file; a follower with a point needs none."""
-        with open(os.path.join(ROOT, "examples", "swing-cam.yaml"), encoding="utf-8") as file:
-            text = file.read().replace("units:", "parameters: {f: -90}\nunits:", 1).replace("Q: [-90, 40]", "Q: [f, 40]")
-        for follower, is_fixed in (("at: P", False), ("arm: 91.24", True)):
-            code = self.print(self.write("swing.yaml", text.replace("at: P}", follower + "}")))
-            self.assertEqual("Fixed, since laws or gears depend on them: f = -0.09" in code, is_fixed, follower)
-            self.assertEqual(self.run_test(code).stdout, "m: well\n", follower)
+    def test_cams_that_parameters_move_push_where_the_engine_says(self):
+        """The place of a follower's pin or line is a parameter, and so is that line's direction."""
+        machine = """parameters: {px: 80 mm, al: 90 deg}
+laws:
+  lift: {period: 2*pi, segments: [{rise: {to: 180 deg, by: %s, law: cycloidal}}, {fall: {to: 360 deg, by: %s, law: cycloidal}}]}
+bodies:
+  ground: {points: {K: [0, 0], P: [%s, 5 mm]}}
+  shaft: {points: {K: [0, 0]}}
+  lever: {points: {P: [0, 0]}, mass: 1 kg, center: [-20 mm, 10 mm], inertia: 0.001 kg*m^2}
+joints:
+  K: {pin: [ground, shaft], angle: theta}
+  P: {%s}
+cams: {c: {cam: shaft, follower: lever, law: lift, base: 30 mm, %s}}
+gravity: [0, -9.81]
+drives: {theta: 1.4 rad + 2 rad/s * t}
+"""
+        pin = "pin: [ground, lever], angle: psi"
+        slide = "slide: [ground, lever], along: al, from: P, distance: s"
+        for name, joint, place, lift, touch in (
+                ("flat", pin, "px", "15 deg", "face: flat"), ("roller", pin, "px", "15 deg", "roller: 8 mm, arm: 70 mm"),
+                ("tappet", slide, "px/8", "15 mm", "roller: 8 mm")):
+            path = self.write(name + ".yaml", machine % (lift, lift, place, joint, touch))
+            body, cut, _ = parts(self.print(path))
+            _, cut, test = parts(self.print(path, "--param", "px=95 mm", "--param", "al=80 deg"))
+            self.assertEqual(self.run_test(joined(body, cut, test)).stdout, "m: well\n", name)
+            for change, others in (("px=95mm", "px=80mm:95mm:2"), ("al=80deg", "al=90deg:80deg:2")):
+                asked = ("--of", "c.force.x", "--quiet")
+                told = self.good("solve", path, "--param", change, *asked).out
+                rows = self.good("study", path, "--vary", others, *asked, "--format", "json").json()["rows"]
+                own = float(re.search(r"c\.force\.x +(\S+)", told).group(1))
+                self.assertAlmostEqual(rows[1][-1], own, delta=1e-5 * abs(own), msg=name + " " + change)
 
     def test_laws_are_solved_together_with_loops(self):
         """A five-bar whose fourth angle follows its second by a law, both unknown: Newton's method calls the law."""

@@ -96,7 +96,8 @@ static void studies_can_be_stopped_on_one_thread(void **unused)
     end(&subject);
 }
 
-// How often it asks depends on how the threads take turns, so stops are tried at the first questions only.
+// How often it asks depends on how the threads take turns: while the caller waits for a processor, the others may do all the work,
+// so that only the first question is sure.
 static void on_several_threads_the_caller_alone_is_asked(void **unused)
 {
     (void)unused;
@@ -106,12 +107,13 @@ static void on_several_threads_the_caller_alone_is_asked(void **unused)
     assert_false(reduce(&subject, NULL, &plain));
     Watched w = watched(0);
     assert_false(reduce(&subject, &w, &seen));
-    assert_true(w.asked >= 2 && w.is_fair && seen == plain);
+    assert_true(w.asked >= 1 && w.is_fair && seen == plain);
     for (long at = 1; at <= 2; at++) {
         Watched stopped = watched(at);
         uint64_t unused_hash = HASH, again = HASH;
-        assert_true(reduce(&subject, &stopped, &unused_hash));
-        assert_true(stopped.asked == at && stopped.is_fair);
+        bool is_stopped = reduce(&subject, &stopped, &unused_hash);
+        assert_true(is_stopped == (stopped.asked == at) && stopped.asked <= at && stopped.asked >= 1);
+        assert_true(stopped.is_fair && (is_stopped || unused_hash == plain));
         assert_false(reduce(&subject, NULL, &again));
         assert_true(again == plain);
     }

@@ -233,7 +233,8 @@ static void test_no_excursion_is_missed(void **unused)
 {
     (void)unused;
     static const size_t steps[] = {1, 2, 3, 7, 30, 101};
-    for (uint64_t k = 1; k <= check_cases(12); k++) {
+    const uint64_t cases = getenv("YOKE_FULL") ? 70 : check_cases(12);
+    for (uint64_t k = 1; k <= cases; k++) {
         uint64_t seed = 1000 * (k == 12 ? 51 : k); // 51: a simulation that stops just at a change point, and goes back
         size_t before = wrong, n = steps[k % 6];
         Linkage l = random_linkage(&seed);
