@@ -126,12 +126,12 @@ static bool may_be_dry(const YkJoint *joint, const YkVariant *variant)
     return joint->friction.coulomb != 0 || (variant && expr && yk_redesign_expression_varies(variant->redesign, expr));
 }
 
-// Returns whether the place of a cam varies, of which the graph has numbers alone.
-static bool moves_cams(const YkModel *model, const YkVariant *variant)
+// Returns whether the place of a second roller varies, of which the graph has numbers alone.
+static bool moves_pairs(const YkModel *model, const YkVariant *variant)
 {
     for (size_t k = 0; variant && k < model->cam_count; k++) {
         const YkExpr *place[YK_CAM_EXPRS];
-        for (size_t i = yk_cam_place_exprs(model, &model->cams[k], place); i-- > 0;)
+        for (size_t i = yk_cam_pair_exprs(model, &model->cams[k], place); i-- > 0;)
             if (yk_redesign_expression_varies(variant->redesign, place[i])) return true;
     }
     return false;
@@ -139,7 +139,7 @@ static bool moves_cams(const YkModel *model, const YkVariant *variant)
 
 static bool can_fit(const YkMechanism *mech, const YkVariant *variant)
 {
-    if (moves_cams(mech->model, variant)) return false;
+    if (moves_pairs(mech->model, variant)) return false;
     for (size_t j = 0; j < mech->model->joint_count; j++)
         if (may_be_dry(&mech->model->joints[j], variant)) return false;
     return mech->model->body_count <= BODIES_MAX && mech->redundant_count + mech->redundant_relation_count == 0;

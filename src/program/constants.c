@@ -167,7 +167,7 @@ static void fix_wheels(YkProgram *p)
         for (size_t i = 0; i < sizeof all / sizeof *all; i++) fix(p, all[i]);
         if (c->arcs) fix_arcs(p, c->arcs);
         const YkExpr *place[YK_CAM_EXPRS];
-        for (size_t i = yk_cam_place_exprs(m, c, place); i-- > 0;) fix(p, place[i]);
+        for (size_t i = yk_cam_pair_exprs(m, c, place); i-- > 0;) fix(p, place[i]);
     }
 }
 

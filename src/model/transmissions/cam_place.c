@@ -1,6 +1,7 @@
 // Places a cam and its follower by their joints, and judges whether they can touch.
 #include "model/transmissions/cam_place.h"
 #include <math.h>
+#include <string.h>
 #include "elementary/elementary.h"
 
 enum { LIFT_SAMPLES = 720 };
@@ -78,19 +79,14 @@ void yk_cam_place(const YkModel *model, YkCam *cam)
         place_slide(guide, guide_side, apart, cam);
 }
 
-size_t yk_cam_place_exprs(const YkModel *model, const YkCam *cam, const YkExpr *expr[YK_CAM_EXPRS])
+size_t yk_cam_pair_exprs(const YkModel *model, const YkCam *cam, const YkExpr *expr[YK_CAM_EXPRS])
 {
-    const YkJoint *joint[] = {&model->joints[cam->cam_joint], &model->joints[cam->follower_joint]};
-    bool is_between = cam->oscillates ? cam->point == YK_NONE : cam->face != YK_CAM_FACE_FLAT && !cam->offset_expr;
-    size_t count = 0;
-    if (!cam->oscillates) expr[count++] = joint[1]->along_expr;
-    for (size_t k = 0; is_between && k < 2; k++) {
-        int32_t point = joint[k]->point[joint[k]->body[0] == cam->carrier ? 0 : 1];
-        if (point == YK_NONE) continue;
-        expr[count++] = model->points[point].x;
-        expr[count++] = model->points[point].y;
-    }
-    return count;
+    if (!cam->is_conjugate) return 0;
+    const YkPoint *point = cam->point == YK_NONE ? NULL : &model->points[cam->point];
+    const YkExpr *const all[YK_CAM_EXPRS] = {cam->other_span_expr, cam->other_arm_expr,     cam->other_angle_expr,
+                                             cam->arm_expr,        point ? point->x : NULL, point ? point->y : NULL};
+    memcpy(expr, all, sizeof all);
+    return YK_CAM_EXPRS;
 }
 
 bool yk_cam_centers_agree(const YkCam *cam)

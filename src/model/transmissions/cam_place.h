@@ -36,9 +36,9 @@ bool yk_cam_touch(const YkCam *cam, YkVec *touch);
 // follower between them.
 bool yk_cam_pair_holds(const YkCam *cam);
 
-// Lists the expressions on which the place of a contact's force depends by numbers of the cam (along, offset, pivot):
-// of pins and of the guide's direction. Some may be NULL. Returns how many.
-enum { YK_CAM_EXPRS = 5 };
-size_t yk_cam_place_exprs(const YkModel *model, const YkCam *cam, const YkExpr *expr[YK_CAM_EXPRS]);
+// Lists the expressions on which the place of a pair's second roller depends by numbers of the cam. Some may be NULL.
+// Returns how many; 0 for cams without one.
+enum { YK_CAM_EXPRS = 6 };
+size_t yk_cam_pair_exprs(const YkModel *model, const YkCam *cam, const YkExpr *expr[YK_CAM_EXPRS]);
 
 #endif
