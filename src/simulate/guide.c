@@ -46,13 +46,23 @@ static bool rests(const YkState *s)
     return true;
 }
 
+// Returns whether the only input that moves turns back within a short way, as it does beside a limit that it does not reach.
+static bool turns_soon(const YkState *s)
+{
+    const double SHORT = 2e-3; // rad, or lengths over the machine's size
+    int32_t i = moving_input(s);
+    if (i == YK_NONE) return false;
+    double rate = s->input[3 * i + 1], way = SHORT * yk_input_unit(s->mech, (size_t)i);
+    return rate * rate < 2 * way * fabs(s->input[3 * i + 2]);
+}
+
 bool yk_simulation_stands_with_guide(YkSimulation *sim, double t, bool must_be_sure)
 {
     const YkState *guide = sim->guide;
     if (!guide || sim->commands || sim->near_count == 0 || sim->contact_count > 0 || sim->dynamics->loads->has_dry)
         return false;
     if (!goes_to(sim, t) || !guide->has_rates || (must_be_sure && !has_sure_rates(guide))) return false;
-    if (moving_input(guide) == YK_NONE && (!must_be_sure || !rests(guide))) return false;
+    if (must_be_sure ? moving_input(guide) == YK_NONE && !rests(guide) : !turns_soon(guide)) return false;
     yk_state_copy(sim->state, guide);
     return true;
 }
