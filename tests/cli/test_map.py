@@ -38,6 +38,14 @@ class Map(Case):
         limit = next(e for e in run.json()["events"] if e["kind"] == "limit")
         self.assertAlmostEqual(limit["at"], at, 9)
 
+    def test_the_range_of_a_group_ends_where_the_map_has_limits(self):
+        file = example("double-butterfly")
+        limits = [e["at"] for c in self.answer(file, "--over", "lambda")["circuits"] for e in c["events"] if e["kind"] == "limit"]
+        run = Run("sweep", file, "--over", "lambda=0:1", "--steps", "4", "--format", "json")
+        (ends,) = run.json()["ranges"]
+        for end in ends:
+            self.assertLess(min(abs(end - at) for at in limits), 1e-9)
+
     def test_the_drive_stands_at_dead_points(self):
         answer = self.answer(example("non-grashof"), "--over", "theta4")
         kinds = [(e["kind"], e["of"]) for e in answer["circuits"][0]["events"]]
