@@ -108,13 +108,20 @@ static void find_start(YkMap *map, const YkState *start)
     free(own);
 }
 
+// Returns 0 for what is 0 as far as places where solutions meet are known.
+static double without_noise(const YkTracer *t, double at)
+{
+    return fabs(at) < 1e-9 * t->scale ? 0 : at;
+}
+
 static void tell_singles(const YkTracer *t, YkText *text)
 {
     const size_t most = sizeof t->single / sizeof *t->single;
     size_t count = t->single_count;
     yk_text_format(text, "all constraints may also close in %z single pose%s, out of which it cannot move: near ",
                    count, count == 1 ? "" : "s");
-    for (size_t k = 0; k < count && k < most; k++) yk_text_format(text, "%s%e", k == 0 ? "" : ", ", t->single[k]);
+    for (size_t k = 0; k < count && k < most; k++)
+        yk_text_format(text, "%s%e", k == 0 ? "" : ", ", without_noise(t, t->single[k]));
     yk_text_format(text, " %s%s", t->is_angle ? "rad" : "m", count > most ? " and others" : "");
 }
 
@@ -124,7 +131,8 @@ void yk_map_tell(YkMap *map)
     YkText text = {0};
     map->is_complete = !t->is_unproved && t->single_count == 0 && map->lost == 0 && map->has_start;
     if (t->is_unproved)
-        yk_text_format(&text, "not all is proved: near %g %s, at joint `%s`", t->unproved_at, t->is_angle ? "rad" : "m",
+        yk_text_format(&text, "not all is proved: near %e %s, at joint `%s`", without_noise(t, t->unproved_at),
+                       t->is_angle ? "rad" : "m",
                        t->unproved_block < t->piece_count ? map->mech->blocks[t->pieces[t->unproved_block].block].label
                                                           : "?");
     else if (!map->has_start)

@@ -135,6 +135,7 @@ static YkStatus fail(YkSimulation *sim, YkOdeStatus status)
 {
     if (has_run_out(sim)) sim->status = YK_NO_MEMORY;
     if (sim->status == YK_OK) sim->status = status == YK_ODE_NO_MEMORY ? YK_NO_MEMORY : YK_NOT_CONVERGED;
+    if (sim->status != YK_NO_MEMORY) yk_simulation_end_at_limit(sim);
     yk_simulation_stand_still(sim);
     if (sim->report.message[0] == 0) yk_simulation_explain(sim);
     return sim->status;

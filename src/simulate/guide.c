@@ -46,14 +46,45 @@ static bool rests(const YkState *s)
     return true;
 }
 
-bool yk_simulation_stands_with_guide(YkSimulation *sim, double t)
+// Returns whether the only input that moves turns back within a short way, as it does beside a limit that it does not reach.
+static bool turns_soon(const YkState *s)
+{
+    const double SHORT = 2e-3; // rad, or lengths over the machine's size
+    int32_t i = moving_input(s);
+    if (i == YK_NONE) return false;
+    double rate = s->input[3 * i + 1], way = SHORT * yk_input_unit(s->mech, (size_t)i);
+    return rate * rate < 2 * way * fabs(s->input[3 * i + 2]);
+}
+
+bool yk_simulation_stands_with_guide(YkSimulation *sim, double t, bool must_be_sure)
 {
     const YkState *guide = sim->guide;
     if (!guide || sim->commands || sim->near_count == 0 || sim->contact_count > 0 || sim->dynamics->loads->has_dry)
         return false;
-    if (!goes_to(sim, t) || !has_sure_rates(guide) || (moving_input(guide) == YK_NONE && !rests(guide))) return false;
+    if (!goes_to(sim, t) || !guide->has_rates || (must_be_sure && !has_sure_rates(guide))) return false;
+    if (must_be_sure ? moving_input(guide) == YK_NONE && !rests(guide) : !turns_soon(guide)) return false;
     yk_state_copy(sim->state, guide);
     return true;
+}
+
+void yk_simulation_end_at_limit(YkSimulation *sim)
+{
+    const double NEAR = 1e-5, // how far the inputs may be from there, rad or lengths over the machine's size,
+        SOON = 1e-3;          // and the time, over what has passed: a drive may be coming to rest
+    double rate = 0;
+    if (!sim->guide || sim->commands || sim->contact_count > 0) return;
+    goes_to(sim, sim->time);
+    for (size_t i = 0; i < sim->mech->input_count; i++)
+        rate = fmax(rate, fabs(sim->guide->input[3 * i + 1]) / yk_input_unit(sim->mech, i));
+    double ahead = sim->time + fmin(NEAR / rate, SOON * (sim->time - sim->options.start));
+    YkMove way;
+    if (!(ahead > sim->time) || yk_state_move_time(sim->guide, ahead, NULL, &way, NULL) != YK_LIMIT || way.block < 0)
+        return;
+    yk_dynamics_fail(sim->dynamics, YK_LIMIT, "a limit position: beyond, joint `", sim->mech->blocks[way.block].label,
+                     "` does not close");
+    sim->report = sim->dynamics->report;
+    sim->time = sim->guide->time;
+    sim->status = YK_LIMIT;
 }
 
 // Returns what the drives bring: the power that the masses take up, less what all loads deliver. Returns false if a load has no
@@ -80,10 +111,11 @@ static bool find_power(YkSimulation *sim, double *power)
     return true;
 }
 
-bool yk_simulation_moves_with_guide(YkSimulation *sim, double t, double *dydt)
+bool yk_simulation_moves_with_guide(YkSimulation *sim, double t, double *dydt, bool must_be_sure)
 {
     double drive, *power = dydt + 2 * sim->free_count;
-    if (!yk_simulation_stands_with_guide(sim, t) || !yk_dynamics_prepare(sim->dynamics) || !find_power(sim, &drive))
+    if (!yk_simulation_stands_with_guide(sim, t, must_be_sure) || !yk_dynamics_prepare(sim->dynamics) ||
+        !find_power(sim, &drive))
         return false;
     memset(power, 0, sim->work_count * sizeof *power);
     if (sim->options.pulls > 0) power[sim->work_count - 2] = sim->dynamics->loads->handle_power;

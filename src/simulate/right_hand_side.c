@@ -67,9 +67,12 @@ int yk_simulation_motion(void *context, double t, const double *y, double *dydt)
     size_t n = sim->free_count;
     if (sim->dynamics->tree && sim->contact_count == 0 && !sim->dynamics->loads->has_dry)
         return move_lean(sim, t, y, dydt);
-    if (sim->guide && yk_simulation_moves_with_guide(sim, t, dydt)) return 0;
+    if (sim->guide && yk_simulation_moves_with_guide(sim, t, dydt, true)) return 0;
     if (sim->near_count > 0 && yk_simulation_in_zone(sim, t)) {
         YkInterpolation found = yk_simulation_interpolate(sim, t, y, dydt);
+        // A drive that turns back so near to a limit leaves no poses on both sides to interpolate between.
+        if (found == YK_INTERPOLATION_FAILED && sim->guide && yk_simulation_moves_with_guide(sim, t, dydt, false))
+            return 0;
         if (found != YK_INTERPOLATION_LEFT) return found == YK_INTERPOLATION_DONE ? 0 : 1;
     }
     if (!yk_simulation_set(sim, t, y)) return 1;
@@ -89,7 +92,7 @@ bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y)
     YkState *s = sim->state;
     size_t n = sim->free_count;
     double *rate = sim->rate;
-    if (sim->guide && yk_simulation_stands_with_guide(sim, t)) return true;
+    if (sim->guide && yk_simulation_stands_with_guide(sim, t, true)) return true;
     bool ok = yk_simulation_motion(sim, t, y, rate) == 0;
     bool is_summed = ok && yk_simulation_sum_poses(sim, t, y, rate + n);
     ok = yk_simulation_set(sim, t, y) && ok;
@@ -97,6 +100,7 @@ bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y)
     YkStatus status = yk_state_solve(s);
     if (status >= 0 && is_summed) ok = yk_simulation_take_sum(sim) && ok;
     if (ok && status >= 0) return true;
+    if (sim->guide && yk_simulation_stands_with_guide(sim, t, false)) return true;
     sim->status = status < 0 ? status : YK_NOT_CONVERGED;
     if (status < 0) sim->report = s->report;
     return false;

@@ -178,8 +178,11 @@ static YkStatus solve(YkWorker *w, const YkJob *job, const Made *m, size_t desig
 {
     const YkStudy *study = w->study;
     size_t n = job->asked->pose_count, at = design * n;
-    YkStudyOptions options = {
-        .channels = study->channels, .channel_count = study->channel_count, .threads = 1, .progress = m->progress};
+    YkStudyOptions options = {.channels = study->channels,
+                              .channel_count = study->channel_count,
+                              .threads = 1,
+                              .progress = m->progress,
+                              .follows_time = study->follows_time};
     YkStudy *one = yk_study_new(m->state, &options, NULL);
     if (!one) return YK_NO_MEMORY;
     YkStudyCase asked = {.design_count = 1, .inputs = w->inputs, .pose_count = n, .times = w->times};

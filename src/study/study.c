@@ -184,6 +184,7 @@ YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkPro
         study->channel_count = options->channel_count;
         study->parameter_count = options->parameter_count;
         study->progress = options->progress;
+        study->follows_time = options->follows_time;
         study->worker = calloc(threads, sizeof *study->worker);
         study->thread = calloc(threads, sizeof *study->thread);
         study->channels = calloc(options->channel_count + 1, sizeof *study->channels);

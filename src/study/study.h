@@ -98,6 +98,7 @@ struct YkStudy {
     size_t thread_count;
     YkChannel *channels;
     size_t channel_count, parameter_count;
+    bool follows_time;
     double *own; // values of the file
     YkProgress progress;
 };

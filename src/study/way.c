@@ -268,7 +268,11 @@ static bool go_by_lanes(YkWorker *w, Answers *a)
 static YkStatus take_over(YkWorker *w)
 {
     w->way.is_stepwise = true;
-    if (!w->way.has_answered) return yk_worker_stand(w);
+    if (!w->way.has_answered) {
+        YkStatus status = yk_worker_stand(w);
+        if (w->study->follows_time) w->state->time = 0;
+        return status;
+    }
     yk_state_copy(w->state, w->begun);
     yk_batch_refer(w->batch, w->state);
     memcpy(w->state->input, w->last, 3 * w->mech->input_count * sizeof *w->last);
@@ -304,9 +308,19 @@ static void note_barrier(YkWorker *w, size_t moving, double from, double part)
     w->way.barrier[to > from] = (YkBarrier){true, from + part * (to - from)};
 }
 
+// Moves the state along its drives to the time of a pose; if it cannot get there, it stays at the last pose it reached.
+static YkStatus move_in_time(YkWorker *w, size_t pose)
+{
+    yk_state_copy(w->kept, w->state);
+    YkStatus status = yk_state_move_time(w->state, time_at(w, pose), NULL, NULL, NULL);
+    if (status < 0) yk_state_copy(w->state, w->kept);
+    return status == YK_REDUNDANT ? YK_OK : status;
+}
+
 // Moves the state to a pose; if it cannot get there, it stays at the last pose it reached.
 static YkStatus move(YkWorker *w, size_t pose)
 {
+    if (w->study->follows_time) return move_in_time(w, pose);
     YkMoveOptions options = yk_default_move_options();
     YkMove way;
     if (w->way.has_answered) options.detours = 0; // later poses follow the first one along their range
@@ -330,7 +344,7 @@ static YkStatus move(YkWorker *w, size_t pose)
 static YkStatus answer(YkWorker *w, size_t pose, YkStatus status, double *const *outputs)
 {
     YkPoseForces *forces = w->batch ? yk_batch_forces(w->batch) : w->forces;
-    w->state->time = time_at(w, pose);
+    if (!w->study->follows_time) w->state->time = time_at(w, pose);
     for (size_t c = 0; c < w->study->channel_count; c++) {
         YkChannel channel = w->study->channels[c];
         bool has_value = status >= 0 && !yk_channel_needs_forces(channel);
@@ -365,7 +379,7 @@ YkStatus yk_worker_go(YkWorker *w, double *const *outputs, signed char *status, 
 {
     Answers a = {outputs, status, count, 0};
     if (count == 0) return YK_OK;
-    if (w->batch && !w->way.is_stepwise && go_by_lanes(w, &a)) {
+    if (w->batch && !w->study->follows_time && !w->way.is_stepwise && go_by_lanes(w, &a)) {
         w->way.has_answered = true;
         return YK_OK;
     }

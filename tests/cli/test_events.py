@@ -1,8 +1,10 @@
 """Events: those of a sweep beyond what it keeps are counted, and told; what is none is not."""
+import math
 import os
+import re
 import unittest
 
-from harness import Case, ROOT
+from harness import Case, ROOT, Run
 
 FOUR_BAR = os.path.join(ROOT, "examples", "four-bar.yaml")
 KEPT = 10000
@@ -45,6 +47,47 @@ class Events(Case):
         self.assertGreater(sum(a * b < 0 for a, b in zip(rates, rates[1:])), 3)
         self.assertEqual([event for event in run["events"] if event.get("kind", event.get("event")) == "dead-point"], [])
         self.assertEqual(run["events"], [])
+
+
+class NearLimits(Case):
+    """A piston that is driven to its dead centre, or nearly, in closed form."""
+
+    def piston(self, stroke):
+        return self.write("piston.yaml", """\
+bodies:
+  ground:  {points: {O: [0, 0]}}
+  crank:   {points: {O: [0, 0], A: [30 mm, 0]}, mass: 0.5 kg, inertia: 1e-4 kg*m^2, center: [0, 0]}
+  coupler: {points: {A: [0, 0], B: [80 mm, 0]}, mass: 0.2 kg, inertia: 1e-4 kg*m^2, center: [40 mm, 0]}
+  piston:  {points: {B: [0, 0]}, mass: 0.3 kg, inertia: 1e-4 kg*m^2}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  A: {pin: [crank, coupler], angle: phi}
+  B: {pin: [coupler, piston]}
+  S: {slide: [ground, piston], along: x, from: O, to: B, distance: s}
+drives: {s: %s}
+start: {theta: 60 deg, phi: -90 deg}
+""" % stroke)
+
+    def test_a_drive_that_turns_back_just_before_a_limit_is_followed(self):
+        """By so little that the crank is within the root of rounding of its dead point."""
+        for off in (1e-3, 1e-5, 1e-8, 1e-10, 1e-13):
+            swing = math.pi - 2 - off
+            file = self.piston("80 mm + 30 mm * cos(2 rad + %.15f rad * sin(1 rad/s * t))" % swing)
+            run = self.good("simulate", file, "--to", "6s", "--steps", "12", "--of", "theta,energy", "--format", "json").json()
+            self.assertEqual(len(run["rows"]), 13)
+            for t, theta, _ in run["rows"]:
+                s = 0.08 + 0.03 * math.cos(2 + swing * math.sin(t))
+                self.assertAlmostEqual(theta, math.acos((s * s + 0.03**2 - 0.08**2) / (2 * 0.03 * s)), places=9, msg=(off, t))
+
+    def test_a_motion_ends_at_the_limit_itself(self):
+        ends = {"80 mm + 31 mm * cos(1 rad/s * t + 1 rad)": math.acos(-30 / 31) - 1,
+                "51 mm + 100 mm/s^2 * t^2": math.sqrt(0.59)}
+        for stroke, end in ends.items():
+            run = Run("simulate", self.piston(stroke), "--to", "6s", "--steps", "6", "--of", "theta")
+            self.assertEqual(run.code, 1)
+            found = re.search(r"the motion ends at t = (\S+) s: a limit position: beyond, joint `B` does not close \[E0820\]", run.err)
+            self.assertTrue(found, run.err)
+            self.assertAlmostEqual(float(found.group(1)), end, delta=1e-9 * max(1, end))
 
 
 if __name__ == "__main__":

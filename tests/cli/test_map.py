@@ -1,6 +1,7 @@
 """`yoke map`: all circuits of a machine, in text, JSON and pictures, and what it refuses."""
 import math
 import os
+import re
 import unittest
 
 from harness import ROOT, Case, Run
@@ -37,6 +38,14 @@ class Map(Case):
         limit = next(e for e in run.json()["events"] if e["kind"] == "limit")
         self.assertAlmostEqual(limit["at"], at, 9)
 
+    def test_the_range_of_a_group_ends_where_the_map_has_limits(self):
+        file = example("double-butterfly")
+        limits = [e["at"] for c in self.answer(file, "--over", "lambda")["circuits"] for e in c["events"] if e["kind"] == "limit"]
+        run = Run("sweep", file, "--over", "lambda=0:1", "--steps", "4", "--format", "json")
+        (ends,) = run.json()["ranges"]
+        for end in ends:
+            self.assertLess(min(abs(end - at) for at in limits), 1e-9)
+
     def test_the_drive_stands_at_dead_points(self):
         answer = self.answer(example("non-grashof"), "--over", "theta4")
         kinds = [(e["kind"], e["of"]) for e in answer["circuits"][0]["events"]]
@@ -52,6 +61,26 @@ class Map(Case):
         self.assertIn("circuit 1: theta4 from 54.9004 to 128.682 deg, two branches; contains the start", out)
         self.assertIn("turn fully: O2, A\n", out)
         self.assertIn("circuit 1: theta2 at every angle, one branch", self.good("map", example("four-bar")).out)
+
+    def test_places_where_circuits_meet_have_the_digits_that_are_known(self):
+        """A kite meets itself where its crank lies along the ground, at any angle of the ground."""
+        for turned in (0, 0.123456789123):
+            kite = self.write("kite.yaml", """bodies:
+  ground: {points: {O: [0, 0], C: [%r, %r]}}
+  crank:  {points: {O: [0, 0], A: [1, 0]}}
+  coupler: {points: {A: [0, 0], B: [1.5, 0]}}
+  rocker:  {points: {C: [0, 0], B: [1.5, 0]}}
+joints:
+  O: {pin: [ground, crank], angle: th}
+  C: {pin: [ground, rocker], angle: ps}
+  A: {pin: [crank, coupler]}
+  B: {pin: [coupler, rocker]}
+start: {th: %r, ps: %r}
+""" % (math.cos(turned), math.sin(turned), turned + 0.7, turned + 1.7))
+            text = self.good("map", kite, "--over", "th").out
+            place = "0" if turned == 0 else "%.9f" % turned
+            self.assertEqual(re.findall(r"change point  A +(\S+) ", text), [place, place], text)
+            self.assertIn("near 0 rad" if turned == 0 else "near 0.123457 rad", text)
 
     def test_pictures(self):
         path = self.path("map.svg")

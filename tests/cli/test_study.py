@@ -209,30 +209,6 @@ start: {alpha: -60 deg, psi: 60 deg}
         self.assertIn("drives: {q: 1 + w*t}\n", run.err)
         self.assertIn("[E0508]", run.err)
 
-    def test_a_full_stroke_is_no_way_of_straight_moves(self):
-        """Between two poses the drive turns back at a limit: a study would miss that the crank goes on through its dead point."""
-        file = self.write("stroke.yaml", """\
-parameters: {m: 1 kg}
-bodies:
-  ground: {points: {O: [0, 0]}}
-  crank: {points: {O: [0, 0], A: [0.1, 0]}}
-  rod: {points: {A: [0, 0], B: [0.25, 0]}}
-  piston: {points: {B: [0, 0]}, mass: m}
-joints:
-  O: {pin: [ground, crank], angle: th}
-  A: {pin: [crank, rod], angle: ph}
-  B: {pin: [rod, piston]}
-  S: {slide: [ground, piston], along: x, distance: s}
-drives: {s: "0.25 m + 0.1 m * cos(t*1 rad/s + 0.5)"}
-start: {th: 0.5, ph: -0.8}
-""")
-        study = ["study", file, "--vary", "m=1kg:2kg:2", "--of", "th", "--steps", "5", "--over"]
-        run = self.wrong(646, *study, "t=0:6s")
-        self.assertIn("t = 2.64159 s", run.err)  # pi - 0.5
-        self.good(*study, "t=0:2.6s")
-        self.wrong(646, *study, "t=2.7s:5.7s")  # on the way from t = 0
-        self.wrong(646, *study[:-3], "--time", "3s")
-
     def test_npy_is_what_csv_says(self):
         path = os.path.join(self.folder, "out.npy")
         self.good("study", self.four_bar, "--vary", "a=20:300:7", "--of", "theta3", "-o", path, "-q")
@@ -461,6 +437,67 @@ start: {th: 0.5, ph: -0.8}
             refuse(824, "--sample", self.write("bad.yaml", text), "--of", "arm.P.x")
         driven = self.write("driven.yaml", SUM.replace("start: {q: 0}", "drives: {q: a/b * t * 1 rad/s}"))
         refuse(508, "--vary", "a=1:2:3", "--of", "arm.P.x", file=driven)
+
+
+class FullStrokes(Case):
+    """A piston driven over its full stroke takes its crank round: in closed form, the crank is in the half turn of the drive's phase."""
+
+    MACHINE = """\
+parameters: {m: 1 kg, r: 30 mm}
+bodies:
+  ground:  {points: {O: [0, 0]}}
+  crank:   {points: {O: [0, 0], A: [r, 0]}, mass: m, inertia: 1e-4 kg*m^2, center: [0, 0]}
+  coupler: {points: {A: [0, 0], B: [80 mm, 0]}, mass: 0.2 kg, inertia: 1e-4 kg*m^2, center: [40 mm, 0]}
+  piston:  {points: {B: [0, 0]}, mass: 0.3 kg, inertia: 1e-4 kg*m^2}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  A: {pin: [crank, coupler]}
+  B: {pin: [coupler, piston]}
+  S: {slide: [ground, piston], along: x, from: O, to: B, distance: s}
+drives: {s: 80 mm + 30 mm * cos(1 rad/s * t + 1 rad)}
+start: {theta: 60 deg, A.angle: -90 deg}
+"""
+
+    def crank(self, t, r=0.03):
+        phase, l = t + 1, 0.08
+        s = 0.08 + 0.03 * math.cos(phase)
+        angle = math.acos(max(-1, min(1, (s * s + r * r - l * l) / (2 * r * s))))
+        turns = 2 * math.pi * math.floor(phase / (2 * math.pi))
+        return turns + angle if math.sin(phase) >= 0 else turns + 2 * math.pi - angle
+
+    def study(self, *words):
+        return self.good("study", self.write("piston.yaml", self.MACHINE), *words, "--format", "json").json()
+
+    def test_every_pose_is_where_the_drive_takes_it(self):
+        for t in (0.5, 2, 2.3, 4, 5.2, 5.4, 8, 20, 500):
+            for row in self.study("--vary", "m=1kg:2kg:2", "--time", "%rs" % t, "--of", "theta")["rows"]:
+                self.assertAlmostEqual(row[3], self.crank(t), places=10, msg=t)
+
+    def test_a_range_of_poses(self):
+        """Longer than a block of poses, and with poses just at the dead points."""
+        for end, steps in ((20, 400), (4 * (math.pi - 1), 8), (3, 7)):
+            answer = self.study("--vary", "m=1kg:2kg:2", "--over", "t=0:%rs" % end, "--steps", str(steps), "--of", "theta")
+            values = [self.crank(end * k / steps) for k in range(steps + 1)]
+            for row in answer["rows"]:
+                self.assertEqual(row[2], steps + 1)
+                for got, wanted in zip(row[3:], (min(values), max(values), sum(values) / len(values))):
+                    self.assertAlmostEqual(got, wanted, places=6)  # at a dead point, the root of rounding
+
+    def test_designs_with_other_strokes(self):
+        """A longer crank turns back with the drive before its dead point; a shorter one does not close."""
+        answer = self.study("--vary", "r=29mm:31mm:3", "--over", "t=0:6s", "--steps", "60", "--of", "theta")
+        short, own, long = answer["rows"]
+        self.assertEqual([short[1], own[1], long[1]], ["limit", "ok", "ok"])
+        self.assertAlmostEqual(own[4], self.crank(6), places=9)
+        s = 0.08 + 0.03 * math.cos(math.floor((math.pi - 1) * 10 + 0.5) / 10 + 1)  # of the row nearest to the turn
+        self.assertAlmostEqual(long[4], math.acos((s * s + 0.031**2 - 0.08**2) / (2 * 0.031 * s)), places=10)
+
+    def test_what_cannot_follow_is_refused(self):
+        file = self.write("piston.yaml", self.MACHINE)
+        for words in (("--sensitivities",), ("--assembly", "nearest"), ("--over", "s=60mm:90mm")):
+            run = self.wrong(646, "study", file, "--vary", "m=1kg:2kg:2", "--of", "theta", "--time", "4s", *words)
+            self.assertIn("t = 2.14159 s", run.err)  # pi - 1
+            self.assertIn("cannot follow it", run.err)
 
 
 if __name__ == "__main__":

@@ -275,6 +275,7 @@ static void test_places_at_which_configurations_touch_are_told(void **unused)
             char *end;
             double u = strtod(strstr(place, " at ") + 4, &end), v = strtod(strstr(end, ", ") + 2, &end);
             CHECK_NEAR(u, YK_PI, 1e-5);
+            assert_memory_equal(strstr(place, ", "), ", 0 rad", 7); // and not rounding noise
             CHECK_NEAR(v, 0, 1e-8);
             assert_null(strstr(end, " at "));
         }

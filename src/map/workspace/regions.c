@@ -98,6 +98,14 @@ static int compare(const void *a, const void *b)
     return p->cell < q->cell ? -1 : p->cell > q->cell;
 }
 
+// Rounds a place to the decimals to which it is known: it was found on poses a tenth of a cell apart.
+static double known(const YkField *f, int axis, double at)
+{
+    double tens = 1;
+    while (tens < 1e4 / f->step[axis]) tens *= 10;
+    return rint(at * tens) / tens + 0.0; // -0 becomes 0
+}
+
 // Lists the places of one kind, if there are any.
 static void tell_places(const YkRegions *r, bool is_touch, const char *what, YkText *text)
 {
@@ -108,8 +116,8 @@ static void tell_places(const YkRegions *r, bool is_touch, const char *what, YkT
         const YkFoldPlace *p = &f->folds[k];
         if (p->is_touch != is_touch || count++ >= SHOWN) continue;
         yk_text_format(text, "%sjoint `%s` at %e %s, %e %s", count == 1 ? what : "; ",
-                       r->mech->blocks[f->tracer.pieces[p->level].block].label, p->at[0], f->is_angle[0] ? "rad" : "m",
-                       p->at[1], f->is_angle[1] ? "rad" : "m");
+                       r->mech->blocks[f->tracer.pieces[p->level].block].label, known(f, 0, p->at[0]),
+                       f->is_angle[0] ? "rad" : "m", known(f, 1, p->at[1]), f->is_angle[1] ? "rad" : "m");
     }
     if (count > SHOWN) yk_text_format(text, "; and %z others", count - SHOWN);
 }

@@ -6,6 +6,7 @@
 #include "write/table.h"
 
 enum { EVENT_DIGITS = 12 };
+static const double meeting_known = 1e-9; // rad, or machine sizes: where a change point is known to lie
 
 static void add_count(YkText *text, size_t count, const char *one, const char *many)
 {
@@ -86,6 +87,18 @@ static double shown(const YkMapAnswer *answer, double value, bool is_distance)
     return fabs(value) < noise ? 0 : yk_shown(answer->session, value, yk_quantity_of(is_distance, 0));
 }
 
+// Writes the place of an event to the digits that are known.
+static void add_place(const YkMapAnswer *answer, YkTable *table, YkMapEvent event)
+{
+    bool is_angle = answer->quantity == YK_QUANTITY_ANGLE;
+    double known = meeting_known * (is_angle ? 1 : yk_mechanism_size(answer->session->mech));
+    int digits = EVENT_DIGITS;
+    if (event.kind == YK_MAP_CHANGE_POINT || event.kind == YK_MAP_DEAD_POINT)
+        for (digits = 1; digits < EVENT_DIGITS && fabs(event.at) >= 10 * known; digits++) known *= 10;
+    bool is_noise = digits == 1 && fabs(event.at) < known;
+    yk_table_number(table, is_noise ? 0 : yk_shown(answer->session, event.at, answer->quantity), digits);
+}
+
 static void add_event_row(const YkMapAnswer *answer, YkTable *table, size_t circuit, size_t k)
 {
     const YkSession *session = answer->session;
@@ -94,7 +107,7 @@ static void add_event_row(const YkMapAnswer *answer, YkTable *table, size_t circ
     yk_table_number(table, (double)circuit + 1, YK_DIGITS);
     yk_table_word(table, word_of(event.kind));
     yk_table_word(table, of ? of : "");
-    yk_table_number(table, yk_shown(session, event.at, answer->quantity), EVENT_DIGITS);
+    add_place(answer, table, event);
     for (size_t c = 0; c < yk_coordinate_count(session->mech); c++) {
         YkCoordinateInfo info = yk_coordinate_info(session->mech, c);
         if (c == yk_map_coordinate(answer->map) || !info.is_declared) continue;

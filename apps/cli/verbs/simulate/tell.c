@@ -16,7 +16,8 @@ static void add_event(const YkSimulationAnswer *answer, size_t index, YkText *te
 {
     YkHappening happening = yk_simulation_happening(answer->simulation, index);
     yk_text_format(text, "simulate: %s of %s at t = ", yk_happening_word(happening.kind), happening.name);
-    yk_add_value(answer->session, text, happening.time, YK_QUANTITY_TIME, TIME_DIGITS);
+    bool is_blurred = happening.kind == YK_HAPPENING_CHANGE_POINT; // found between two steps, to 1e-6 or so
+    yk_add_value(answer->session, text, happening.time, YK_QUANTITY_TIME, is_blurred ? YK_DIGITS : TIME_DIGITS);
     yk_text_puts(text, "\n");
 }
 

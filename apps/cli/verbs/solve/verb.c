@@ -6,6 +6,7 @@
 #include "reach.h"
 #include "roll.h"
 #include "stop.h"
+#include "stops_passed.h"
 #include "verbs/solve/solve.h"
 
 // The writer for the format, and what it writes for a configuration.
@@ -17,7 +18,8 @@ typedef struct Writer {
     YkMethod method;
     YkState *scratch;
     YkLawWatch *laws; // that a configuration has left
-    YkState *own;     // --all: the machine's own pose; NULL if it does not get there
+    YkStopWatch *stops;
+    YkState *own; // --all: the machine's own pose; NULL if it does not get there
 } Writer;
 
 // Returns whether the machine has inputs whose accelerations are sought.
@@ -51,6 +53,7 @@ static YkStatus find_forces(Writer *writer, YkState *state)
 static void write_one(Writer *writer, const YkState *state)
 {
     yk_law_watch_look(writer->laws, state, writer->dynamics, yk_state_time(state));
+    yk_stop_watch_look(writer->stops, state, 0);
     switch (writer->session->request->format) {
     case YK_FORMAT_TEXT:
         yk_solve_text(writer->session, state, writer->count);
@@ -142,6 +145,7 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
         if (all) write_report(writer, report);
         yk_certify_json(session, &writer->json);
         yk_add_laws_json(&writer->json, writer->laws, false);
+        yk_add_stops_json(&writer->json, writer->stops, false);
         yk_json_end(&writer->json);
     } else if (session->request->format == YK_FORMAT_TEXT && all) {
         bool is_told = report->reason != YK_COMPLETE_BY_CLOSED_FORM;
@@ -182,6 +186,7 @@ static int solve(Writer *writer)
     YkStatus written = write_all(writer, pose, &all);
     end(writer, &all);
     yk_warn_of_laws(session, writer->laws, NULL, YK_QUANTITY_TIME);
+    yk_warn_of_stops(writer->stops, NULL, YK_QUANTITY_TIME);
     int exit_code = yk_status_exit(status < 0 ? status : written);
     if (exit_code == YK_EXIT_DONE && yk_lacks_construction(session)) exit_code = YK_EXIT_NO_ANSWER;
     return yk_session_finish(session, exit_code);
@@ -218,14 +223,16 @@ int yk_run_solve(YkSession *session)
     writer.dynamics = session->dynamics;
     writer.scratch = yk_session_new_state(session, session->mech);
     writer.laws = yk_session_watch_laws(session);
+    writer.stops = yk_session_watch_stops(session);
     int exit_code = YK_EXIT_WRONG;
-    if (good && writer.scratch && writer.laws) {
+    if (good && writer.scratch && writer.laws && writer.stops) {
         exit_code = solve(&writer);
     } else if (good) {
         yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     }
     yk_state_free(writer.scratch);
     yk_law_watch_free(writer.laws);
+    yk_stop_watch_free(writer.stops);
     session->columns = NULL;
     yk_columns_free(&columns);
     session->dynamics = writer.dynamics; // the session frees it

@@ -231,6 +231,7 @@ static bool make_study(YkStudyAnswer *answer)
                               .channel_count = answer->column_count,
                               .threads = answer->threads,
                               .start = answer->start,
+                              .follows_time = answer->follows_time,
                               .progress = yk_stop_progress(session)};
     answer->timed = yk_state_new(session->mech);
     bool good = channels && names && problems && answer->timed && yk_state_copy(answer->timed, session->state) >= 0 &&

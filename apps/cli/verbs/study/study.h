@@ -57,6 +57,7 @@ typedef struct YkStudyAnswer {
     double began, next_line; // s of real time: when computing began; when the next line of progress is due
     size_t found;            // designs that were done already
     bool is_interrupted;
+    bool follows_time;                         // designs go along their drives, not straight from pose to pose
     double *derivative, *difference;           // [column][axis], with --sensitivities
     YkStatus start_status, sensitivity_status; // below 0: the file itself has no valid pose, and no design has
 } YkStudyAnswer;
@@ -110,7 +111,8 @@ static inline size_t yk_study_kinds(const YkStudyAnswer *a) // answers a column 
 void yk_study_name(const YkStudyAnswer *answer, size_t k, YkText *name);
 YkQuantity yk_study_quantity(const YkStudyAnswer *answer, size_t k);
 
-// turns.c: returns whether a study over time can follow the machine; adds a problem if it cannot.
+// turns.c: finds whether a drive turns back just at a limit on the way, so that designs must follow their drives in time.
+// Returns false with a problem added if they cannot.
 bool yk_study_check_turns(YkStudyAnswer *answer);
 // Gathers a row into the sum.
 void yk_study_note(YkStudyAnswer *answer, size_t design, const double *row);

@@ -100,6 +100,7 @@ void yk_sweep_json(const YkSweepAnswer *answer)
     add_rows(answer, &json);
     add_events(answer, &json);
     yk_add_laws_json(&json, answer->laws, true);
+    if (answer->stops) yk_add_stops_json(&json, answer->stops, true);
     add_ranges(answer, &json);
     add_strokes(answer, &json);
     yk_certify_json(answer->session, &json);

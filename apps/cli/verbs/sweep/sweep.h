@@ -4,6 +4,7 @@
 #include "answer.h"
 #include "columns.h"
 #include "range.h"
+#include "stops_passed.h"
 
 enum { YK_RANGES_MAX = 32 };
 
@@ -31,6 +32,7 @@ typedef struct YkSweepAnswer {
     float *sines;      // per row, for text: the least sine of a transmission angle, which spoils digits; NULL: none
     size_t row_capacity, visited; // of it
     YkLawWatch *laws;             // that the rows have left
+    YkStopWatch *stops;           // that they have passed
     YkHeldColumn *held;           // [column]
 } YkSweepAnswer;
 

@@ -124,6 +124,7 @@ static void look(void *context, const YkState *state)
     if (row < answer->row_capacity) answer->sines[row] = (float)least_sine(answer->session->mech, state);
     yk_sweep_look_at_friction(answer, state);
     yk_law_watch_look(answer->laws, state, answer->session->dynamics, yk_sweep_place(answer, state));
+    yk_stop_watch_look(answer->stops, state, yk_sweep_place(answer, state));
 }
 
 static bool run(YkSweepAnswer *answer, size_t steps)
@@ -134,9 +135,10 @@ static bool run(YkSweepAnswer *answer, size_t steps)
     answer->strokes = calloc(answer->column_count + 1, sizeof *answer->strokes);
     answer->held = calloc(answer->column_count + 1, sizeof *answer->held);
     answer->laws = yk_session_watch_laws(session);
+    answer->stops = yk_session_watch_stops(session);
     answer->row_capacity = session->request->format == YK_FORMAT_TEXT ? steps + 1 : 0;
     answer->sines = calloc(answer->row_capacity + 1, sizeof *answer->sines);
-    if (start && channels && answer->strokes && answer->held && answer->sines && answer->laws) {
+    if (start && channels && answer->strokes && answer->held && answer->sines && answer->laws && answer->stops) {
         YkSweepOptions options = yk_default_sweep_options();
         options.coordinate = answer->over.coordinate;
         options.from = answer->over.from;
@@ -204,6 +206,7 @@ static int answer_sweep(YkSweepAnswer *answer, size_t steps)
     yk_certify_warn(session);
     yk_sweep_warn_of_friction(answer);
     yk_warn_of_laws(answer->session, answer->laws, answer->over.name, answer->over.quantity);
+    yk_warn_of_stops(answer->stops, answer->over.name, answer->over.quantity);
     return write_answer(answer);
 }
 
@@ -249,6 +252,7 @@ int yk_run_sweep(YkSession *session)
     if (good) exit_code = answer_sweep(answer, steps);
     yk_sweep_free(answer->sweep);
     yk_law_watch_free(answer->laws);
+    yk_stop_watch_free(answer->stops);
     yk_text_free(&answer->message);
     yk_text_free(&answer->label);
     free(answer->columns);
