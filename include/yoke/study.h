@@ -22,13 +22,13 @@ typedef struct YkStudyOptions {
     // compiled with them, at whose inputs each design starts. NULL: the state itself. Its mechanism must outlive the
     // study.
     const YkState *start;
+    // Watches yk_study_new and every later call on the study; {NULL}: not watched. It is called on the thread that makes
+    // the call, whatever the number of threads, with the part of the designs (or parameters) that is done.
+    YkProgress progress;
     // Moves every design along its drives in time, from t = 0, instead of straight from pose to pose, as a drive needs
     // that turns back just at a limit between two poses. `times` of a request then give the poses, and `inputs` what
     // the drives have there; nothing is held. Pose by pose, with allocations.
     bool follows_time;
-    // Watches yk_study_new and every later call on the study; {NULL}: not watched. It is called on the thread that makes
-    // the call, whatever the number of threads, with the part of the designs (or parameters) that is done.
-    YkProgress progress;
 } YkStudyOptions;
 
 typedef struct YkStudy YkStudy;

@@ -210,7 +210,7 @@ static size_t compare(const char *source)
         channels[count++] = (YkChannel){YK_CHANNEL_COORDINATE, (int)k, 0, YK_QUANTITY_NUMBER};
     YkState *state = yk_state_new(v.m.mech);
     assert_true(state && yk_state_set_time(v.state, 0, NULL) == YK_OK && yk_state_set_time(state, 0, NULL) == YK_OK);
-    YkStudyOptions options = {v.name, v.count, channels, count, 1, NULL, {NULL, NULL}};
+    YkStudyOptions options = {v.name, v.count, channels, count, 1, NULL};
     double *ways[2] = {calloc(count * v.count + 1, sizeof(double)), calloc(count * v.count + 1, sizeof(double))};
     bool stands = yk_state_assemble(v.state) == YK_OK && yk_state_assemble(state) == YK_OK;
     YkStudy *study = stands && v.count > 0 ? yk_study_new(state, &options, v.m.problems) : NULL;
