@@ -5,7 +5,7 @@
 file(GLOB YOKE_KERNELS CONFIGURE_DEPENDS src/solve/kernels/*.c src/equations/kernels_*.c src/study/kernels_*.c src/law/kernels_*.c src/graph/tape_run.c)
 list(APPEND YOKE_KERNELS src/elementary/sine.c src/solve/single.c src/solve/run.c src/solve/state.c src/solve/answer.c)
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32") # scalar and small there, but for what solves one pose
-  list(FILTER YOKE_KERNELS INCLUDE REGEX "(sine|single|run)\\.c$")
+  list(FILTER YOKE_KERNELS INCLUDE REGEX "(sine|single)\\.c$")
   set_source_files_properties(${YOKE_KERNELS} PROPERTIES COMPILE_OPTIONS "-O2")
   return()
 endif()

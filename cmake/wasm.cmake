@@ -52,7 +52,7 @@ set_target_properties(yoke PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${CM
 # What the page's panels need: the same flat functions as core.wasm, those of curves and simulations, and the verbs by which
 # panels are filled. The verbs that take their time or write files are in yoke.wasm alone.
 file(GLOB door CONFIGURE_DEPENDS web/core/*.c)
-set(left "/(new|explain|rest|study|report|code|studio|synthesize|map|cognates|balance)/verb[.]c|/gallery[.]c|/certify[.]c")
+set(left "/(new|explain|rest|study|report|code|synthesize|map|cognates|balance)/verb[.]c|/studio/in_browser[.]c|/gallery[.]c|/certify[.]c")
 target_sources(yoke PRIVATE ${door} ${YOKE_WASI}/start.c) # a page in one file has no panels.wasm
 target_include_directories(yoke PRIVATE web/core)
 target_link_options(yoke PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
