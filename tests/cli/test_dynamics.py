@@ -222,8 +222,7 @@ class Laws(Machine):
         self.near(one["B.force.y"], -two["B.force.y"], 1e-13, "y")
 
 
-
-class Laws(Machine):
+class DrivesByLaws(Machine):
     def test_a_drive_by_a_law_tells_its_effort(self):
         """It was 0 in all verbs: what lifts the mass is m (g + s''), and its power is the other drive's."""
         file = self.write("law.yaml", """
