@@ -80,6 +80,18 @@ static void add_word(Reader *reader, YkWords *words, const char *value)
     }
 }
 
+// Returns whether a name has another value already, and says so.
+static bool is_given(Reader *reader, const YkOption *option, const YkAssignments *pairs, YkAssignment own)
+{
+    for (size_t k = 0; k < pairs->count; k++) {
+        if (strcmp(pairs->items[k].name, own.name) != 0 || strcmp(pairs->items[k].value, own.value) == 0) continue;
+        yk_problem(reader->problems, YK_CODE_OPTION_REPEATED, nowhere, "--%s gives %q twice: %q and %q", option->name,
+                   own.name, pairs->items[k].value, own.value);
+        return true;
+    }
+    return false;
+}
+
 static void add_pair(Reader *reader, const YkOption *option, YkAssignments *pairs, const char *value)
 {
     const char *equals = strchr(value, '=');
@@ -88,15 +100,10 @@ static void add_pair(Reader *reader, const YkOption *option, YkAssignments *pair
                    value);
         return;
     }
-    const char *name = yk_arena_copy(reader->request->arena, value, (size_t)(equals - value));
-    for (size_t k = 0; name && option->offset != offsetof(YkRequest, event) && k < pairs->count; k++) {
-        if (strcmp(pairs->items[k].name, name) != 0 || strcmp(pairs->items[k].value, equals + 1) == 0) continue;
-        yk_problem(reader->problems, YK_CODE_OPTION_REPEATED, nowhere, "--%s gives %q twice: %q and %q", option->name,
-                   name, pairs->items[k].value, equals + 1);
-        return;
-    }
-    if (name && YK_ROOM(pairs->items, pairs->count, pairs->capacity)) {
-        pairs->items[pairs->count++] = (YkAssignment){name, equals + 1};
+    YkAssignment own = {yk_arena_copy(reader->request->arena, value, (size_t)(equals - value)), equals + 1};
+    if (own.name && option->kind == YK_OPTION_VALUES && is_given(reader, option, pairs, own)) return;
+    if (own.name && YK_ROOM(pairs->items, pairs->count, pairs->capacity)) {
+        pairs->items[pairs->count++] = own;
     } else {
         run_out(reader);
     }
@@ -124,6 +131,7 @@ static void set_option(Reader *reader, const YkOption *option, const char *value
     case YK_OPTION_WORDS:
         add_word(reader, field(reader, option), value);
         break;
+    case YK_OPTION_VALUES:
     case YK_OPTION_PAIRS:
         add_pair(reader, option, field(reader, option), value);
         break;

@@ -3,7 +3,13 @@
 #define CLI_OPTIONS_H
 #include "cli.h"
 
-typedef enum YkOptionKind { YK_OPTION_SWITCH, YK_OPTION_WORD, YK_OPTION_WORDS, YK_OPTION_PAIRS } YkOptionKind;
+typedef enum YkOptionKind {
+    YK_OPTION_SWITCH,
+    YK_OPTION_WORD,
+    YK_OPTION_WORDS,  // any number of words
+    YK_OPTION_VALUES, // any number of NAME=VALUE, one for each name
+    YK_OPTION_PAIRS,  // any number of NAME=VALUE; a name may have several
+} YkOptionKind;
 
 typedef struct YkOption {
     const char *name;
