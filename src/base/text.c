@@ -56,6 +56,14 @@ bool yk_text_reserve(YkText *text, size_t extra)
     return true;
 }
 
+void yk_text_move(YkText *text, char *to, size_t size)
+{
+    size_t length = text->failed ? 0 : text->length < size ? text->length : size - 1;
+    if (length > 0) memcpy(to, text->data, length);
+    to[length] = '\0';
+    yk_text_free(text);
+}
+
 void yk_text_repeat(YkText *text, char character, size_t count)
 {
     if (!yk_text_reserve(text, count)) return;

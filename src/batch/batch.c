@@ -222,7 +222,6 @@ static YkRun run_of(const YkBatch *b)
 static bool run_alone(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs)
 {
     YkSpace *space = &b->single;
-    YkPoseForces *f = b->forces;
     for (size_t i = 0; i < 3 * b->mech->input_count; i++)
         b->lanes_of[i] = inputs[i] ? inputs[i] : b->constant + i * b->lanes;
     run->lanes = 1;
@@ -234,11 +233,7 @@ static bool run_alone(YkBatch *b, YkRun *run, const double *const *inputs, doubl
         *space->margin > yk_state_close_margin(b->state) && *space->gap <= b->mech->size * YK_CLOSING_TOLERANCE;
     for (size_t k = 0; is_well && k < b->plain_count; k++)
         yk_batch_write_channel(b, run, b->plain[k], false, outputs[b->plain[k]]);
-    if (!is_well || !f) return is_well;
-    yk_pose_forces_follow(f);
-    if (f->position_count > 0) yk_batch_write_positions(b, run);
-    YkLanePose pose = {space, run->inputs, b->state->time, NULL, (const double *const *)f->position, NULL};
-    return yk_pose_forces_run_one(f, &pose, outputs, 0);
+    return is_well && (!b->forces || yk_batch_run_forces_alone(b, run, outputs, 0));
 }
 
 YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,

@@ -27,26 +27,39 @@ static void run_some(YkPoseForces *f, YkLanePose *pose, double *const *outputs, 
 
 void yk_batch_write_positions(const YkBatch *b, const YkRun *run)
 {
-    for (size_t k = 0; k < b->mech->coordinate_count; k++)
+    for (size_t k = 0; b->forces->position_count > 0 && k < b->mech->coordinate_count; k++)
         if (b->forces->position[k]) yk_batch_write_angle(b, run, k, b->forces->position[k], run->lanes);
+}
+
+static YkLanePose begin_forces(YkBatch *b, const YkRun *run)
+{
+    yk_pose_forces_follow(b->forces);
+    yk_batch_write_positions(b, run);
+    return (YkLanePose){b->now, run->inputs, b->state->time, b->times, (const double *const *)b->forces->position,
+                        NULL};
+}
+
+bool yk_batch_run_forces_alone(YkBatch *b, const YkRun *run, double *const *outputs, size_t at)
+{
+    YkLanePose pose = begin_forces(b, run);
+    return yk_pose_forces_run_one(b->forces, &pose, outputs, at);
 }
 
 void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, size_t at, const bool *wanted)
 {
     YkPoseForces *f = b->forces;
-    yk_pose_forces_follow(f);
-    yk_batch_write_positions(b, run);
-    YkLanePose pose = {b->now, run->inputs, b->state->time, b->times, (const double *const *)f->position, NULL};
+    if (b->now == &b->single) {
+        yk_batch_run_forces_alone(b, run, outputs, at);
+        return;
+    }
+    YkLanePose pose = begin_forces(b, run);
     size_t count = wanted ? list_lanes(f, wanted, run->lanes) : run->lanes;
     if (count < run->lanes) {
         run_some(f, &pose, outputs, at, run->lanes, count);
         return;
     }
     for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + at;
-    if (b->now == &b->single)
-        yk_pose_forces_run_one(f, &pose, outputs, at);
-    else
-        yk_lane_forces_run(f->lanes, &pose, f->out, run->lanes);
+    yk_lane_forces_run(f->lanes, &pose, f->out, run->lanes);
 }
 
 size_t yk_batch_finite_lanes(const YkBatch *b, double *const *outputs, size_t at, size_t n)

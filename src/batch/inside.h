@@ -56,6 +56,8 @@ YkStatus yk_batch_write_settled(YkBatch *batch, double *const *outputs, size_t a
 // batch_forces.c: computes the forces of a block of lanes, before its channels are masked: of those that are wanted;
 // NULL: of all.
 void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at, const bool *wanted);
+// Computes the forces of one pose in the space of one lane. Returns whether all of them are finite.
+bool yk_batch_run_forces_alone(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at);
 // Writes the positions on which loads depend.
 void yk_batch_write_positions(const YkBatch *batch, const YkRun *run);
 // Returns how many lanes have finite forces, from the first.

@@ -56,6 +56,18 @@ int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_dista
     return YK_NONE;
 }
 
+int32_t yk_law_relation(const YkMechanism *mech, size_t coordinate)
+{
+    const YkModel *model = mech->model;
+    for (size_t k = 0; model->follow_count > 0 && k < mech->relation_count; k++) {
+        const YkRelation *r = &mech->relations[k];
+        if (r->kind != YK_RELATION_LAW) continue;
+        const YkCoordinate *own = &model->coordinates[model->follows[r->index].coordinate];
+        if (yk_tree_coordinate(mech, own->joint, own->is_distance) == (int32_t)coordinate) return (int32_t)k;
+    }
+    return YK_NONE;
+}
+
 // Returns the coordinate that a name may mean: one of the file, or one that is named after its joint.
 static int32_t namesake(const YkMechanism *mech, const char *name)
 {

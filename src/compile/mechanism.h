@@ -262,6 +262,8 @@ static inline double yk_input_unit(const YkMechanism *mech, size_t input)
 }
 // Returns the tree's coordinate of a joint, or YK_NONE. O(log coordinates).
 int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_distance);
+// Returns the relation by whose law a coordinate of the tree follows another one, or YK_NONE. O(relations).
+int32_t yk_law_relation(const YkMechanism *mech, size_t coordinate);
 // Writes the way to a body in the tree, in pieces: path[] gets its bodies from depth `from` on (1: next to the root),
 // the body itself last, YK_TREE_PATH at most. Returns how many; 0 where the way has ended.
 enum { YK_TREE_PATH = 512 };

@@ -260,11 +260,7 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
         yk_text_format(&text, "%z of %z complex solutions of the group of joint `%s` are proved", r->proved,
                        r->expected, label);
     all->out_of_memory |= text.failed;
-    const char *words = text.failed ? "" : yk_text_get(&text);
-    size_t length = strlen(words) < sizeof r->message ? strlen(words) : sizeof r->message - 1;
-    memcpy(r->message, words, length);
-    r->message[length] = 0;
-    yk_text_free(&text);
+    yk_text_move(&text, r->message, sizeof r->message);
 }
 
 YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkConfigurationsOptions *options,

@@ -291,23 +291,10 @@ bool yk_dynamics_contact_pulls(const YkDynamics *d, size_t contact)
     return yk_dynamics_contact_pull(d, contact) > 0;
 }
 
-// Returns the relation by whose law the coordinate follows another; YK_NONE: none.
-static int32_t law_of(const YkDynamics *d, size_t coordinate)
-{
-    const YkModel *model = d->mech->model;
-    for (size_t k = 0; model->follow_count > 0 && k < d->mech->relation_count; k++) {
-        const YkRelation *r = &d->mech->relations[k];
-        if (r->kind != YK_RELATION_LAW) continue;
-        const YkCoordinate *own = &model->coordinates[model->follows[r->index].coordinate];
-        if (yk_tree_coordinate(d->mech, own->joint, own->is_distance) == (int32_t)coordinate) return (int32_t)k;
-    }
-    return YK_NONE;
-}
-
 double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)
 {
     if (coordinate >= d->mech->coordinate_count) return (double)NAN;
-    int32_t law = law_of(d, coordinate);
+    int32_t law = yk_law_relation(d->mech, coordinate);
     if (law != YK_NONE) return yk_free_bodies_law_effort(d->bodies, (size_t)law);
     int32_t input = d->mech->coordinates[coordinate].input;
     double sum = input != YK_NONE && !d->is_free[input] ? d->drive[input] : 0;
@@ -321,7 +308,7 @@ YkEffortRange yk_dynamics_effort_range(const YkDynamics *d, size_t coordinate)
     int32_t input = d->mech->coordinates[coordinate].input;
     double effort = yk_dynamics_effort(d, coordinate);
     YkEffortRange single = {true, true, effort, effort};
-    int32_t law = law_of(d, coordinate);
+    int32_t law = yk_law_relation(d->mech, coordinate);
     if (law != YK_NONE && !d->contact[law].is_determinate) // a guide that rests in a dwell, say
         return (YkEffortRange){false, false, -(double)INFINITY, (double)INFINITY};
     if (!d->holding || input == YK_NONE || d->is_free[input]) return single;
@@ -338,7 +325,7 @@ bool yk_dynamics_has_effort(const YkDynamics *d, size_t coordinate)
 {
     if (coordinate >= d->mech->coordinate_count) return false;
     int32_t input = d->mech->coordinates[coordinate].input;
-    if ((input != YK_NONE && !d->is_free[input]) || law_of(d, coordinate) != YK_NONE) return true;
+    if ((input != YK_NONE && !d->is_free[input]) || yk_law_relation(d->mech, coordinate) != YK_NONE) return true;
     for (size_t k = 0; k < d->loads->item_count; k++)
         if (d->loads->items[k].kind == YK_LOAD_EFFORT && d->loads->items[k].coordinate == (int32_t)coordinate)
             return true;

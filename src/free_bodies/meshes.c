@@ -157,32 +157,32 @@ static void pose_rack(const YkFreeBodies *f, const YkSpace *space, YkWrenchColum
     set_force(f, space, c, pitch, yk_scale(sign, u));
 }
 
-// Places the push on a flat face: along its line of motion, where it touches, which is off that line by the slope of
-// the lift.
-static void pose_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, YkVec center, YkVec u, double way)
-{
-    YkVec touch = yk_add(center, yk_scale(-way, yk_quarter(u)));
-    set_force(f, space, c, touch, u); // a force along u may act anywhere along u
-}
-
-// Places the push on a flat face that turns: along its normal n, at h n + h' i n from the cam's centre, with the face's
-// distance h as a support function of the angle by which it turns against the cam (design/cams/cam_point.c).
-static void pose_turning_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const YkCam *cam,
-                              YkVec center, YkVec touch, double slope, double turn)
-{
-    YkVec n = yk_mul(place_of(f, space, cam->follower, yk_vec(0, 0)).e, touch), across = yk_quarter(n);
-    YkVec pivot = yk_sub(center_of(f, space, cam->follower_joint, cam->follower), center);
-    double aside = yk_dot(across, pivot) * slope / (slope - turn);
-    YkVec at = yk_add(yk_scale(yk_dot(n, pivot) - cam->offset, n), yk_scale(aside, across));
-    set_force(f, space, c, yk_add(center, at), n);
-}
-
 // A cam at a pose.
 typedef struct CamPose {
     const YkCam *cam;
     YkVec center, pin, u;    // of the cam; a follower that turns: its pin; one that slides: its line
     double slope, way, turn; // +1 if the follower, the cam, is the second body of its joint
 } CamPose;
+
+// Places the push on a flat face: along its line of motion, where it touches, which is off that line by the slope of
+// the lift.
+static void pose_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const CamPose *p)
+{
+    YkVec touch = yk_add(p->center, yk_scale(-p->slope * p->turn, yk_quarter(p->u)));
+    set_force(f, space, c, touch, p->u); // a force along u may act anywhere along u
+}
+
+// Places the push on a flat face that turns: along its normal n, at h n + h' i n from the cam's centre, with the face's
+// distance h as a support function of the angle by which it turns against the cam (design/cams/cam_point.c).
+static void pose_turning_flat(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn *c, const CamPose *p,
+                              YkVec touch)
+{
+    YkVec n = yk_mul(place_of(f, space, p->cam->follower, yk_vec(0, 0)).e, touch), across = yk_quarter(n);
+    YkVec pivot = yk_sub(p->pin, p->center);
+    double slope = p->way * p->slope, aside = yk_dot(across, pivot) * slope / (slope - p->turn);
+    YkVec at = yk_add(yk_scale(yk_dot(n, pivot) - p->cam->offset, n), yk_scale(aside, across));
+    set_force(f, space, c, yk_add(p->center, at), n);
+}
 
 // Finds the follower's roller or edge; returns false if its place is unknown.
 static bool roller_of(const YkFreeBodies *f, const YkSpace *space, const CamPose *p, double lift, YkVec *at)
@@ -266,12 +266,12 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
         lift = yk_space_slide(space, f->mech->joint_distance[cam->follower_joint]).d[0];
         double reach = cam->base + cam->roller;
         if (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)) {
-            pose_flat(f, space, c, p.center, p.u, p.slope * p.turn);
+            pose_flat(f, space, c, &p);
             return;
         }
     }
     if (cam->oscillates && cam->face == YK_CAM_FACE_FLAT && yk_cam_touch(cam, &at)) {
-        pose_turning_flat(f, space, c, cam, p.center, at, p.way * p.slope, p.turn);
+        pose_turning_flat(f, space, c, &p, at);
         return;
     }
     YkVec normal = roller_of(f, space, &p, lift, &at) ? normal_at(&p, at) : yk_vec(0, 0);

@@ -382,10 +382,6 @@ YkMotionCertificate yk_certifier_report(const YkCertifier *c)
     else
         yk_text_format(&text, "not certified: %z of %z steps are not proved to stay on one configuration",
                        found.steps - found.proved, found.steps);
-    const char *words = text.failed ? "" : yk_text_get(&text);
-    size_t length = strlen(words) < sizeof found.message ? strlen(words) : sizeof found.message - 1;
-    memcpy(found.message, words, length);
-    found.message[length] = 0;
-    yk_text_free(&text);
+    yk_text_move(&text, found.message, sizeof found.message);
     return found;
 }

@@ -145,11 +145,7 @@ void yk_map_tell(YkMap *map)
         yk_text_format(&text, "between its events the number of configurations is proved constant%s",
                        t->repeats ? "; the constraints that repeat others close along them, to rounding" : "");
     t->out_of_memory |= text.failed;
-    const char *words = text.failed ? "" : yk_text_get(&text);
-    size_t length = strlen(words) < sizeof map->message ? strlen(words) : sizeof map->message - 1;
-    memcpy(map->message, words, length);
-    map->message[length] = 0;
-    yk_text_free(&text);
+    yk_text_move(&text, map->message, sizeof map->message);
 }
 
 static bool make(YkMap *map, YkState *start, YkProblems *problems)

@@ -122,6 +122,10 @@ YkExpr *yk_load_value(YkLoader *loader, const YkNode *node, const YkWant *want, 
 bool yk_load_pair(YkLoader *loader, const YkNode *node, const YkWant *want, YkExpr *expr[2], YkVec *target);
 // strengths.c: reads an expression, or {law: NAME, of: expression}; without `want->own` the scope is that of `want`.
 YkStrength yk_load_strength(YkLoader *loader, const YkNode *node, const YkWant *want);
+// Reports a value that cannot be, in the file's units. The message takes a noun, its owner, the amount and its unit: "the
+// %s of %q is %e %s; it must be positive".
+void yk_load_refuse_amount(YkLoader *loader, YkCode code, const YkExpr *expr, double value, YkDimension dimension,
+                           const char *message, const char *noun, const char *owner);
 // Reports a value that is not finite or too large, and returns false for it.
 bool yk_load_in_range(YkLoader *loader, YkPlace place, double value);
 

@@ -49,6 +49,18 @@ YkPlace yk_load_text_place(const YkNode *node)
     return place;
 }
 
+void yk_load_refuse_amount(YkLoader *loader, YkCode code, const YkExpr *expr, double value, YkDimension dimension,
+                           const char *message, const char *noun, const char *owner)
+{
+    const YkUnits *units = &loader->model->units;
+    YkText unit = {0};
+    yk_units_name(units, dimension, &unit);
+    yk_problem(loader->problems, code, expr->place, message, noun, owner, value / yk_units_size(units, dimension),
+               yk_text_get(&unit));
+    loader->failed |= unit.failed;
+    yk_text_free(&unit);
+}
+
 bool yk_load_in_range(YkLoader *loader, YkPlace place, double value)
 {
     if (fabs(value) <= YK_VALUE_MAX) return true;

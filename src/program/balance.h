@@ -45,11 +45,8 @@ bool yk_balance_widen(YkBalanceSystem *balance);
 // balance_solve.c: solves it in symbols. Returns false when out of memory, or if it has no solution whatever the pose.
 bool yk_balance_solve(YkBalanceSystem *balance);
 
-// force_channels.c: returns the force of the gear, rack, belt or cam of an unknown on its second body, with the
-// separating force of gears' flanks.
-YkRefVec yk_balance_contact(YkBalanceSystem *balance, size_t unknown);
-// The value of a channel of forces or energies, once the balance is solved. Returns YK_NONE for what
-// is none.
+// force_channels.c: returns the value of a channel of forces or energies, once the solution is read; YK_NONE for any
+// other channel.
 YkRef yk_balance_channel(YkBalanceSystem *balance, YkChannel channel);
 
 // dry_friction.c: enters the right sides of dry friction: 1 N or N m along each joint, and what it accelerates.

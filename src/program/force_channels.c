@@ -1,51 +1,38 @@
 // Channels of forces and energies as values, from the solved balance of all bodies.
 #include "program/balance.h"
 
-static size_t unknown_of_relation(const YkBalanceSystem *w, int32_t relation)
-{
-    size_t k = 0;
-    while (w->columns[k].relation != relation) k++;
-    return k;
-}
-
-YkRefVec yk_balance_contact(YkBalanceSystem *w, size_t k)
-{
-    YkGraph *g = &w->f->program->graph;
-    const YkUnknown *c = &w->columns[k];
-    const YkRelation *r = &w->f->program->mech->relations[c->relation];
-    int32_t copies = r->kind == YK_RELATION_GEAR ? w->f->program->model->gears[r->index].copies : 0;
-    YkRefVec force = yk_graph_vec_scale(g, yk_balance_value(w, k), c->force);
-    if (c->radial != 0) {
-        YkRef size = yk_graph_unary(g, YK_VALUE_SIZE, yk_balance_value(w, k));
-        force = yk_graph_vec_add(g, force, yk_graph_vec_scale(g, size, w->radial[c->radial]));
-    }
-    return copies > 1 ? yk_graph_vec_scale(g, yk_graph_number(g, 1.0 / copies), force) : force;
-}
-
 // index: of a joint, or the number of joints plus that of a contact.
 static YkRef transmitted(YkBalanceSystem *w, YkChannel c)
 {
-    YkProgram *p = w->f->program;
-    YkGraph *g = &p->graph;
-    size_t joints = p->model->joint_count, index = (size_t)c.index;
-    bool is_joint = index < joints;
-    size_t k = is_joint ? 0 : unknown_of_relation(w, (int32_t)(index - joints));
+    YkGraph *g = &w->f->program->graph;
+    size_t joints = w->f->program->model->joint_count, index = (size_t)c.index;
     const YkRef *r = w->f->reaction + 3 * index;
-    if (c.kind == YK_CHANNEL_MOMENT)
-        return is_joint ? r[2] : yk_graph_multiply(g, yk_balance_value(w, k), w->columns[k].moment);
-    YkRefVec force = is_joint ? (YkRefVec){r[0], r[1]} : yk_balance_contact(w, k);
-    return c.kind == YK_CHANNEL_FORCE_X   ? force.x
-           : c.kind == YK_CHANNEL_FORCE_Y ? force.y
-                                          : yk_graph_vec_length(g, force);
+    const YkContactRef *contact = index < joints ? NULL : &w->f->contact[index - joints];
+    YkRefVec force = contact ? contact->force : (YkRefVec){r[0], r[1]};
+    switch (c.kind) {
+    case YK_CHANNEL_MOMENT:
+        return contact ? contact->moment : r[2];
+    case YK_CHANNEL_FORCE_X:
+        return force.x;
+    case YK_CHANNEL_FORCE_Y:
+        return force.y;
+    default:
+        return yk_graph_vec_length(g, force);
+    }
 }
 
-// Returns whether an unknown is what makes the coordinate follow another by a law.
-static bool is_law_of(const YkProgram *p, const YkUnknown *unknown, size_t coordinate)
+// Returns what makes the coordinate move: a law's effort where it follows another, else that of its drive; w->count if
+// nothing does.
+static size_t unknown_of(const YkBalanceSystem *w, size_t coordinate)
 {
-    const YkRelation *r = unknown->relation == YK_NONE ? NULL : &p->mech->relations[unknown->relation];
-    if (!r || r->kind != YK_RELATION_LAW) return false;
-    const YkCoordinate *own = &p->model->coordinates[p->model->follows[r->index].coordinate];
-    return yk_tree_coordinate(p->mech, own->joint, own->is_distance) == (int32_t)coordinate;
+    int32_t input = w->f->program->mech->coordinates[coordinate].input;
+    int32_t law = yk_law_relation(w->f->program->mech, coordinate);
+    for (size_t k = 0; k < w->count; k++) {
+        const YkUnknown *c = &w->columns[k];
+        if (law != YK_NONE ? c->relation == law : input != YK_NONE && c->relation == YK_NONE && c->input == input)
+            return k;
+    }
+    return w->count;
 }
 
 // Returns the effort that an input or a law's drive needs, or what `efforts:` gives along another coordinate.
@@ -53,19 +40,12 @@ static YkRef effort(YkBalanceSystem *w, size_t coordinate)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
-    int32_t input = p->mech->coordinates[coordinate].input;
+    size_t unknown = unknown_of(w, coordinate);
     YkRef sum = yk_graph_number(g, 0);
-    for (size_t k = 0; k < w->count; k++)
-        if (is_law_of(p, &w->columns[k], coordinate)) {
-            const YkFollow *follow = &p->model->follows[p->mech->relations[w->columns[k].relation].index];
-            YkRef unit = yk_graph_number(g, p->model->coordinates[follow->coordinate].is_distance ? 1 : w->unit);
-            return yk_graph_multiply(g, yk_balance_value(w, k), unit);
-        }
-    for (size_t k = 0; k < w->count && input != YK_NONE; k++)
-        if (w->columns[k].relation == YK_NONE && w->columns[k].input == input) {
-            YkRef unit = yk_graph_number(g, w->columns[k].is_couple ? w->unit : 1);
-            return yk_graph_multiply(g, yk_balance_value(w, k), unit);
-        }
+    if (unknown < w->count) {
+        bool is_distance = p->mech->coordinates[coordinate].is_distance; // couples are over the unit
+        return yk_graph_multiply(g, yk_balance_value(w, unknown), yk_graph_number(g, is_distance ? 1 : w->unit));
+    }
     for (size_t k = 0; k < p->model->effort_count; k++) {
         const YkCoordinate *c = &p->model->coordinates[p->model->efforts[k].coordinate];
         if (yk_tree_coordinate(p->mech, c->joint, c->is_distance) == (int32_t)coordinate)

@@ -157,6 +157,22 @@ static void take_own(YkBalanceSystem *w, const YkJoint *pin, YkRef *out)
     out[0] = force.x, out[1] = force.y;
 }
 
+// Returns the force of the gear, rack, belt or cam of an unknown on its second body, with the separating force of
+// gears' flanks.
+static YkRefVec contact_force(YkBalanceSystem *w, size_t k)
+{
+    YkGraph *g = &w->f->program->graph;
+    const YkUnknown *c = &w->columns[k];
+    const YkRelation *r = &w->f->program->mech->relations[c->relation];
+    int32_t copies = r->kind == YK_RELATION_GEAR ? w->f->program->model->gears[r->index].copies : 0;
+    YkRefVec force = yk_graph_vec_scale(g, yk_balance_value(w, k), c->force);
+    if (c->radial != 0) {
+        YkRef size = yk_graph_unary(g, YK_VALUE_SIZE, yk_balance_value(w, k));
+        force = yk_graph_vec_add(g, force, yk_graph_vec_scale(g, size, w->radial[c->radial]));
+    }
+    return copies > 1 ? yk_graph_vec_scale(g, yk_graph_number(g, 1.0 / copies), force) : force;
+}
+
 // Reads what gears, racks, belts, cams and laws transmit.
 static bool read_contacts(YkBalanceSystem *w)
 {
@@ -167,7 +183,7 @@ static bool read_contacts(YkBalanceSystem *w)
     for (size_t k = 0; k < w->count; k++) {
         const YkUnknown *c = &w->columns[k];
         if (c->relation == YK_NONE) continue;
-        w->f->contact[c->relation] = (YkContactRef){.force = yk_balance_contact(w, k),
+        w->f->contact[c->relation] = (YkContactRef){.force = contact_force(w, k),
                                                     .moment = yk_graph_multiply(g, yk_balance_value(w, k), c->moment),
                                                     .has_force = !yk_graph_is_zero_vec(g, c->force)};
     }

@@ -42,7 +42,7 @@ bool yk_simulation_agrees_with_guide(YkSimulation *sim);
 // Ends the motion at the limit that the drives are about to reach, if there is one: steps in time fail a little before it.
 void yk_simulation_end_at_limit(YkSimulation *sim);
 // Where one drive moves a machine without dry friction near a singular position, puts it in the guide's pose at t, with its rates;
-// and finds what power each load and the drive bring there. Return false elsewhere.
+// and finds what power each load and the drive bring there. Return false elsewhere. There must be a guide.
 // must_be_sure: only where its rates have lost no digits; otherwise also beside a limit, where the drive turns back soon.
 bool yk_simulation_stands_with_guide(YkSimulation *sim, double t, bool must_be_sure);
 bool yk_simulation_moves_with_guide(YkSimulation *sim, double t, double *dydt, bool must_be_sure);

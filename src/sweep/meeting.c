@@ -45,7 +45,7 @@ static double sine_at(const Search *f, double value)
     const YkPath *path = &f->walk->path;
     YkState *s = path->state;
     bool is_place = f->meeting.input == YK_NONE;
-    if (yk_path_set(&f->walk->path, is_place ? value : f->place, true) < 0) return -1;
+    if (yk_path_set_inputs(path, is_place ? value : f->place, true) < 0) return -1;
     if (!is_place) s->input[3 * f->meeting.input] = value;
     yk_path_place_signs(path, is_place ? value : f->place);
     YkStatus status = yk_state_solve(s);

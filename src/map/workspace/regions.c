@@ -152,11 +152,7 @@ static void tell(YkRegions *r)
     else
         tell_proved(r, percent, &text);
     f->tracer.out_of_memory |= text.failed;
-    const char *words = text.failed ? "" : yk_text_get(&text);
-    size_t length = strlen(words) < sizeof r->message ? strlen(words) : sizeof r->message - 1;
-    memcpy(r->message, words, length);
-    r->message[length] = 0;
-    yk_text_free(&text);
+    yk_text_move(&text, r->message, sizeof r->message);
 }
 
 // Reads what is followed. Returns false with a problem if the machine cannot be mapped.

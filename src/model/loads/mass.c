@@ -117,28 +117,16 @@ static void doubt_inertia(YkLoader *loader, const YkBody *body)
     yk_problem_hint(loader->problems, "is the unit of the inertia right? It is %e kg*m^2", body->inertia);
 }
 
-// Tells a value that a body cannot have, in the file's units.
-static void refuse_value(YkLoader *loader, const YkBody *body, YkCode code, const YkExpr *expr, double value,
-                         YkDimension dimension)
-{
-    bool is_mass = code == YK_CODE_BAD_MASS;
-    YkText unit = {0};
-    yk_units_name(&loader->model->units, dimension, &unit);
-    yk_problem(loader->problems, code, expr->place, "the %s of %q is %e %s; it %s", is_mass ? "mass" : "inertia",
-               body->name, value / yk_units_size(&loader->model->units, dimension), yk_text_get(&unit),
-               is_mass ? "must be positive" : "cannot be negative");
-    loader->failed |= unit.failed;
-    yk_text_free(&unit);
-}
-
 static void finish_body(YkLoader *loader, YkBody *body)
 {
     if (body->mass_expr && body->mass <= 0) {
-        refuse_value(loader, body, YK_CODE_BAD_MASS, body->mass_expr, body->mass, YK_DIM_MASS);
+        yk_load_refuse_amount(loader, YK_CODE_BAD_MASS, body->mass_expr, body->mass, YK_DIM_MASS,
+                              "the %s of %q is %e %s; it must be positive", "mass", body->name);
         if (body->mass == 0) yk_problem_hint(loader->problems, "for a body without mass leave `mass` out");
     }
     if (body->inertia_expr && body->inertia < 0)
-        refuse_value(loader, body, YK_CODE_BAD_INERTIA, body->inertia_expr, body->inertia, YK_DIM_INERTIA);
+        yk_load_refuse_amount(loader, YK_CODE_BAD_INERTIA, body->inertia_expr, body->inertia, YK_DIM_INERTIA,
+                              "the %s of %q is %e %s; it cannot be negative", "inertia", body->name);
     if (body->inertia_expr && body->inertia > 0 && body->mass > 0) doubt_inertia(loader, body);
     if (body->rod[0] != YK_NONE && body->rod[1] != YK_NONE) finish_rod(loader, body);
 }

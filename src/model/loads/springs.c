@@ -157,13 +157,9 @@ void yk_load_springs(YkLoader *loader)
 static void refuse_negative(YkLoader *loader, const YkSpring *spring, const YkExpr *expr, double value, YkCode code,
                             const char *noun, YkDimension dimension)
 {
-    if (!expr || !(value < 0)) return;
-    YkText unit = {0};
-    yk_units_name(&loader->model->units, dimension, &unit);
-    yk_problem(loader->problems, code, expr->place, "the %s of spring %q is %e %s; it cannot be negative", noun,
-               spring->name, value / yk_units_size(&loader->model->units, dimension), yk_text_get(&unit));
-    loader->failed |= unit.failed;
-    yk_text_free(&unit);
+    if (expr && value < 0)
+        yk_load_refuse_amount(loader, code, expr, value, dimension,
+                              "the %s of spring %q is %e %s; it cannot be negative", noun, spring->name);
 }
 
 void yk_load_finish_springs(YkLoader *loader)
