@@ -15,9 +15,9 @@ add_custom_command(OUTPUT ${YOKE_STUDIO_WORK}/dist/studio.js
     $<IF:$<BOOL:${YOKE_REQUIRE_WEB}>,require,try> dist/studio.js ${CMAKE_SOURCE_DIR}/web/core
   DEPENDS ${YOKE_STUDIO_FILES} ${CMAKE_SOURCE_DIR}/tools/bundle-web WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} COMMENT "Bundling Studio" VERBATIM)
 add_custom_command(OUTPUT ${YOKE_STUDIO}/index.html
-  COMMAND sh ${CMAKE_SOURCE_DIR}/tools/assemble-studio ${YOKE_STUDIO_WORK} ${YOKE_STUDIO} $<TARGET_FILE:core> $<TARGET_FILE:panels> $<TARGET_FILE:yoke> ${YOKE_NODE}
-    ${CMAKE_SOURCE_DIR}/examples
-  DEPENDS ${YOKE_STUDIO_WORK}/dist/studio.js core panels yoke ${YOKE_STUDIO_EXAMPLES} ${CMAKE_SOURCE_DIR}/tools/assemble-studio
+  COMMAND sh ${CMAKE_SOURCE_DIR}/tools/assemble-studio ${YOKE_STUDIO_WORK} ${YOKE_STUDIO} $<TARGET_FILE:core> $<TARGET_FILE:panels> $<TARGET_FILE:yoke>
+    ${YOKE_WEB_DIR}/report.js ${YOKE_NODE} ${CMAKE_SOURCE_DIR}/examples
+  DEPENDS ${YOKE_STUDIO_WORK}/dist/studio.js core panels yoke ${YOKE_WEB_DIR}/report.js ${YOKE_STUDIO_EXAMPLES} ${CMAKE_SOURCE_DIR}/tools/assemble-studio
   COMMENT "Putting Studio together" VERBATIM)
 add_custom_target(studio ALL DEPENDS ${YOKE_STUDIO}/index.html)
 # The page as one file for a release: unpacked, it is a static site for any host.

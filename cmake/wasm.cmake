@@ -21,9 +21,10 @@ target_compile_definitions(yaml PRIVATE YAML_VERSION_MAJOR=${major} YAML_VERSION
 target_compile_options(yaml PRIVATE -w)
 
 file(GLOB YOKE_SOURCES CONFIGURE_DEPENDS src/*/*.c src/*/*/*.c)
-list(REMOVE_ITEM YOKE_SOURCES ${CMAKE_SOURCE_DIR}/src/write/process.c)
+list(REMOVE_ITEM YOKE_SOURCES ${CMAKE_SOURCE_DIR}/src/write/process.c ${CMAKE_SOURCE_DIR}/src/report/script.c)
 list(FILTER YOKE_SOURCES EXCLUDE REGEX "/synthesis/(nine_points/alt_.*|paths/path_exact)[.]c$") # small/no_exact_path.c
-add_library(yoke_core STATIC ${YOKE_SOURCES} ${YOKE_WASI}/process.c ${YOKE_WASI}/posix.c ${YOKE_WASI}/print.c web/core/small/no_exact_path.c)
+add_library(yoke_core STATIC ${YOKE_SOURCES} ${YOKE_WASI}/process.c ${YOKE_WASI}/posix.c ${YOKE_WASI}/print.c web/core/small/no_exact_path.c
+  web/core/small/report_script.c)
 target_include_directories(yoke_core PUBLIC ${YOKE_WASI} include src)
 target_compile_definitions(yoke_core PUBLIC _POSIX_C_SOURCE=200809L _WASI_EMULATED_GETPID _WASI_EMULATED_SIGNAL)
 target_link_libraries(yoke_core PUBLIC yaml)

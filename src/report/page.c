@@ -80,7 +80,7 @@ static void add_data(YkReportPage *report, YkText *html)
             yk_text_add(html, json.data + i, 1);
     }
     yk_text_puts(html, "</script>\n<script>\n");
-    yk_text_add(html, (const char *)yk_report_script, yk_report_script_size);
+    yk_report_add_script(html);
     yk_text_puts(html, "</script>\n");
     if (json.failed) yk_text_fail(html);
     yk_text_free(&json);

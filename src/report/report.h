@@ -156,8 +156,10 @@ YkReportSection yk_section_findings, yk_section_motion, yk_section_diagrams, yk_
 // Writes the script's data as JSON.
 void yk_report_data(YkReportPage *report, YkText *json);
 
-// Embedded at build time: the page's style and its script, which is empty if there was no Node to bundle it.
-extern const unsigned char yk_report_style[], yk_report_script[];
-extern const size_t yk_report_style_size, yk_report_script_size;
+// Embedded at build time: the page's style.
+extern const unsigned char yk_report_style[];
+extern const size_t yk_report_style_size;
+// script.c: the page's script, embedded as well; empty if there was no Node to bundle it.
+void yk_report_add_script(YkText *html);
 
 #endif

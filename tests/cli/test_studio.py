@@ -31,7 +31,7 @@ INDEX = """<!DOCTYPE html>
 """
 SCRIPT = 'window.x = "</script><!--"; if (1 < 2) window.y = 1;\n'
 PAGE = {"index.html": INDEX, "studio.css": "p { color: red }\n", "studio.js": SCRIPT, "worker.js": "self.postMessage(1)\n", "plot.js": "window.yokePlot = 1;\n", "film.js": "window.yokeFilm = 1;\n",
-        "core.wasm": "\0asm core", "yoke.wasm": "\0asm yoke", "gallery/a.yaml": "name: </script>\n"}
+        "core.wasm": "\0asm core", "yoke.wasm": "\0asm yoke", "report.js": "a = '</script>';\n", "gallery/a.yaml": "name: </script>\n"}
 
 
 def make_page(folder):
@@ -314,7 +314,7 @@ class OnePage(Folder):
     def test_holds_everything_and_fetches_nothing(self):
         html = self.page(self.file)
         self.assertNotRegex(html, r'(src|href)="(?!data:)')
-        for path in ("core.wasm", "yoke.wasm", "worker.js"):
+        for path in ("core.wasm", "yoke.wasm", "worker.js", "report.js"):
             inside = re.search(r'<script type="[^"]*" id="%s">([^<]*)</script>' % re.escape(path), html)[1]
             self.assertEqual(base64.b64decode(inside, validate=True).decode(), PAGE[path])
         data = json.loads(re.search(r'id="yoke-data">(.*?)</script>', html, re.S)[1])

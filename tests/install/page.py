@@ -9,7 +9,7 @@ try:
     root, token = re.match(r"Studio: (http://127\.0\.0\.1:\d+/)\?token=([0-9a-f]{32})\n", server.stdout.readline()).groups()
     page = urllib.request.urlopen(root + "?token=" + token).read().decode()
     assert "<html" in page, page[:200]
-    for name in "studio.js", "studio.css", "core.wasm", "yoke.wasm":
+    for name in "studio.js", "studio.css", "core.wasm", "yoke.wasm", "report.js":
         assert len(urllib.request.urlopen(root + name).read()) > 1000, name
     machine = urllib.request.urlopen(root + "machine?token=" + token).read().decode()
     assert "Four-bar" in machine and "coupler" in machine, machine[:200]

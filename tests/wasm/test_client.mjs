@@ -158,6 +158,15 @@ const tests = {
     }
     for (const words of [["new"], ["study", "m.yaml", "--vary", "b=110mm:130mm:3"], ["code", "m.yaml"], ["report", "m.yaml"], ["map", "m.yaml", "--over", "theta4"], ["cognates", "m.yaml"], ["balance", "m.yaml"], ["--version"]])
       assert.ok(!(await core.run(words, files)).err.includes("this module"), words[0]);
+    const script = new TextEncoder().encode("var report = 1;\n"), moving = start({ report: script });
+    const page = async (from) => (await from.run(["report", "m.yaml"], files)).out;
+    assert.match(await page(moving), /<script>\nvar report = 1;\n<\/script>/);
+    assert.equal(await page(moving), await page(moving), "it is loaded once");
+    assert.doesNotMatch(await page(core), /<script>/);
+    const lacking = start({ report: "data:nothing" });
+    assert.equal(await outcome(lacking.run(["report", "m.yaml"], files)), "TypeError", "a script that cannot be loaded is told");
+    assert.equal((await lacking.run(["check", "m.yaml"], files)).exit, 0);
+    for (const one of [moving, lacking]) one.close();
     assert.match((await core.run(["new", "four-bar"], {})).out, /^# A four-bar linkage/);
     assert.match((await core.run(["new", "jansen"], {})).err, /press Examples/); // the page has the gallery's other files
     for (const one of [core, alone]) one.close();

@@ -2,11 +2,11 @@
 // of them with YOKE_FULL=1, or those of a range of lines. node test_recorded.mjs NODE.mjs YOKE.wasm [FROM TO]
 import { createHash } from "node:crypto";
 import { readFileSync, statSync } from "node:fs";
-import { resolve } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
 const [, , library, module, from, to] = process.argv;
-const { runCommand } = await import(pathToFileURL(resolve(library)).href);
+const { REPORT_SCRIPT, runCommand } = await import(pathToFileURL(resolve(library)).href);
 const root = fileURLToPath(new URL("../../", import.meta.url));
 if (!runCommand) {
   console.log("skipped: npm could not get esbuild");
@@ -14,7 +14,8 @@ if (!runCommand) {
 }
 const compiled = new WebAssembly.Module(readFileSync(module));
 const file = (path) => (statSync(path, { throwIfNoEntry: false })?.isFile() ? readFileSync(path) : null);
-const read = (path) => file(root + path) ?? file("/" + path);
+const script = join(dirname(module), "web/report.js"); // where the build leaves it
+const read = (path) => (path === REPORT_SCRIPT ? readFileSync(script) : file(root + path) ?? file("/" + path));
 
 // Returns the hash that golden.py has of an answer.
 function hashOf(command) {

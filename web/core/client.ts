@@ -17,6 +17,7 @@ export interface CoreOptions {
   small: Source; // core.wasm
   panels: Source; // panels.wasm, loaded behind core.wasm, or when curves, simulations or the verbs in it are first asked for
   whole: Source; // yoke.wasm, loaded when `run` first has a verb that panels.wasm has not
+  report?: Source; // the report's script, handed to the verb `report`; without it reports do not move
   patience?: number; // ms that a newer request of its kind, or an opening, waits for one that takes long; default 3000
   onRestart?: (opened: Opened | null) => void; // the core was started anew, with the last text
 }
@@ -50,7 +51,7 @@ class Client {
     this.port = this.options.worker();
     this.port.onmessage = ({ data }) => this.take(data);
     this.port.onerror = () => this.lose("the core died");
-    this.send({ request: this.make("start", [this.options.small, this.options.panels, this.options.whole]), key: "start", resolve: () => this.started(),
+    this.send({ request: this.make("start", [this.options.small, this.options.panels, this.options.whole, this.options.report]), key: "start", resolve: () => this.started(),
       reject: (problem) => this.queue.splice(0).forEach((waiting) => waiting.reject(problem)) });
   }
 

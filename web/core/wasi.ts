@@ -1,10 +1,12 @@
 // A small system for the command: its words, its files in memory, its output. What WASI asks and the command needs, and
 // nothing else: no network, no other files, no other programs.
 
+export const REPORT_SCRIPT = "usr/share/yoke/report.js"; // where the command looks for it (small/report_script.c)
+
 export interface System {
   words: string[]; // after the name of the command
   files: Map<string, Uint8Array>; // by path; what the command writes is put here
-  read?: (path: string) => Uint8Array | null; // further files, to be read only (tests)
+  read?: (path: string) => Uint8Array | null; // further files, to be read only
   hear?: (bytes: Uint8Array) => void; // takes standard output as it is written, while the command runs
 }
 

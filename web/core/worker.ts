@@ -1,16 +1,18 @@
 // Owns the modules: takes one request after the other and answers it. Runs in a worker of the page, or of Node in tests.
 import type { Answer, Request, Source } from "./door";
 import { Engine } from "./engine";
-import { runCommand } from "./wasi";
+import { REPORT_SCRIPT, runCommand } from "./wasi";
 
 interface Port { postMessage(answer: Answer): void; onmessage: ((event: { data: Request }) => void) | null }
 
-async function compile(source: Source): Promise<WebAssembly.Module> {
-  if (typeof source !== "string") return WebAssembly.compile(source);
+async function load(source: Source): Promise<ArrayBuffer | Uint8Array<ArrayBuffer>> {
+  if (typeof source !== "string") return source;
   const answer = await fetch(source);
   if (!answer.ok) throw new Error(`${source}: ${answer.status}`);
-  return WebAssembly.compile(await answer.arrayBuffer());
+  return answer.arrayBuffer();
 }
+
+const compile = async (source: Source): Promise<WebAssembly.Module> => WebAssembly.compile(await load(source));
 
 // The verbs of panels.wasm, and the calls that core.wasm does not have.
 const PANELS = new Set(["check", "solve", "sweep", "simulate", "draw", "cam", "derive", "gears"]);
@@ -21,6 +23,7 @@ const PAUSE = 400; // ms after the first machine, before the module behind is fe
 
 export function serve(port: Port): void {
   let engine: Engine | null = null, isWhole = false; // the engine is of panels.wasm
+  let script: Source | undefined; // of reports: its address, then its bytes
   const sources: Record<string, Source> = {}, modules: Record<string, Promise<WebAssembly.Module>> = {};
 
   // Compiles a module once; where that fails, it is tried again when it is asked for again.
@@ -30,8 +33,8 @@ export function serve(port: Port): void {
     return modules[name];
   }
 
-  async function start(small: Source, panels: Source, whole: Source): Promise<string> {
-    [sources.panels, sources.whole] = [panels, whole];
+  async function start(small: Source, panels: Source, whole: Source, report?: Source): Promise<string> {
+    [sources.panels, sources.whole, script] = [panels, whole, report];
     engine = new Engine(await compile(small));
     return engine.version();
   }
@@ -44,13 +47,21 @@ export function serve(port: Port): void {
     isWhole = true;
   }
 
+  // Loads it once; where that fails, it is tried again with the next report.
+  async function scriptOfReports(): Promise<Uint8Array | null> {
+    if (script !== undefined) script = new Uint8Array(await load(script));
+    return script ?? null;
+  }
+
   async function run(words: string[], texts: Record<string, string>, id: number): Promise<unknown> {
     const encode = new TextEncoder(), decode = new TextDecoder(), hearing = new TextDecoder(), command = await module(PANELS.has(words[0]) ? "panels" : "whole");
     const files = new Map(Object.entries(texts).map(([name, text]) => [name, encode.encode(text) as Uint8Array]));
     const given = new Map(files), isHeard = words.includes(SO_FAR);
     const hear = isHeard ? (bytes: Uint8Array) => port.postMessage({ id, heard: hearing.decode(bytes, { stream: true }) }) : undefined;
-    let reply = runCommand(command, { words, files, hear });
-    if (PANELS.has(words[0]) && decode.decode(reply.err).startsWith(LEAVES)) reply = runCommand(await module("whole"), { words, files, hear });
+    const script = words[0] === "report" ? await scriptOfReports() : null;
+    const read = (path: string) => (path === REPORT_SCRIPT ? script : null);
+    let reply = runCommand(command, { words, files, hear, read });
+    if (PANELS.has(words[0]) && decode.decode(reply.err).startsWith(LEAVES)) reply = runCommand(await module("whole"), { words, files, hear, read });
     const written = [...files].filter(([name, bytes]) => given.get(name) !== bytes);
     return {
       exit: reply.exit, out: decode.decode(reply.out), err: decode.decode(reply.err), complete: true,
@@ -59,7 +70,7 @@ export function serve(port: Port): void {
   }
 
   async function answer({ id, kind, words }: Request): Promise<unknown> {
-    if (kind === "start") return start(words[0] as Source, words[1] as Source, words[2] as Source);
+    if (kind === "start") return start(...words as [Source, Source, Source, Source?]);
     if (kind === "run") return run(words[0] as string[], words[1] as Record<string, string>, id);
     if (!engine) throw new Error("the core has not started");
     if (BEHIND.has(kind) && !isWhole) await grow();

@@ -1,7 +1,7 @@
 // Keeps Studio for use without a network: what the page fetched is kept, and the network is asked first, so that a new
 // version comes at once. Only files of Studio itself; never a machine, never a server's answer with a token.
 const KEPT = "yoke-studio-2";
-const FILES = ["./", "studio.css", "studio.js", "plot.js", "film.js", "worker.js", "core.wasm", "panels.wasm", "yoke.wasm", "gallery.json"];
+const FILES = ["./", "studio.css", "studio.js", "plot.js", "film.js", "worker.js", "report.js", "core.wasm", "panels.wasm", "yoke.wasm", "gallery.json"];
 
 self.addEventListener("install", (event) => {
   const keep = async () => {

@@ -3,6 +3,7 @@ export interface Inline {
   worker: string;
   small: Uint8Array<ArrayBuffer>;
   whole: Uint8Array<ArrayBuffer>;
+  report: Uint8Array<ArrayBuffer>; // the script of reports
   machine: { name: string; text: string } | null;
   files: Record<string, string>;
 }

@@ -33,6 +33,7 @@ const FEATURED = ["four-bar", "quick-return", "jansen", "gas-engine", "double-pe
 
 const sources = {
   worker: () => new Worker(inline?.worker ?? "worker.js") as unknown as WorkerLike, small: inline?.small ?? "core.wasm", panels: inline?.whole ?? "panels.wasm", whole: inline?.whole ?? "yoke.wasm",
+  report: inline?.report ?? "report.js",
 };
 const session: Session = new Session(startCore({
   ...sources,

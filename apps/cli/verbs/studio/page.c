@@ -72,22 +72,23 @@ static void add_data(YkText *html, const YkAssets *assets, const YkServed *serve
     yk_text_free(&data);
 }
 
-static void add_module(YkText *html, const YkAssets *assets, const char *path)
+// What stands in the page as it is, for the page's script.
+static const char *const inside[] = {"core.wasm", "yoke.wasm", "worker.js", "report.js"};
+
+// Writes a file of the page that no browser reads by itself.
+static void add_file(YkText *html, const YkAssets *assets, const char *path)
 {
-    yk_text_format(html, "<script type=\"application/wasm;base64\" id=\"%s\">", path);
+    yk_text_format(html, "<script type=\"text/plain\" id=\"%s\">", path);
     add_base64(html, &yk_assets_find(assets, path)->data);
     yk_text_puts(html, "</script>\n");
 }
 
-// Writes `yokeInline`, which the page looks for: the worker's address, the modules' bytes, and the data.
+// Writes `yokeInline`, which the page looks for: the worker's address, the bytes of the modules and of the report's
+// script, and the data.
 static void add_inline(YkText *html, const YkAssets *assets, const YkServed *served, const char *nonce)
 {
-    const YkAsset *worker = yk_assets_find(assets, "worker.js");
-    add_module(html, assets, "core.wasm");
-    add_module(html, assets, "yoke.wasm");
-    yk_text_puts(html, "<script type=\"text/plain\" id=\"worker.js\">");
-    add_base64(html, &worker->data);
-    yk_text_puts(html, "</script>\n<script type=\"application/json\" id=\"yoke-data\">");
+    for (size_t k = 0; k < sizeof inside / sizeof *inside; k++) add_file(html, assets, inside[k]);
+    yk_text_puts(html, "<script type=\"application/json\" id=\"yoke-data\">");
     add_data(html, assets, served);
     yk_text_format(html, "</script>\n<script nonce=\"%s\">\n", nonce);
     yk_text_puts(
@@ -96,7 +97,7 @@ static void add_inline(YkText *html, const YkAssets *assets, const YkServed *ser
               "  const bytes = (id) => Uint8Array.from(atob(text(id)), (c) => c.charCodeAt(0));\n"
               "  const worker = URL.createObjectURL(new Blob([bytes(\"worker.js\")], {type: \"text/javascript\"}));\n"
               "  return {worker, small: bytes(\"core.wasm\"), whole: bytes(\"yoke.wasm\"), "
-              "...JSON.parse(text(\"yoke-data\"))};\n"
+              "report: bytes(\"report.js\"), ...JSON.parse(text(\"yoke-data\"))};\n"
               "})();\n</script>\n");
 }
 
@@ -180,14 +181,15 @@ static void add_line(Page *page, const char *line, size_t size)
 
 bool yk_studio_page(const YkAssets *assets, const YkServed *served, YkSession *session, YkText *html)
 {
-    static const char *const needed[] = {"index.html", "worker.js", "core.wasm", "yoke.wasm"};
     Page page = {.assets = assets, .served = served, .html = html};
-    for (size_t k = 0; k < sizeof needed / sizeof *needed; k++)
-        if (!yk_assets_find(assets, needed[k])) {
-            yk_problem(session->problems, YK_CODE_STUDIO_NO_PAGE, (YkPlace){0}, "the page of Studio lacks its file %q",
-                       needed[k]);
-            return false;
-        }
+    const char *lacking = yk_assets_find(assets, "index.html") ? NULL : "index.html";
+    for (size_t k = 0; k < sizeof inside / sizeof *inside; k++)
+        if (!yk_assets_find(assets, inside[k])) lacking = inside[k];
+    if (lacking) {
+        yk_problem(session->problems, YK_CODE_STUDIO_NO_PAGE, (YkPlace){0}, "the page of Studio lacks its file %q",
+                   lacking);
+        return false;
+    }
     if (!yk_make_token(page.nonce)) {
         yk_problem(session->problems, YK_CODE_STUDIO_NO_PORT, (YkPlace){0}, "the system gives no random numbers");
         return false;
