@@ -33,7 +33,7 @@ YkCode yk_status_code(YkStatus status)
 const char *yk_code_word(YkCode code, char word[YK_CODE_SIZE])
 {
     int number = (int)code;
-    word[0] = 'E';
+    word[0] = "NWE"[yk_code_severity(number)];
     for (int i = 4; i > 0; i--, number /= 10) word[i] = (char)('0' + number % 10);
     word[5] = '\0';
     return word;

@@ -118,6 +118,29 @@ static void what_is_made_of_a_failed_text_fails(void **state)
         yk_text_free(&text);                                                                                           \
     } while (0)
 
+static void a_text_is_moved_into_a_buffer_that_may_be_too_small(void **state)
+{
+    (void)state;
+    YkText text = {0};
+    char room[6] = "#####";
+    yk_text_move(&text, room, sizeof room); // an empty one
+    assert_string_equal(room, "");
+    for (size_t size = 1; size <= sizeof room; size++) {
+        memset(room, '#', sizeof room);
+        yk_text_puts(&text, "four");
+        yk_text_move(&text, room, size);
+        assert_int_equal(strlen(room), size <= 4 ? size - 1 : 4);
+        assert_memory_equal(room, "four", strlen(room));
+        assert_null(text.data);
+        for (size_t k = size < 5 ? size : 5; k < sizeof room; k++) assert_int_equal(room[k], '#');
+    }
+    yk_text_puts(&text, "lost");
+    yk_text_fail(&text);
+    yk_text_move(&text, room, sizeof room);
+    assert_string_equal(room, "");
+    assert_false(text.failed);
+}
+
 static void integers_strings_and_characters_are_formatted_as_by_printf(void **state)
 {
     (void)state;
@@ -175,6 +198,7 @@ int main(void)
         cmocka_unit_test(clearing_keeps_the_memory),
         cmocka_unit_test(an_impossible_length_fails_for_good),
         cmocka_unit_test(what_is_made_of_a_failed_text_fails),
+        cmocka_unit_test(a_text_is_moved_into_a_buffer_that_may_be_too_small),
         cmocka_unit_test(integers_strings_and_characters_are_formatted_as_by_printf),
         cmocka_unit_test(doubles_are_written_shortest_or_to_six_digits),
         cmocka_unit_test(a_null_string_is_empty),

@@ -164,7 +164,9 @@ class Explain(Case):
         lines = self.good("explain").out.splitlines()
         self.assertGreater(len(lines), 40)
         codes = [line.split()[0] for line in lines]
-        self.assertEqual(codes, sorted(codes))
+        self.assertEqual(codes, sorted(codes, key=lambda code: code[1:]))
+        with open(os.path.join(ROOT, "docs", "codes.md"), encoding="utf-8") as page: # each with the letter of its severity
+            self.assertEqual(codes, re.findall(r"^\| ([EWN]\d{4}) \|", page.read(), re.M))
         self.assertEqual(len(codes), len(set(codes)))
         for code in codes:
             run = self.good("explain", code)

@@ -1,5 +1,6 @@
 // yoke explain: explains a message's code.
 #include <string.h>
+#include "answer.h"
 #include "session.h"
 
 enum { LINE = 100 };
@@ -11,13 +12,6 @@ static int read_code(const char *word)
     int code = 0, digits = 0;
     for (; *word >= '0' && *word <= '9' && digits < 5; word++, digits++) code = 10 * code + (*word - '0');
     return *word == '\0' && digits > 0 ? code : -1;
-}
-
-static void add_code(YkText *text, int code)
-{
-    yk_text_puts(text, "E");
-    for (int power = 1000; power > code && power > 1; power /= 10) yk_text_puts(text, "0");
-    yk_text_format(text, "%d", code);
 }
 
 // Breaks a paragraph between words.
@@ -41,12 +35,12 @@ static void add_wrapped(YkText *text, const char *paragraph)
 
 static void list_codes(YkText *text)
 {
+    char shown[YK_CODE_SIZE];
     for (size_t i = 0; i < yk_code_count(); i++) {
         int code = yk_code_at(i);
         const char *words = yk_code_explain(code);
         size_t sentence = strcspn(words, ".:;");
-        add_code(text, code);
-        yk_text_puts(text, "  ");
+        yk_text_format(text, "%s  ", yk_code_word((YkCode)code, shown));
         yk_text_add(text, words, sentence);
         yk_text_puts(text, "\n");
     }
@@ -55,6 +49,7 @@ static void list_codes(YkText *text)
 int yk_run_explain(YkSession *session)
 {
     const char *word = session->request->file;
+    char shown[YK_CODE_SIZE];
     if (word) {
         int code = read_code(word);
         const char *words = code >= 0 ? yk_code_explain(code) : NULL;
@@ -63,8 +58,7 @@ int yk_run_explain(YkSession *session)
             yk_problem_hint(session->problems, "`yoke explain` lists all codes; one looks like E0401");
             return YK_EXIT_WRONG;
         }
-        add_code(&session->out, code);
-        yk_text_puts(&session->out, "\n");
+        yk_text_format(&session->out, "%s\n", yk_code_word((YkCode)code, shown));
         add_wrapped(&session->out, words);
     } else {
         list_codes(&session->out);
