@@ -44,8 +44,8 @@ typedef struct YkCounterweight {
 
 typedef struct YkBalancing YkBalancing;
 // Finds counterweights: on the bodies pinned to the ground, and where these do not suffice on others. The state is solved
-// and has one input, whose rate, or 1, is that of the cycle. Least squares over the cycle's poses decide; they are exact
-// where a full balance of force exists. With weights, only bodies pinned to the ground get counterweights, and these make
+// and has one input, whose rate, or 1, is that of the cycle. They are a least-squares fit over the cycle's poses, which is
+// exact where a full balance of force exists. With weights, only bodies pinned to the ground get counterweights, and these make
 // the weighted sum of mean squares least. Returns NULL with a problem otherwise. Source: Berkof & Lowen 1969 (four-bars);
 // Tepper & Lowen 1972 (when a full balance exists).
 YK_API YkBalancing *yk_balancing_new(const YkState *state, const YkBalancingOptions *options, YkProblems *problems);

@@ -43,7 +43,7 @@ YK_API size_t yk_study_row_width(const YkStudy *study, const YkRowCase *asked);
 YK_API YkStatus yk_study_rows(YkStudy *study, const YkRowCase *asked, uint64_t from, size_t count, double *rows);
 
 // A file that keeps the rows of a study, block after block in the order of the designs, each block with a checksum. It
-// is the doubles of this machine: another kind of processor does not read it. One process at a time has it open.
+// holds doubles as this machine stores them: another kind of processor cannot read it. One process at a time may open it.
 typedef struct YkBlocks YkBlocks;
 typedef struct YkBlocksOptions {
     uint64_t signature; // a hash of all that decides the rows; it tells this study from any other
@@ -51,8 +51,8 @@ typedef struct YkBlocksOptions {
     size_t width;  // numbers a row
     bool is_fresh; // start anew, whatever the file has
 } YkBlocksOptions;
-// Opens or makes the file. It goes on after the last whole block; one that is damaged is a warning, and ends what is
-// kept. Returns NULL with problems added: of another study, open elsewhere, not writable.
+// Opens or makes the file. It goes on after the last whole block. A damaged block gives a warning, and the rows from it
+// on are lost. Returns NULL with a problem added if the file is another study's, open elsewhere, or not writable.
 YK_API YkBlocks *yk_blocks_open(const char *path, const YkBlocksOptions *options, YkProblems *problems);
 // Returns how many designs the file has.
 YK_API uint64_t yk_blocks_done(const YkBlocks *blocks);

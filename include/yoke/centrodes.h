@@ -17,8 +17,8 @@ typedef struct YkCentrodePoint {
 
 typedef struct YkCentrodes YkCentrodes;
 // Follows the instant centre of two bodies through a cycle of the machine's one input, from the pose of `state`: once
-// round, or through most of the range in which it closes. `steps`: of the cycle. Returns NULL with a problem where there
-// is none: with not one freedom, for one body twice, out of memory. Cost: a verified move for each step.
+// round, or through most of the range in which it closes. `steps`: of the cycle. Returns NULL with a problem added if
+// the machine has not one freedom, if both bodies are the same, or when out of memory. Cost: a verified move for each step.
 YK_API YkCentrodes *yk_centrodes_new(const YkState *state, size_t first, size_t second, size_t steps,
                                      YkProblems *problems);
 YK_API void yk_centrodes_free(YkCentrodes *centrodes);

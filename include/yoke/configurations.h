@@ -24,7 +24,7 @@ typedef enum YkCompleteReason {
     YK_INCOMPLETE,              // there may be others
     YK_COMPLETE_BY_CLOSED_FORM, // dyads only
     YK_COMPLETE_BY_COUNT,       // and groups with as many distinct proved complex solutions as their count
-    YK_COMPLETE_BY_EXCLUSION    // and groups with gears: all else of the space of their angles is proved to be empty
+    YK_COMPLETE_BY_EXCLUSION    // and groups with gears: the rest of the space of their angles is proved to be empty
 } YkCompleteReason;
 YK_API const char *yk_complete_reason_name(YkCompleteReason reason); // "none", "closed form", "counted", "excluded"
 
@@ -61,8 +61,8 @@ typedef struct YkConfigurationsOptions {
 YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 
 // Visits every configuration at the state's inputs, each as its pose. visit (may be NULL) returns false to stop; the
-// state returns to the configuration it had. options may be NULL. Of groups with up to three gears, belts, racks, cams or
-// laws and six unknowns the space of all angles and distances is divided, until each box is proved to hold no pose or one.
+// state returns to the configuration it had. options may be NULL. For groups with up to three gears, belts, racks, cams or
+// laws and six unknowns, the space of all angles and distances is divided until each box is proved to hold one pose or none.
 // Other groups (with more of these, with laws that are not smooth, with constraints that repeat others,
 // or of more than 7 loops) are searched as yk_state_each does, and the report is not complete. Returns YK_OK,
 // YK_NO_ASSEMBLY (with report->complete: proved), YK_STOPPED, or YK_NO_MEMORY.

@@ -27,8 +27,8 @@ YK_API size_t yk_derivation_section_count(void);
 YK_API const char *yk_derivation_section_name(size_t section);
 YK_API const char *yk_derivation_section_title(size_t section);
 YK_API size_t yk_derivation_section_find(const char *name); // YK_NOT_FOUND if there is none
-// Returns whether "all" has the section: a machine without gears has no section on gears, and polygons, which show what
-// other sections solve in the order in which it is drawn by hand, are written on request.
+// Returns whether "all" has the section: a machine without gears has no section on gears, and polygons, which show the
+// steps of a construction by hand for what other sections solve, are written on request only.
 YK_API bool yk_derivation_has_section(const YkDerivation *derivation, size_t section);
 
 typedef enum YkPageFormat {

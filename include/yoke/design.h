@@ -24,7 +24,7 @@ typedef struct YkFourBar {
     YkFourBarClass kind; // with body[0] as the frame and body[1] as the input
 } YkFourBar;
 // Finds the machine's four-bars whose frame link is the ground or, if there are none, any ring of four pins. Writes
-// `capacity` of them at most. Returns their count, YK_NOT_FOUND when out of memory. The search ends after 2e7 looks,
+// `capacity` of them at most. Returns their count, YK_NOT_FOUND when out of memory. The search ends after 2e7 steps,
 // since bodies joined by very many pins have too many rings to list.
 YK_API size_t yk_four_bars(const YkMechanism *mech, YkFourBar *four_bars, size_t capacity);
 YK_API const char *yk_four_bar_name(YkFourBarClass kind); // "crank-rocker (Grashof)", ...
@@ -35,7 +35,7 @@ typedef struct YkStroke {
     double low_at, high_at; // input angles there, rad, to 1e-9
     double ratio;           // input angle of the slower stroke over the faster one, >= 1
 } YkStroke;
-// Sweeps the input once round from the state's pose, which the state leaves. Returns YK_OK; YK_LIMIT if the input cannot
+// Sweeps the input once round from the state's pose, and leaves the state elsewhere. Returns YK_OK; YK_LIMIT if the input cannot
 // turn through; YK_BAD_ARGUMENT if it does not turn at all (a distance) or
 // the channel does not have exactly two extremes.
 YK_API YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *stroke);

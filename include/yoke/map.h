@@ -47,7 +47,7 @@ typedef enum YkMapEventKind {
     YK_MAP_LIMIT,        // the mapped coordinate turns back: two branches join
     YK_MAP_CHANGE_POINT, // two branches cross
     YK_MAP_DEAD_POINT,   // another coordinate that was asked for turns back (yk_map_add_dead_points)
-    YK_MAP_END           // the end of the domain, beyond which was not looked
+    YK_MAP_END           // the end of the domain: nothing is known beyond it
 } YkMapEventKind;
 YK_API const char *yk_map_event_kind_name(YkMapEventKind kind); // "limit", "change-point", "dead-point", "end"
 typedef struct YkMapEvent {
@@ -58,7 +58,7 @@ typedef struct YkMapEvent {
     size_t branch;     // a branch of the circuit on which it lies
 } YkMapEvent;
 YK_API YkMapEvent yk_map_event(const YkMap *map, size_t circuit, size_t event); // ascending in `at`
-// Returns the value of a coordinate at an event, NaN if there is none such.
+// Returns the value of a coordinate at an event, NaN if there is no such event.
 YK_API double yk_map_event_value(const YkMap *map, size_t circuit, size_t event, size_t coordinate);
 
 // Returns the motion of a joint's angle on a circuit: its range, and whether it turns fully: the joint can go on
@@ -96,7 +96,7 @@ YK_API YkStatus yk_map_add_drives(YkMap *map, const YkState *start, YkProblems *
 
 // A configuration on the map.
 typedef struct YkMapPlace {
-    size_t circuit, strand; // strand: a part of a branch; what it is called means nothing outside of this map
+    size_t circuit, strand; // strand: a part of a branch, by a number that only this map understands
     double at;              // the mapped coordinate, within the domain
 } YkMapPlace;
 // Writes all configurations at a value of the mapped coordinate, `capacity` at most. Returns how many there are.

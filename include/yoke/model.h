@@ -27,7 +27,7 @@ typedef struct YkLoadOptions {
 
 YK_API YkLoadOptions yk_default_load_options(void);
 
-// Reads and validates a model file. Adds every problem of the file to `problems`, also when the model loads.
+// Reads and validates a model file. Adds every problem of the file to `problems`, even if the model loads.
 // Returns NULL if there was an error. options may be NULL. Cost: linear in the size of the file.
 YK_API YkModel *yk_model_load(const char *path, const YkLoadOptions *options, YkProblems *problems);
 // Does the same for text in memory; `name` stands for the file's name in messages.

@@ -73,7 +73,7 @@ YK_API double yk_regions_tolerance(const YkRegions *regions, int axis);  // how 
 // Returns which part of the domain's area is proved, from 0 to 1.
 YK_API double yk_regions_proved(const YkRegions *regions);
 // Returns the number of configurations at a pose within the domain, which is read from the map; *proved (may be NULL)
-// tells whether it is proved there. -1 outside of the domain.
+// tells whether it is proved there. -1 outside the domain.
 YK_API int yk_regions_at(const YkRegions *regions, double first, double second, bool *proved);
 
 // The regions in which the machine closes, the one that contains the start first, then the largest first. Regions that

@@ -28,8 +28,8 @@ typedef struct YkRest YkRest;
 YK_API YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProblems *problems);
 YK_API void yk_rest_free(YkRest *rest);
 YK_API size_t yk_rest_count(const YkRest *rest);
-// Returns whether all circuits were searched, which only two equilibria of one circuit less than about 0.05 rad apart can
-// escape; otherwise there may be others.
+// Returns whether all circuits were searched: only two equilibria of one circuit, less than about 0.05 rad apart, can then
+// have been missed. Otherwise there may be others.
 YK_API bool yk_rest_is_complete(const YkRest *rest);
 YK_API const YkMechanism *yk_rest_mechanism(const YkRest *rest);
 YK_API size_t yk_rest_freedom(const YkRest *rest);         // f, the number of free inputs

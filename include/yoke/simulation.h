@@ -126,7 +126,7 @@ typedef enum YkHappeningKind {
     YK_HAPPENING_DEAD_POINT,   // of the coordinate that started the machine: it reverses while the others continue
     YK_HAPPENING_CROSSING,
     YK_HAPPENING_LIFT_OFF, // of a cam: its follower leaves it and flies free
-    YK_HAPPENING_LAW_LEFT, // for the first time the argument of a law leaves its range (yoke/laws.h)
+    YK_HAPPENING_LAW_LEFT, // the argument of a law leaves its range for the first time (yoke/laws.h)
     YK_HAPPENING_LANDING,  // of a cam: its follower meets it again, and stays (a plastic impact)
     YK_HAPPENING_PULL      // of a cam: from here on it would have to pull its follower, which cannot fly, since no mass
                            // determines how; the motion goes on as if they stayed in contact

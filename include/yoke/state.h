@@ -81,8 +81,8 @@ YK_API double yk_state_channel(const YkState *state, YkChannel channel);
 // is closed. Its sine is the block's determinant over the product of its column lengths. 0 at a dead point.
 YK_API double yk_state_transmission(const YkState *state, size_t block);
 
-// The residuals: of all loop equations over the machine's size, of J q' + Phi_t and of J q'' + gamma over the largest
-// term, each at its largest. Measured in the loops of the tree, not in the steps that solved them.
+// The largest residuals: of the loop equations, over the machine's size; of J q' + Phi_t and of J q'' + gamma, over their
+// largest term. They are measured in the loops of the tree, not in the steps that solved them.
 typedef struct YkResiduals {
     double position, velocity, acceleration;
 } YkResiduals;

@@ -25,16 +25,15 @@ typedef struct YkStudyOptions {
     // Watches yk_study_new and every later call on the study; {NULL}: not watched. It is called on the thread that makes
     // the call, whatever the number of threads, with the part of the designs (or parameters) that is done.
     YkProgress progress;
-    // Moves every design along its drives in time, from t = 0, instead of straight from pose to pose, as a drive needs
-    // that turns back just at a limit between two poses. `times` of a request then give the poses, and `inputs` what
-    // the drives have there; nothing is held. Pose by pose, with allocations.
+    // Moves every design along its drives in time, from t = 0, instead of straight from pose to pose: needed where a
+    // drive turns back at a limit between two poses. The poses of a request are then those at its `times`, where the
+    // drives have the values in `inputs`, and no input is held. Designs are solved pose by pose, with allocations.
     bool follows_time;
 } YkStudyOptions;
 
 typedef struct YkStudy YkStudy;
-// Makes a study. The state's pose is that in which the machine was assembled: it gives the inputs at which every
-// design is assembled, and its configuration. Its model and mechanism must outlive the study. Returns NULL with
-// problems added.
+// Makes a study. The state is in the pose in which the machine was assembled: every design is assembled at its inputs,
+// in its configuration. The state's model and mechanism must outlive the study. Returns NULL with problems added.
 YK_API YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkProblems *problems);
 YK_API void yk_study_free(YkStudy *study);
 

@@ -63,7 +63,7 @@ YK_API double yk_sweep_worst_residual(const YkSweep *sweep);
 
 // Finds every range of a coordinate in which the configuration of `state`, given by its labels, closes: for an angle
 // within a turn that starts at the state's value minus pi, for a distance within +-(sum of lengths). Ends are exact to
-// 1e-10, those of groups, whose iteration converges a little beyond a limit too, to 1e-9; a full turn is one range of
+// 1e-10, or to 1e-9 for groups, whose iteration also converges a little beyond a limit; a full turn is one range of
 // 2 pi. The range in which the state stands goes on through change points, as its
 // motion does. Returns the count, YK_NOT_FOUND when out of memory or stopped (the state's report then says YK_STOPPED).
 typedef struct YkRange {

@@ -65,10 +65,10 @@ typedef struct YkSynthesis YkSynthesis;
 YK_API YkSynthesis *yk_synthesis_run(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
 YK_API void yk_synthesis_free(YkSynthesis *synthesis);
 YK_API bool yk_synthesis_was_stopped(const YkSynthesis *synthesis);
-// Returns whether everything that there is was sought: false where a task leaves a choice, which is sampled, and for paths
-// but those of exactly nine points.
+// Returns whether every solution was sought: false where a task leaves a choice, which is sampled, and for all paths but
+// those through exactly nine points.
 YK_API bool yk_synthesis_is_complete(const YkSynthesis *synthesis);
-// The number of solutions of the equations, where they are finite: false otherwise.
+// Finds how many solutions the task's equations have. Returns false if that number is not finite.
 YK_API bool yk_synthesis_solutions(const YkSynthesis *synthesis, size_t *complex_count, size_t *real_count);
 
 // The pieces of a search, for whoever distributes it over threads, processes or machines. A piece is a start of the search,

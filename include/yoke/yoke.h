@@ -8,12 +8,12 @@
 // - A returned `const char *` belongs to the object that was passed in and lives as long as that object, unless the
 //   function says otherwise.
 // - A YkStatus below 0 is a failure. A constructor that fails returns NULL and adds a problem that says why. `problems`
-//   may be NULL: the call does the same and tells nothing. Why a pose could not be found stands in the report of the
-//   state (yk_state_report) and not among the problems.
+//   may be NULL; the call then does the same without saying why. A pose that could not be found is explained in the
+//   state's report (yk_state_report), not among the problems.
 // - Indices are size_t and count from 0. A search by name returns YK_NOT_FOUND if the name is unknown. A member of a
 //   struct that may have no index is an int; it is -1 if there is none.
-// - An index past the last, YK_NOT_FOUND too, is answered and never reads or writes outside: a number is NaN, a pointer
-//   NULL, an index YK_NOT_FOUND, a count or truth 0, and a struct consists of these. What sets a value does nothing.
+// - Any index is safe to pass. For one past the last, such as YK_NOT_FOUND, a function returns NaN for a number, NULL for
+//   a pointer, YK_NOT_FOUND for an index, 0 for a count or a truth value, and a struct of these; a setter does nothing.
 // - Options come from yk_default_x_options() and are changed from there; NULL in their place means the defaults. Options
 //   and requests without such a function start from {0}, which leaves out all that may be left out.
 // - Enumerators begin with the name of their type; only the statuses (YK_OK, YK_LIMIT, ...) stand alone.

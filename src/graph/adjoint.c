@@ -1,4 +1,4 @@
-// Derivatives of one value by all leaves: what the value has of each part, handed backwards.
+// Derivatives of one value by all leaves, from the value backwards through its operands (reverse accumulation).
 #include <stdlib.h>
 #include "graph/graph.h"
 

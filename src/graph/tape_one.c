@@ -1,8 +1,8 @@
 // One lane of a tape: the same operations on single numbers, in an order in which operations of one kind stand together.
 //
-// Every value has a number of its own, so that operations may change places. Those of one kind follow each other as long
-// as there are some that wait for nothing else; then the kind comes of which most are ready. A group of one kind is one
-// jump.
+// Every value has a number of its own, so that operations may change places. Operations of one kind follow each other as
+// long as some are ready, that is, wait for no other; the next kind is then the one with the most operations ready. A
+// group of one kind costs one jump.
 #include "graph/tape_one.h"
 
 typedef struct Maker {
@@ -11,7 +11,7 @@ typedef struct Maker {
     YkTapeStep *steps; // by places
     int32_t *place;    // per row: of the value that it holds now, or YK_NONE
     bool *is_taken;    // per step
-    bool *is_known;    // per place: its number is there before the steps that are still left
+    bool *is_known;    // per place: its number is computed before the steps that remain
     size_t *order;     // steps as they run
     size_t step_count, place_count, place_capacity;
 } Maker;

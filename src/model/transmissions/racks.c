@@ -66,9 +66,9 @@ static bool holds_pinion(const YkModel *model, const YkRack *rack, int32_t body,
     return false;
 }
 
-// Returns the side of the rack's line on which the pinion lies, seen along the slide by its first body: times this its
-// distance. A slide written from the rack to the carrier fixes its line in the rack, and the line passes through the
-// carrier's point: both signs change.
+// Returns the distance of the pinion's centre from the line of the slide, positive to the left of its direction, in the
+// axes of the slide's first body. A slide written from the rack to the carrier fixes its line in the rack, and the line
+// passes through the carrier's point: both signs change.
 static double side_of(const YkJoint *slide, bool is_reversed, YkVec center)
 {
     return yk_cross(slide->along, yk_sub(center, slide->at[is_reversed ? 1 : 0]));

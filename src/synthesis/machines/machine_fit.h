@@ -53,10 +53,10 @@ typedef struct YkMachineFit {
     size_t differenced;
     size_t backwards; // runs backwards through the forces of a pose
     YkPace *pace;     // counts the work; NULL: not watched
-    double weight;    // of what a claim lacks, over its limit, against the machine's size
+    double weight;    // of a claim's shortfall (over its limit) beside misses (over the machine's size)
 } YkMachineFit;
 
-// A set of parameters. `error` is the sum of squared, weighted misses of the goals; `cost` also has what the claims lack.
+// A set of parameters. `error` is the sum of squared, weighted misses of the goals; `cost` adds the shortfall of the claims.
 typedef struct YkMachineTry {
     double value[YK_FREE_MAX]; // SI
     double error, cost, worst;
