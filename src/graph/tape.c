@@ -39,11 +39,6 @@ static void count_uses(YkTapeMaker *m, const YkRef *roots, size_t root_count)
 
 // --- steps, whose operands are still values
 
-YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d)
-{
-    return (YkTapeStep){.op = op, .in = {a, b, c, d, YK_NONE}, .call = YK_NONE};
-}
-
 static YkTapeStep rare_step(const YkTapeMaker *m, const YkValue *v)
 {
     YkTapeStep s = yk_tape_step(YK_TAPE_RARE, v->a, v->b, v->c, YK_NONE);

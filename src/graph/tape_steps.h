@@ -88,7 +88,10 @@ static inline const YkValue *yk_tape_value(const YkTapeMaker *maker, YkRef value
 }
 
 // Makes a step whose operands are values.
-YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d);
+static inline YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d)
+{
+    return (YkTapeStep){.op = op, .in = {a, b, c, d, YK_NONE}, .call = YK_NONE};
+}
 // tape_sums.c: finds the products and sums that the step of another sum computes, once uses are counted.
 void yk_tape_find_sums(YkTapeMaker *maker);
 // Makes the step of a sum.

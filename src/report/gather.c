@@ -83,14 +83,6 @@ static void gather_movie(YkReportPage *report, YkProblems *problems)
     if (report->drawing && report->posed == 0) end_drawing(report); // nothing moves: the pose at the start
 }
 
-YkState *yk_report_new_state(YkReportPage *report)
-{
-    YkState *state = yk_state_new(report->mech);
-    report->failed |= !state;
-    if (state) yk_state_lend(state, &report->pace);
-    return state;
-}
-
 static void gather(YkReportPage *report, YkProblems *problems)
 {
     yk_pace_stage(&report->pace, 0, CHOSEN);

@@ -107,9 +107,6 @@ static inline double yk_report_value(const YkReportPage *report, size_t row, siz
 }
 // Returns the first column of a role for `of`; -1 if there is none. order: of a coordinate's derivative.
 int yk_report_column(const YkReportPage *report, YkReportRole role, size_t of, int order);
-// Returns "theta1", or "t" for a motion in time; its quantity.
-const char *yk_report_axis(const YkReportPage *report);
-YkQuantity yk_report_axis_quantity(const YkReportPage *report);
 
 // motion.c: chooses the motion.
 void yk_report_choose_motion(YkReportPage *report);
@@ -128,11 +125,12 @@ typedef struct YkPeak {
 YkPeak yk_report_peak(YkReportPage *report, size_t column);
 YkPeak yk_report_least(YkReportPage *report, size_t column); // the same for the least value
 
-// findings.c: writes sentences into `text`, which is emptied. yk_report_note remembers that memory ran out below,
-// whatever else happens to the answer: the whole page is then refused.
+// notes.c: remember that memory ran out below, whatever else happens to the answer: the whole page is then refused.
 void yk_report_note(YkReportPage *report, YkStatus status);
 void yk_report_note_problems(YkReportPage *report, const YkProblems *problems);
+// Adds a finding, the sentences in `text`, which is emptied.
 void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text);
+// findings.c: writes all of them, one file for each kind.
 void yk_report_findings(YkReportPage *report);
 void yk_findings_structure(YkReportPage *report, YkText *text); // freedom, redundant constraints, four-bars
 void yk_findings_motion(YkReportPage *report, YkText *text);    // ranges, dead points, strokes, transmission
@@ -140,6 +138,9 @@ void yk_findings_forces(YkReportPage *report, YkText *text);    // efforts, reac
 void yk_findings_simulation(YkReportPage *report, YkText *text);
 void yk_findings_parts(YkReportPage *report, YkText *text); // gears, cams
 void yk_findings_laws(YkReportPage *report, YkText *text);  // laws whose range is left
+// amounts.c: returns "theta1", or "t" for a motion in time; its quantity.
+const char *yk_report_axis(const YkReportPage *report);
+YkQuantity yk_report_axis_quantity(const YkReportPage *report);
 // Returns the unit of a quantity on the page, its size in SI (may be NULL), and a value in it: the file's unit, but
 // degrees instead of radians.
 const char *yk_report_unit(const YkReportPage *report, YkQuantity quantity, double *size);

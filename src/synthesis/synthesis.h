@@ -45,7 +45,7 @@ struct YkSynthesis {
     YkText picture, sheet[2];
 };
 
-// Adds a dyad that may stand on these sides.
+// found.c: adds a dyad that may stand on these sides.
 void yk_synthesis_add_dyad(YkSynthesis *s, const YkDyad *dyad, unsigned sides);
 // Counts work of some microseconds; returns whether to go on.
 static inline bool yk_synthesis_goes_on(YkSynthesis *s, size_t microseconds)
@@ -62,6 +62,8 @@ YkFound *yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText 
                            double merit);
 // Counts one that did not.
 void yk_synthesis_leave(YkSynthesis *s, const YkDesign *design, YkDefect defect, const YkVerdict *verdict);
+// Sorts the candidates, keeps the best, and gives their files names.
+void yk_synthesis_rank(YkSynthesis *s);
 
 enum { YK_PAIR_POSES = 9 };
 

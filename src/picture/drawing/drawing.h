@@ -97,7 +97,6 @@ const char *yk_drawing_scene(YkDrawing *drawing);
 // Returns what goes with that drawing at another pose and is not fixed to one body, in pixels of the drawing: springs and
 // names. Empty if there is nothing. NULL when out of memory.
 const char *yk_drawing_parts(YkDrawing *drawing, const YkState *state);
-void yk_drawing_scene_group(YkDrawing *drawing, size_t body); // opens a body's group; three are to be closed
 // Returns where the name of a joint or a body is attached, m.
 YkVec yk_drawing_middle(const YkDrawing *drawing, const YkFrame *frames, size_t body);
 // Writes keyframes of all bodies and names over the poses.
@@ -109,6 +108,7 @@ bool yk_drawing_outline(YkDrawing *drawing);
 bool yk_drawing_place(const YkDrawing *drawing, const YkState *state, YkFrame *frames);
 // Sets scale, size and bar width from everything collected.
 void yk_drawing_fit(YkDrawing *drawing);
+enum { YK_DRAWING_MARGIN = 64, YK_DRAWING_HEAD = 30 }; // px: around what is drawn, and above it
 YkVec yk_drawing_pixel(const YkDrawing *drawing, YkVec metres);
 
 // Does not fit: puts `middle` (m) at the middle of a page of this size (px), at `scale` px per metre.

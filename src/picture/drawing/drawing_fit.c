@@ -1,8 +1,8 @@
-// From metres to pixels: finds the scale at which everything fits the page.
+// Finds the scale at which everything fits the page.
 #include "picture/drawing/drawing.h"
 #include <stdlib.h>
 
-static const double margin = 64, head = 30, foot = 26; // px
+enum { MARGIN = YK_DRAWING_MARGIN, HEAD = YK_DRAWING_HEAD, FOOT = 26 }; // px
 
 static void include(YkDrawing *drawing, YkVec at)
 {
@@ -53,7 +53,7 @@ static double mean_link(const YkDrawing *drawing)
 
 void yk_drawing_fit(YkDrawing *drawing)
 {
-    double page = fmax(drawing->options.width, 4 * margin), tallest = 1.1 * page;
+    double page = fmax(drawing->options.width, 4 * MARGIN), tallest = 1.1 * page;
     drawing->low = yk_vec(INFINITY, INFINITY);
     drawing->high = yk_vec(-INFINITY, -INFINITY);
     for (size_t pose = 0; pose < drawing->pose_count; pose++) include_pose(drawing, yk_drawing_frames(drawing, pose));
@@ -63,23 +63,14 @@ void yk_drawing_fit(YkDrawing *drawing)
     yk_drawing_include_centrodes(drawing);
     yk_drawing_include_centers(drawing);
     YkVec extent = yk_sub(drawing->high, drawing->low);
-    double across = (page - 2 * margin) / extent.x, up = (tallest - 2 * margin) / extent.y;
+    double across = (page - 2 * MARGIN) / extent.x, up = (tallest - 2 * MARGIN) / extent.y;
     drawing->scale = fmin(across, up);
     if (!isfinite(drawing->scale)) drawing->scale = 1;
     if (drawing->fixed_scale > 0) drawing->scale = drawing->fixed_scale;
-    drawing->width = drawing->fixed_scale > 0 ? extent.x * drawing->scale + 2 * margin : page;
-    drawing->height = extent.y * drawing->scale + 2 * margin + head + foot + yk_drawing_notes(drawing);
+    drawing->width = drawing->fixed_scale > 0 ? extent.x * drawing->scale + 2 * MARGIN : page;
+    drawing->height = extent.y * drawing->scale + 2 * MARGIN + HEAD + FOOT + yk_drawing_notes(drawing);
     double bar = 0.085 * mean_link(drawing) * drawing->scale;
     drawing->bar = fmin(fmax(bar > 0 ? bar : 10, 0.8), 12);
-}
-
-void yk_drawing_center(YkDrawing *drawing, YkVec middle, double scale, double width, double height)
-{
-    drawing->scale = scale;
-    drawing->width = width;
-    drawing->height = height;
-    drawing->low = yk_vec(middle.x, middle.y);
-    drawing->high = yk_vec(middle.x, middle.y + (0.5 * height - head - margin) / scale);
 }
 
 double yk_drawing_extent(const YkDrawing *drawing)
@@ -90,11 +81,4 @@ double yk_drawing_extent(const YkDrawing *drawing)
     include_pose(&all, yk_drawing_frames(drawing, 0));
     if (!(all.low.x <= all.high.x)) return 0;
     return fmax(fmax(fabs(all.low.x), fabs(all.high.x)), fmax(fabs(all.low.y), fabs(all.high.y)));
-}
-
-YkVec yk_drawing_pixel(const YkDrawing *drawing, YkVec metres)
-{
-    double middle = 0.5 * (drawing->low.x + drawing->high.x);
-    return yk_vec(0.5 * drawing->width + (metres.x - middle) * drawing->scale,
-                  head + margin + (drawing->high.y - metres.y) * drawing->scale);
 }

@@ -85,3 +85,12 @@ bool yk_drawing_outline(YkDrawing *drawing)
     free(spots);
     return good;
 }
+
+YkVec yk_drawing_middle(const YkDrawing *drawing, const YkFrame *frames, size_t body)
+{
+    YkOutline outline = drawing->outlines[body];
+    YkVec sum = {0, 0};
+    for (size_t i = 0; i < outline.count; i++) sum = yk_add(sum, drawing->corners[outline.first + i]);
+    if (outline.count > 0) sum = yk_scale(1 / (double)outline.count, sum);
+    return yk_frame_apply(frames[body], sum);
+}

@@ -1,30 +1,7 @@
-// Scenes: drawings whose bodies are moved by whoever shows them. Groups nest: the world in metres, y up; the body, at its
-// pose; and the way back from the pixels in which everything is written.
+// Scenes: drawings whose bodies are moved by whoever shows them.
 #include "base/escape.h"
 #include "picture/drawing/drawing.h"
 #include "picture/svg.h"
-
-static void add_numbers(YkText *svg, const char *before, double a, double b)
-{
-    yk_text_format(svg, "%s%g %g)", before, a == 0 ? 0.0 : a, b == 0 ? 0.0 : b);
-}
-
-void yk_drawing_scene_group(YkDrawing *drawing, size_t body)
-{
-    YkText *svg = &drawing->svg;
-    YkFrame frame = yk_drawing_frames(drawing, yk_drawing_reference(drawing))[body];
-    YkVec zero = yk_drawing_pixel(drawing, yk_vec(0, 0)), origin = yk_drawing_pixel(drawing, frame.origin);
-    double turn = yk_atan2(frame.axis.y, frame.axis.x) * 180 / YK_PI;
-    add_numbers(svg, "<g transform=\"translate(", zero.x, zero.y);
-    add_numbers(svg, " scale(", drawing->scale, -drawing->scale);
-    yk_text_puts(svg, "\"><g data-body=\"");
-    yk_escape_xml(svg, drawing->model->bodies[body].name);
-    add_numbers(svg, "\" transform=\"translate(", frame.origin.x, frame.origin.y);
-    yk_text_format(svg, " rotate(%g)\"><g transform=\"rotate(%g)", turn, -turn);
-    add_numbers(svg, " scale(", 1 / drawing->scale, -1 / drawing->scale);
-    add_numbers(svg, " translate(", -origin.x, -origin.y);
-    yk_text_puts(svg, "\">\n");
-}
 
 const char *yk_drawing_scene(YkDrawing *drawing)
 {

@@ -76,3 +76,10 @@ void yk_force_polygon_json(YkSession *session, YkJson *json)
     yk_json_end(json);
     yk_force_polygons_free(p);
 }
+
+void yk_polygon_pair(YkJson *json, const char *key, const double value[2])
+{
+    yk_json_list(json, key, YK_JSON_INLINE);
+    for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, value[i]);
+    yk_json_end(json);
+}

@@ -69,13 +69,6 @@ void yk_polygon_text(YkSession *session, const YkState *state)
     yk_polygon_free(p);
 }
 
-void yk_polygon_pair(YkJson *json, const char *key, const double value[2])
-{
-    yk_json_list(json, key, YK_JSON_INLINE);
-    for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, value[i]);
-    yk_json_end(json);
-}
-
 static void add_vector(const YkSession *session, YkJson *json, const YkPolygonVector *v)
 {
     yk_json_object(json, NULL, YK_JSON_INLINE);

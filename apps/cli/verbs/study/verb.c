@@ -34,16 +34,6 @@ static void tell_failed(YkStudyAnswer *a)
     yk_study_tell_why(a);
 }
 
-// After a piece that did not fit, which is told, the rest goes nowhere.
-void yk_study_flush(YkStudyAnswer *a, size_t most)
-{
-    YkText *out = &a->session->out;
-    if (!a->blocks || out->failed || out->length < most) return;
-    if (a->stream.is_open && !yk_stream_write(&a->stream, yk_text_get(out), out->length, a->session->problems))
-        yk_stream_drop(&a->stream);
-    yk_text_clear(out);
-}
-
 // Ends the output. Returns the exit code.
 static int finish(YkStudyAnswer *a, int exit_code)
 {

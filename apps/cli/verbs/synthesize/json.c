@@ -146,3 +146,10 @@ void yk_synthesis_json(const YkSynthesisAnswer *answer, YkText *text)
     if (answer->session->request->defects) add_defects(&json, synthesis);
     yk_json_end(&json);
 }
+
+const char *yk_synthesis_word(const YkSynthesisAnswer *answer)
+{
+    if (answer->is_late) return "time";
+    if (yk_synthesis_was_stopped(answer->synthesis)) return "interrupted";
+    return yk_synthesis_count(answer->synthesis) > 0 ? "ok" : "none";
+}

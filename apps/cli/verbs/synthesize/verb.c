@@ -9,13 +9,6 @@
 #include "stop.h"
 #include "write/folder.h"
 
-const char *yk_synthesis_word(const YkSynthesisAnswer *answer)
-{
-    if (answer->is_late) return "time";
-    if (yk_synthesis_was_stopped(answer->synthesis)) return "interrupted";
-    return yk_synthesis_count(answer->synthesis) > 0 ? "ok" : "none";
-}
-
 // Reads a time span: a number with a unit of time, or in seconds.
 static bool read_span(YkSession *session, const char *text, double *seconds)
 {

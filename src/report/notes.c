@@ -1,0 +1,36 @@
+// What every part of a report hands on: findings, what ran out of memory, states that are watched.
+#include "base/problems.h"
+#include "report/report.h"
+#include "solve/state.h"
+
+void yk_report_note(YkReportPage *report, YkStatus status)
+{
+    report->failed |= status == YK_NO_MEMORY;
+}
+
+void yk_report_note_problems(YkReportPage *report, const YkProblems *problems)
+{
+    report->failed |= !problems || yk_problems_ran_out(problems);
+}
+
+void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text)
+{
+    report->failed |= text->failed;
+    if (text->length == 0) return;
+    if (!YK_ROOM(report->findings, report->finding_count, report->finding_capacity)) {
+        report->failed = true;
+        return;
+    }
+    const char *own = yk_arena_copy(report->arena, yk_text_get(text), text->length);
+    report->failed |= !own;
+    report->findings[report->finding_count++] = (YkFinding){kind, own ? own : ""};
+    yk_text_clear(text);
+}
+
+YkState *yk_report_new_state(YkReportPage *report)
+{
+    YkState *state = yk_state_new(report->mech);
+    report->failed |= !state;
+    if (state) yk_state_lend(state, &report->pace);
+    return state;
+}
