@@ -67,9 +67,7 @@ const YkOption yk_options[] = {
     {"to", 0, YK_OPTION_WORD, FIELD(to), "TIME", " simulate draw report ", "the time at the end, as in 10s"},
     {"every", 0, YK_OPTION_WORD, FIELD(every), "TIME", " simulate ",
      "the time between two rows (default: --steps 100)"},
-    {"tol", 0, YK_OPTION_WORD, FIELD(tolerance), "NUMBER", " simulate map ",
-     "error allowed per step (default 1e-9); of a map over two coordinates, which part of its extent may stay unproved "
-     "(default 1e-3)"},
+    {"tol", 0, YK_OPTION_WORD, FIELD(tolerance), "NUMBER", " simulate map ", "error allowed per step (default 1e-9)"},
     {"method", 0, YK_OPTION_WORD, FIELD(method), "NAME", " solve sweep simulate ",
      "how forces are found: reduced (default) or newton-euler"},
     {"step", 0, YK_OPTION_WORD, FIELD(step), "TIME", " simulate ", "the step of rk4 (default 1 ms)"},

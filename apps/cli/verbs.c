@@ -109,10 +109,10 @@ const YkVerb yk_verbs[] = {
      "writes a model file for each and a picture of all.",
      "yoke cognates examples/four-bar.yaml -o cognates", yk_run_cognates},
     {"balance", "counterweights and flywheel", "FILE [options]",
-     "Tells how a machine with masses shakes its frame over a cycle - force, moment, torque - and finds the\n"
-     "counterweights that keep its centre of mass still, or move it least where that cannot be; shaking and torque\n"
-     "with them, measured by the engine; and the flywheel for a given fluctuation of speed. -o DIR writes the model\n"
-     "with its counterweights.",
+     "Tells how a machine with masses shakes its frame over a cycle: force, moment and torque. Finds the\n"
+     "counterweights that keep its centre of mass still, or as still as they can, and measures the shaking with them\n"
+     "by the engine; then the flywheel for a given fluctuation of speed. -o DIR writes the model with its\n"
+     "counterweights.",
      "yoke balance examples/watt-with-masses.yaml", yk_run_balance},
     {NULL, NULL, NULL, NULL, NULL, NULL},
 };

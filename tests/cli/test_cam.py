@@ -62,6 +62,12 @@ class Cam(Case):
         self.assertIsNotNone(got, label)
         self.assertLessEqual(abs(got - want), tolerance * max(1.0, abs(want)), "%s: %r, expected %r" % (label, got, want))
 
+    def prints_code_that_agrees(self, file):
+        """The C of a machine, whose self-test compares it with the engine."""
+        self.good("code", file, "--prefix", "own", "-o", self.path("own.c"))
+        subprocess.run([os.environ.get("CC", "cc"), "-Down_TEST", "-o", self.path("own"), self.path("own.c"), "-lm"], check=True)
+        self.assertIn("well", subprocess.run([self.path("own")], capture_output=True, encoding="utf-8", check=True).stdout)
+
 
 class Oracle(Cam):
     """examples/expected/cams, written by tools/oracle/cam_oracle.py with 60 digits."""
@@ -262,9 +268,7 @@ class Answers(Cam):
             shown = re.search(r"by ground at O:.* \[ *(\S+) *\]\n.* \[ *(\S+) *\]", text)
             for value, want in zip(shown.groups(), rows[7][3:5]):  # the shaft's bearing carries the contact force
                 self.assertAlmostEqual(float(value), want, delta=1e-3)
-            self.good("code", file, "-o", self.path("turning.c"))
-            subprocess.run([os.environ.get("CC", "cc"), "-Dturning_TEST", "-o", self.path("turning"), self.path("turning.c"), "-lm"], check=True)
-            self.assertIn("well", subprocess.run([self.path("turning")], capture_output=True, encoding="utf-8", check=True).stdout)
+            self.prints_code_that_agrees(file)
         weak = self.write("weak.yaml", (TURNING % ("face: flat, base: 40, offset: 5", "[ground, rocker]", -25)).replace("20 N*m", "2 N*m"))
         self.assertIn("lift-off of c", self.good("simulate", weak, "--to", "0.2s", "--param", "n=900rpm").err)
 
@@ -371,9 +375,7 @@ class Pairs(Cam):
         for step, row in zip(steps[1:], rows):
             for k in (0, 1):
                 self.assertAlmostEqual(step[1 + k], row[4 + k], delta=1e-6)
-        self.good("code", file, "-o", self.path("pair.c"))
-        subprocess.run([os.environ.get("CC", "cc"), "-Dpair_TEST", "-o", self.path("pair"), self.path("pair.c"), "-lm"], check=True)
-        self.assertIn("well", subprocess.run([self.path("pair")], capture_output=True, encoding="utf-8", check=True).stdout)
+        self.prints_code_that_agrees(file)
         for at in (5, 10):  # 60 and 110 deg: the first bears, then the second
             text = self.good("derive", file, "--what", "free-bodies", "--numbers", "--at", "th=%ddeg" % (10 * at + 10)).out
             self.assertIn("at the roller that bears", text)
@@ -435,9 +437,7 @@ class Pairs(Cam):
             height = 0.038 + lift - (0.09 if y < 0 else 0)
             self.assertAlmostEqual(x, -y * rate / (500 * math.pi / 30) / height, delta=1e-9)
         self.assertGreater(seconds, 5)
-        self.good("code", file, "-o", self.path("pair.c"))
-        subprocess.run([os.environ.get("CC", "cc"), "-Dpair_TEST", "-o", self.path("pair"), self.path("pair.c"), "-lm"], check=True)
-        self.assertIn("well", subprocess.run([self.path("pair")], capture_output=True, encoding="utf-8", check=True).stdout)
+        self.prints_code_that_agrees(file)
 
     def test_a_groove_keeps_the_normal(self):
         """The other flank lies on the same line, whichever bears."""

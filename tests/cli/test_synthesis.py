@@ -52,12 +52,12 @@ units: {length: mm}
     def drawn(self, path):
         """A picture's groups: ranges of the axes, and what maps its pixels to values."""
         root = ElementTree.parse(path).getroot()
-        for group in root.iter("{http://www.w3.org/2000/svg}g"):
+        groups = list(root.iter("{http://www.w3.org/2000/svg}g"))
+        frames = [p for p in root.iter("{http://www.w3.org/2000/svg}polygon") if p.get("stroke") == "#888"]
+        self.assertEqual(len(groups), len(frames))
+        for group, frame in zip(groups, frames):
             x, y = ([float(v) for v in group.get("data-" + axis).split()] for axis in "xy")
-            frames = [p for p in root.iter("{http://www.w3.org/2000/svg}polygon") if p.get("stroke") == "#888"]
-            index = [g for g in root.iter("{http://www.w3.org/2000/svg}g")].index(group)
-            corners = [tuple(map(float, p.split(","))) for p in frames[index].get("points").split()]
-            (left, bottom), (right, top) = corners[0], corners[2]
+            (left, bottom), _, (right, top) = [tuple(map(float, p.split(","))) for p in frame.get("points").split()][:3]
             scale = (right - left) / (x[1] - x[0]), (bottom - top) / (y[1] - y[0])
             yield group, lambda px, py, l=left, b=bottom, s=scale, x0=x[0], y0=y[0]: (x0 + (px - l) / s[0], y0 + (b - py) / s[1]), scale
 
