@@ -88,8 +88,8 @@ static YkExpr *refuse_unit(YkParser *parser, size_t number, size_t unit, size_t 
     else if (near)
         yk_problem_hint(parser->problems, "did you mean %q?", near);
     else if (bad > unit)
-        yk_problem_hint(parser->problems, "for a product put spaces around the operator: `%s %c %s`",
-                        piece(parser, number, bad - 1), (int)parser->text[bad - 1], word);
+        yk_problem_hint(parser->problems, "for a product put spaces around the operator: `%s %c %s%s`",
+                        piece(parser, number, bad - 1), (int)parser->text[bad - 1], word, is_call ? "(...)" : "");
     else
         yk_problem_hint(parser->problems, "for a product write `%s*%s%s`", piece(parser, number, number_end), word,
                         is_call ? "(...)" : "");

@@ -85,6 +85,7 @@ static void what_is_no_unit_is_refused_with_what_to_write(void **state)
         {"20 rpm*t", 303, 8, "`20 rpm * t`"},
         {"20 rpm*t1", 303, 8, "`20 rpm * t1`"},
         {"1 m/t", 303, 5, "`1 m / t`"},
+        {"2 m*sin(x)", 303, 5, "`2 m * sin(...)`"},
         {"1 + 3/4 lengths", 303, 9, "3/4*lengths"},
         {"2 m^99", 303, 3, NULL},
         {"5 kg*mn", 303, 6, "did you mean"},
