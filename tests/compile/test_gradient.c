@@ -194,6 +194,85 @@ static void directions_and_functions_have_slopes(void **state)
     vary_free(&v);
 }
 
+static double complex square(double complex z)
+{
+    return z * z;
+}
+
+// A crank r, a rod l with a point P beside it, and a guide at the height h, turning with the rate w and the acceleration a.
+// Answers by name, each an expression of the lengths alone.
+typedef struct Crank {
+    double complex value[18];
+} Crank;
+static const char *const crank_names[18] = {
+    "s",           "s.rate",         "s.accel",       "rod.angle", "rod.rate",     "rod.accel",
+    "rod.P.x",     "rod.P.x.rate",   "rod.P.x.accel", "rod.P.y",   "rod.P.y.rate", "rod.P.y.accel",
+    "rod.P.speed", "B.transmission", "phi",           "phi.rate",  "B.angle",      "slider.B.speed"};
+
+static Crank crank_of(const double complex *p, double theta, double w, double a)
+{
+    double complex r = p[0], l = p[1], h = p[2], px = p[3], py = p[4], c = cos(theta), si = sin(theta);
+    double complex sine = (h - r * si) / l, cosine = csqrt(1 - square(sine)), phi = casin(sine);
+    double complex rate = -r * c * w / (l * cosine);
+    double complex accel = (r * si * w * w - r * c * a + l * sine * square(rate)) / (l * cosine);
+    double complex s = r * c + l * cosine, v = -r * si * w - l * sine * rate;
+    double complex acc = -r * c * w * w - r * si * a - l * cosine * square(rate) - l * sine * accel;
+    double complex x = px * cosine - py * sine, y = px * sine + py * cosine; // P's arm from the crank's end, turned
+    double complex vx = -r * si * w - y * rate, vy = r * c * w + x * rate;
+    double complex ax = -r * c * w * w - r * si * a - y * accel - x * square(rate);
+    double complex ay = -r * si * w * w + r * c * a + x * accel - y * square(rate);
+    // The rod's end can leave the rod's circle across the rod, and the guide along x: these two are at this angle.
+    double complex transmission = casin(creal(cosine) < 0 ? -cosine : cosine);
+    return (Crank){{s, v, acc, phi, rate, accel, r * c + x, vx, ax, r * si + y, vy, ay, csqrt(square(vx) + square(vy)),
+                    transmission, phi - theta, rate - w, -phi, creal(v) < 0 ? -v : v}};
+}
+
+static void rates_speeds_and_transmissions_have_slopes(void **state)
+{
+    (void)state;
+    static const char source[] =
+        "parameters: {r: 1 m, l: 3 m, h: 0.4 m, px: 1.2 m, py: 0.7 m}\n"
+        "bodies:\n  ground: {points: {O: [0, 0], G: [0, h]}}\n  crank: {points: {O: [0, 0], A: [r, 0]}}\n"
+        "  rod: {points: {A: [0, 0], B: [l, 0], P: [px, py]}}\n  slider: {points: {B: [0, 0]}}\n"
+        "joints:\n  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+        "  B: {pin: [rod, slider]}\n  S: {slide: [ground, slider], along: x, from: G, to: B, distance: s}\n"
+        "drives: {theta: 0.5}\nstart: {phi: -0.5, s: 4}\n";
+    enum { LENGTHS = 5, ANSWERS = sizeof crank_names / sizeof *crank_names };
+    const double own[LENGTHS] = {1, 3, 0.4, 1.2, 0.7};
+    Varied v = vary(source, NAMES);
+    assert_int_equal(v.count, LENGTHS);
+    for (int pose = 0; pose < 20; pose++) {
+        double theta = 0.1 + 0.3 * pose, w = 1.7, a = -0.6, slope[NAMES];
+        turn_to(&v, theta);
+        yk_state_set_input(v.state, 0, (YkMotion){theta, w, a});
+        assert_true(yk_state_solve(v.state) >= 0);
+        assert_true(linearise(&v));
+        for (int n = 0; n < ANSWERS; n++) {
+            YkChannel channel;
+            double complex p[LENGTHS] = {own[0], own[1], own[2], own[3], own[4]};
+            assert_int_equal(yk_channel_parse(v.m.mech, crank_names[n], &channel, NULL), YK_OK);
+            double off = yk_state_channel(v.state, channel) - creal(crank_of(p, theta, w, a).value[n]);
+            if (channel.quantity == YK_QUANTITY_ANGLE) off = remainder(off, 2 * YK_PI);
+            if (!(fabs(off) < 1e-12)) print_error("%s at %g\n", crank_names[n], theta);
+            CHECK_NEAR(off, 0, 1e-12);
+            by_parameters(&v, crank_names[n], slope);
+            for (int k = 0; k < LENGTHS; k++) {
+                p[k] += 1e-30 * I;
+                double truth = cimag(crank_of(p, theta, w, a).value[n]) * 1e30;
+                p[k] = own[k];
+                if (!(fabs(slope[k] - truth) < 1e-11 * (1 + fabs(truth))))
+                    print_error("%s by %s at %g\n", crank_names[n], v.name[k], theta);
+                CHECK_NEAR(slope[k], truth, 1e-11 * (1 + fabs(truth)));
+            }
+        }
+        YkWeighted time = {.channel = {.kind = YK_CHANNEL_TIME}, .weight = 1};
+        for (int k = 0; k < LENGTHS; k++) slope[k] = 0;
+        yk_gradient_add(v.gradient, &time, 1, slope);
+        for (int k = 0; k < LENGTHS; k++) CHECK_NEAR(slope[k], 0, 0);
+    }
+    vary_free(&v);
+}
+
 // --- the gallery
 
 // Compares all positions of a machine as its file gives it with those of machines solved anew.
@@ -271,6 +350,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(jansens_foot_follows_its_lengths),
         cmocka_unit_test(directions_and_functions_have_slopes),
+        cmocka_unit_test(rates_speeds_and_transmissions_have_slopes),
         cmocka_unit_test(the_gallery_has_the_slopes_of_machines_solved_anew),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
