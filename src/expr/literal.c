@@ -65,8 +65,7 @@ static size_t find_time(const YkParser *parser, size_t start, size_t end)
 
 static bool looks_like_a_name(const char *word)
 {
-    if (strcmp(word, "pi") == 0 || strcmp(word, "t") == 0) return true;
-    return strpbrk(word, "0123456789_") != NULL;
+    return strcmp(word, "t") == 0 || strpbrk(word, "0123456789_") != NULL;
 }
 
 // Refuses what stands in place of a unit: a misspelt unit, or a factor whose operator is missing or has no spaces.

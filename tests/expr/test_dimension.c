@@ -454,6 +454,19 @@ static void of_two_unknown_factors_the_first_is_a_number(void **state)
     file_free(&file);
 }
 
+static void of_two_products_with_an_unknown_each_the_first_has_a_number(void **state)
+{
+    (void)state;
+    File file = file_new(yk_units_si());
+    parameter(&file, "k", "3");
+    parameter(&file, "b", "4");
+    const YkExpr *torque = use(&file, "(k*d)*(b/t)", TORQUE, "effort");
+    run_well(&file);
+    CHECK_NEAR(value(&file, torque), 12, 0);
+    check_parameter(&file, "b", (YkDimension){1, 1, -1, 0});
+    file_free(&file);
+}
+
 static void a_later_use_decides_an_ambiguous_product(void **state)
 {
     (void)state;
@@ -692,6 +705,7 @@ int main(void)
         cmocka_unit_test(one_use_decides_a_chain_of_parameters),
         cmocka_unit_test(an_unused_parameter_stays_open_and_counts_as_a_number),
         cmocka_unit_test(of_two_unknown_factors_the_first_is_a_number),
+        cmocka_unit_test(of_two_products_with_an_unknown_each_the_first_has_a_number),
         cmocka_unit_test(a_later_use_decides_an_ambiguous_product),
         cmocka_unit_test(contradictions_inside_an_expression_are_found_at_their_place),
         cmocka_unit_test(whole_powers_and_roots_of_quantities_are_fine),
