@@ -161,7 +161,7 @@ bool yk_number_read_exact(const char *text, size_t length, int64_t *mantissa, in
     if (scan.length == 0 || scan.dropped) return false;
     if (scan.mantissa == 0) scan.exponent = 0;
     for (; scan.mantissa != 0 && scan.mantissa % 10 == 0; scan.exponent++) scan.mantissa /= 10;
-    if (scan.mantissa > INT64_MAX || scan.exponent > INT32_MAX || scan.exponent < INT32_MIN) return false;
+    if (scan.mantissa > INT64_MAX || scan.exponent > INT32_MAX || scan.exponent < -INT32_MAX) return false;
     *mantissa = (int64_t)scan.mantissa;
     *exponent = (int32_t)scan.exponent;
     return true;

@@ -244,7 +244,7 @@ static void force_name(const YkMechanism *mech, YkChannel channel, YkText *name)
     if (channel.kind == YK_CHANNEL_EFFORT || channel.kind >= YK_CHANNEL_EFFORT_FROM)
         yk_text_puts(name, mech->coordinates[channel.index].name);
     else if (channel.kind < YK_CHANNEL_EFFORT && (size_t)channel.index >= mech->model->joint_count)
-        yk_text_puts(name, mech->relations[(size_t)channel.index - mech->model->joint_count].name);
+        yk_text_puts(name, yk_contact_name(mech, (size_t)channel.index - mech->model->joint_count));
     else if (channel.kind < YK_CHANNEL_EFFORT)
         yk_text_puts(name, mech->model->joints[channel.index].name);
     yk_text_puts(name, suffixes[channel.kind - YK_CHANNEL_FORCE_X]);

@@ -30,8 +30,9 @@ typedef struct Work { // on one part; x holds all variables of the machine
     bool is_closed;  // there is a closed pose
     bool is_given;   // the guesses close unchanged
     bool holds;      // loops are closed while the inputs that were counted keep their values
-    bool *other;     // [members] accepted at another pose
-    bool *counted;   // [members] accepted by the caller
+    const double *along; // or while the way along this motion does
+    bool *other;         // [members] accepted at another pose
+    bool *counted;       // [members] accepted by the caller
     size_t *order;
     uint64_t seed;
 } Work;
@@ -224,6 +225,8 @@ static void damped_step(Work *w, double mu)
     for (size_t j = 0; j < w->n; j++) w->A[(w->m + j) * w->n + j] = mu;
     for (size_t k = 0; k < w->member_count && w->holds && rows < held + w->n; k++)
         if (w->wish->accepted[w->members[k]]) add_rate(w, w->wish->items[w->members[k]], heavy, w->A + rows++ * w->n);
+    for (size_t j = 0; j < w->n && w->along; j++) w->A[rows * w->n + j] = heavy * w->along[j];
+    rows += w->along != NULL;
     double *b = w->residual + w->m;
     for (size_t i = 0; i < rows; i++) b[i] = i < w->m ? -w->residual[i] : 0;
     size_t rank = yk_qr_factor(rows, w->n, w->A, w->order, w->tau, 1e-14);
@@ -382,6 +385,33 @@ static void move(Work *w, const double *motion, double by)
     for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] += by * motion[j] * (is_angle(w, j) ? 1 : w->mech->size);
 }
 
+// Closes the loops a little along a motion from near[0]. Where branches of motion meet, Newton's method may fall back to
+// the meeting point, at which it knows angles to half their digits and every rank is rounding: other motions are tried
+// then, and kept from falling back. If none leads anywhere, the machine is rigid, as the rank of the last says. Returns
+// whether a pose closes.
+static bool close_beside(Work *w, size_t free_count, double *motion)
+{
+    enum { ATTEMPTS = 9 };
+    const double way = 0.02; // of the part that moves most
+    for (int attempt = 0; attempt <= ATTEMPTS; attempt++) {
+        bool is_last = attempt == ATTEMPTS;
+        double away = 0;
+        if (attempt > 0) draw_motion(w, free_count, motion);
+        restore(w, w->near[0]);
+        move(w, motion, way);
+        w->along = attempt > 0 && !is_last ? motion : NULL;
+        bool is_closed = close_loops(w);
+        w->along = NULL;
+        if (!is_closed && attempt == 0) return false;
+        for (size_t j = 0; j < w->n; j++) {
+            double off = w->x[w->variables[j]] - w->near[0][j];
+            away = fmax(away, fabs(off) / (is_angle(w, j) ? 1 : w->mech->size));
+        }
+        if (is_closed && (is_last || away > 0.01 * way)) return true;
+    }
+    return false;
+}
+
 // Compares the present pose with those to which its free motions lead, so that no other assembly is measured. rank[k]
 // is 0 if a pose does not close. Returns the largest.
 static size_t look_around(Work *w, size_t rank[3])
@@ -391,9 +421,7 @@ static size_t look_around(Work *w, size_t rank[3])
     for (int k = 1; k < 3; k++) draw_motion(w, free_count, w->near[k]);
     for (int k = 1; k < 3; k++) {
         rank[k] = 0;
-        restore(w, w->near[0]);
-        move(w, w->near[k], 0.02);
-        if (free_count == 0 || !close_loops(w)) continue;
+        if (free_count == 0 || !close_beside(w, free_count, w->near[k])) continue;
         rank[k] = factor(w);
         save(w, w->near[k]);
         best = rank[k] > best ? rank[k] : best;

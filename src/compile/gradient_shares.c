@@ -212,9 +212,10 @@ static void take_point(YkGradient *g, YkChannel c, double weight)
     YkTerm term = yk_body_term(g->mech, p->body, p->at);
     YkVecJet by = {{{0, 0}}}, at = sum_of(g, &g->mech->bodies[p->body].origin);
     add_term(g, &term, &at);
-    if (c.kind == YK_CHANNEL_POINT_SPEED)
-        by.v[1] = yk_scale(weight / yk_norm(at.v[1]), at.v[1]);
-    else
+    double speed = yk_norm(at.v[1]);
+    if (c.kind == YK_CHANNEL_POINT_SPEED && speed > 0) // at rest it is as fast a little to either side
+        by.v[1] = yk_scale(weight / speed, at.v[1]);
+    if (c.kind != YK_CHANNEL_POINT_SPEED)
         by.v[c.order] = c.kind == YK_CHANNEL_POINT_X ? yk_vec(weight, 0) : yk_vec(0, weight);
     YkVec own = yk_mul(yk_conj(g->mech->bodies[p->body].turn_unit), take_term(g, &term, &by));
     g->at_point[c.index] = yk_add(g->at_point[c.index], own);

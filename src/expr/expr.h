@@ -37,7 +37,6 @@ struct YkExpr {
     YkDimension unit;
     // name
     const char *name;
-    int32_t symbol; // resolved by yk_expr_resolve; YK_SYMBOL_* or index
     // operators and calls
     YkFunction function;
     const YkExpr *a, *b; // b NULL for one operand

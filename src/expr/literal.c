@@ -65,8 +65,7 @@ static size_t find_time(const YkParser *parser, size_t start, size_t end)
 
 static bool looks_like_a_name(const char *word)
 {
-    if (strcmp(word, "pi") == 0 || strcmp(word, "t") == 0) return true;
-    return strpbrk(word, "0123456789_") != NULL;
+    return strcmp(word, "t") == 0 || strpbrk(word, "0123456789_") != NULL;
 }
 
 // Refuses what stands in place of a unit: a misspelt unit, or a factor whose operator is missing or has no spaces.
@@ -88,8 +87,8 @@ static YkExpr *refuse_unit(YkParser *parser, size_t number, size_t unit, size_t 
     else if (near)
         yk_problem_hint(parser->problems, "did you mean %q?", near);
     else if (bad > unit)
-        yk_problem_hint(parser->problems, "for a product put spaces around the operator: `%s %c %s`",
-                        piece(parser, number, bad - 1), (int)parser->text[bad - 1], word);
+        yk_problem_hint(parser->problems, "for a product put spaces around the operator: `%s %c %s%s`",
+                        piece(parser, number, bad - 1), (int)parser->text[bad - 1], word, is_call ? "(...)" : "");
     else
         yk_problem_hint(parser->problems, "for a product write `%s*%s%s`", piece(parser, number, number_end), word,
                         is_call ? "(...)" : "");

@@ -49,7 +49,6 @@ YkExpr *yk_parser_node(YkParser *parser, YkExprKind kind, size_t start)
     node->text_length = parser->at - start;
     node->unit_size = 1;
     node->value_scale = 1;
-    node->symbol = -1;
     parser->height = 1;
     return node;
 }

@@ -80,7 +80,7 @@ static void tie_turns(const Engaging *e, int32_t a, int32_t b)
 static bool hold_joints(const Engaging *e, int32_t a, int32_t b)
 {
     YkModel *model = e->loader->model;
-    bool any = false;
+    bool any = false, turns_unnamed = false;
     for (size_t k = 0; k < model->joint_count; k++) {
         YkJoint *joint = &model->joints[k];
         bool is_between = (joint->body[0] == a && joint->body[1] == b) || (joint->body[0] == b && joint->body[1] == a);
@@ -88,13 +88,14 @@ static bool hold_joints(const Engaging *e, int32_t a, int32_t b)
         any = true;
         if (joint->angle != YK_NONE) hold_coordinate(e, joint->angle);
         if (joint->distance != YK_NONE) hold_coordinate(e, joint->distance);
-        if (yk_part(joint->kind)->turns && joint->angle == YK_NONE) tie_turns(e, a, b);
+        turns_unnamed |= yk_part(joint->kind)->turns && joint->angle == YK_NONE;
         if (yk_part(joint->kind)->slides && joint->distance == YK_NONE) {
             yk_problem(e->loader->problems, YK_CODE_BAD_LOCK, e->lock->place,
                        "lock %q holds what slides in joint %q; that distance has no name", e->lock->name, joint->name);
             yk_problem_hint(e->loader->problems, "name it at the joint by `distance:`");
         }
     }
+    if (turns_unnamed) tie_turns(e, a, b);
     return any;
 }
 
@@ -105,15 +106,13 @@ static YkExpr *number(YkLoader *loader, const char *text)
     return expr;
 }
 
-// Makes room for everything that the lock may add: a drive or a tie for each joint between the bodies it names.
+// Makes room for everything that the lock may add: a drive for each coordinate, a tie for each entry.
 static bool make_room(YkLoader *loader, const YkLock *lock)
 {
     YkModel *model = loader->model;
-    size_t more = (lock->hold_count + lock->join_count) * (2 * model->joint_count + 1);
-    if (more > model->coordinate_count + lock->hold_count + lock->join_count + model->joint_count)
-        more = model->coordinate_count + lock->hold_count + lock->join_count + model->joint_count;
-    YkDrive *drives = YK_NEW(loader->arena, YkDrive, model->drive_count + more + 1);
-    YkBelt *belts = YK_NEW(loader->arena, YkBelt, model->belt_count + more + 1);
+    size_t ties = lock->hold_count + lock->join_count;
+    YkDrive *drives = YK_NEW(loader->arena, YkDrive, model->drive_count + model->coordinate_count + 1);
+    YkBelt *belts = YK_NEW(loader->arena, YkBelt, model->belt_count + ties + 1);
     if (!drives || !belts) return false;
     if (model->drive_count) memcpy(drives, model->drives, model->drive_count * sizeof *drives);
     if (model->belt_count) memcpy(belts, model->belts, model->belt_count * sizeof *belts);

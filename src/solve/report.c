@@ -31,10 +31,10 @@ static int redundant_block(const YkState *s)
     return -1;
 }
 
-// Returns the relation that repeats others and fits worst, and by how much; NULL if there is none.
-static const char *redundant_relation(YkState *s, const YkSpace *space, double *worst)
+// Returns the relation that repeats others and fits worst, and by how much, as a length; NULL if there is none.
+static const YkRelation *redundant_relation(YkState *s, const YkSpace *space, double *worst)
 {
-    const char *name = NULL;
+    const YkRelation *relation = NULL;
     YkSpace view = *space;
     double miss;
     view.gap = &miss;
@@ -47,9 +47,19 @@ static const char *redundant_relation(YkState *s, const YkSpace *space, double *
         yk_run_relation_check(&run, (size_t)step->target);
         if (!(miss > *worst)) continue;
         *worst = miss;
-        name = s->mech->relations[step->target].name;
+        relation = &s->mech->relations[step->target];
     }
-    return name;
+    return relation;
+}
+
+// Returns by how much the first angle that the relation ties is off, rad, or its distance, m.
+static double own_miss(const YkMechanism *mech, const YkRelation *r, double miss, bool *is_angle)
+{
+    const YkRelationTerm *terms = mech->relation_terms + r->first_term, *own = terms;
+    for (uint32_t k = 0; k < r->term_count; k++)
+        if (terms[k].is_distance) own = &terms[k];
+    *is_angle = r->term_count > 0 && !own->is_distance;
+    return r->term_count > 0 ? miss / (yk_relation_weight(mech, r) * fabs(own->factor)) : miss;
 }
 
 static double length_at(const YkRun *run, const YkSum *sum, YkPlane scratch)
@@ -124,6 +134,7 @@ static const Sentence unmatched = {"`",
                                    "` repeats other gears, belts, racks, cams or laws and does not fit them: it "
                                    "misses by ",
                                    " m; check the phases that `start:` gives"};
+static const char unmatched_angle[] = " rad; check the phases that `start:` gives";
 
 static void append(char *message, size_t capacity, const char *part, size_t most)
 {
@@ -220,10 +231,14 @@ static void explain_unfit(YkState *s, const YkSpace *space, YkStatus status)
         tell_block(s, space, before, &undetermined, 0);
         return;
     }
-    const char *relation = b < 0 && status == YK_NO_ASSEMBLY ? redundant_relation(s, space, &miss) : NULL;
+    const YkRelation *relation = b < 0 && status == YK_NO_ASSEMBLY ? redundant_relation(s, space, &miss) : NULL;
     if (relation) {
+        bool is_angle;
+        Sentence sentence = unmatched;
         r->gap = miss;
-        write_sentence(r, &unmatched, relation, miss);
+        miss = own_miss(s->mech, relation, miss, &is_angle);
+        if (is_angle) sentence.tail = unmatched_angle;
+        write_sentence(r, &sentence, relation->name, miss);
     } else if (b < 0) {
         append(r->message, sizeof r->message, "the machine cannot be assembled with these inputs", sizeof r->message);
     } else {

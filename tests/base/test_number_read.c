@@ -272,9 +272,15 @@ static void the_exact_decimal_has_no_trailing_zeros(void **state)
 static void a_decimal_that_does_not_fit_is_not_exact(void **state)
 {
     (void)state;
-    static const char *const cases[] = {
-        "9223372036854775808", "99999999999999999999",   "1.2345678901234567890123", "", "x",
-        "1e3000000000",        "1e-99999999999999999999"};
+    static const char *const cases[] = {"9223372036854775808",
+                                        "99999999999999999999",
+                                        "1.2345678901234567890123",
+                                        "",
+                                        "x",
+                                        "1e3000000000",
+                                        "1e-99999999999999999999",
+                                        "1e-2147483648",
+                                        "1e2147483648"};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         int64_t mantissa;
         int32_t exponent;

@@ -60,6 +60,39 @@ static void names_and_channels_are_one_to_one(void **state)
     }
 }
 
+// Forces of joints and of contacts, efforts, and what is asked of the whole machine.
+static void names_of_forces_are_one_to_one(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"four-bar", "slider-crank", "epicyclic-drive", "flat-faced-cam",
+                                        "geared-five-bar"};
+    size_t contacts = 0;
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+        Machine m = machine(files[k]);
+        for (size_t j = 0; j < m.model->joint_count + yk_contact_count(m.mech); j++) {
+            bool is_contact = j >= m.model->joint_count;
+            for (int kind = YK_CHANNEL_FORCE_X; kind <= YK_CHANNEL_FORCE; kind++)
+                check_round_trip(&m, (YkChannel){(YkChannelKind)kind, (int)j, 0, YK_QUANTITY_FORCE});
+            check_round_trip(&m, (YkChannel){YK_CHANNEL_MOMENT, (int)j, 0, YK_QUANTITY_TORQUE});
+            contacts += is_contact;
+        }
+        for (size_t c = 0; c < yk_coordinate_count(m.mech); c++) {
+            YkQuantity q = yk_coordinate_info(m.mech, c).is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE;
+            check_round_trip(&m, (YkChannel){YK_CHANNEL_EFFORT, (int)c, 0, q});
+            check_round_trip(&m, (YkChannel){YK_CHANNEL_EFFORT_FROM, (int)c, 0, q});
+            check_round_trip(&m, (YkChannel){YK_CHANNEL_EFFORT_TO, (int)c, 0, q});
+        }
+        for (int kind = YK_CHANNEL_ENERGY; kind <= YK_CHANNEL_SHAKING_MOMENT; kind++) {
+            YkQuantity q = kind <= YK_CHANNEL_POTENTIAL        ? YK_QUANTITY_ENERGY
+                           : kind == YK_CHANNEL_SHAKING_MOMENT ? YK_QUANTITY_TORQUE
+                                                               : YK_QUANTITY_FORCE;
+            check_round_trip(&m, (YkChannel){(YkChannelKind)kind, 0, 0, q});
+        }
+        machine_free(&m);
+    }
+    assert_true(contacts >= 4);
+}
+
 static void joints_off_the_tree_can_be_asked_for_too(void **state)
 {
     (void)state;
@@ -207,6 +240,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(names_and_channels_are_one_to_one),
+        cmocka_unit_test(names_of_forces_are_one_to_one),
         cmocka_unit_test(joints_off_the_tree_can_be_asked_for_too),
         cmocka_unit_test(the_names_of_the_manual_parse_as_it_says),
         cmocka_unit_test(unknown_names_are_refused_with_a_hint),

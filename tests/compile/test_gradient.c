@@ -194,6 +194,182 @@ static void directions_and_functions_have_slopes(void **state)
     vary_free(&v);
 }
 
+static double complex square(double complex z)
+{
+    return z * z;
+}
+
+// A crank r, a rod l with a point P beside it, and a guide at the height h, turning with the rate w and the acceleration a.
+// Answers by name, each an expression of the lengths alone.
+typedef struct Crank {
+    double complex value[18];
+} Crank;
+static const char *const crank_names[18] = {
+    "s",           "s.rate",         "s.accel",       "rod.angle", "rod.rate",     "rod.accel",
+    "rod.P.x",     "rod.P.x.rate",   "rod.P.x.accel", "rod.P.y",   "rod.P.y.rate", "rod.P.y.accel",
+    "rod.P.speed", "B.transmission", "phi",           "phi.rate",  "B.angle",      "slider.B.speed"};
+
+static Crank crank_of(const double complex *p, double theta, double w, double a)
+{
+    double complex r = p[0], l = p[1], h = p[2], px = p[3], py = p[4], c = cos(theta), si = sin(theta);
+    double complex sine = (h - r * si) / l, cosine = csqrt(1 - square(sine)), phi = casin(sine);
+    double complex rate = -r * c * w / (l * cosine);
+    double complex accel = (r * si * w * w - r * c * a + l * sine * square(rate)) / (l * cosine);
+    double complex s = r * c + l * cosine, v = -r * si * w - l * sine * rate;
+    double complex acc = -r * c * w * w - r * si * a - l * cosine * square(rate) - l * sine * accel;
+    double complex x = px * cosine - py * sine, y = px * sine + py * cosine; // P's arm from the crank's end, turned
+    double complex vx = -r * si * w - y * rate, vy = r * c * w + x * rate;
+    double complex ax = -r * c * w * w - r * si * a - y * accel - x * square(rate);
+    double complex ay = -r * si * w * w + r * c * a + x * accel - y * square(rate);
+    // The rod's end can leave the rod's circle across the rod, and the guide along x: these two are at this angle.
+    double complex transmission = casin(creal(cosine) < 0 ? -cosine : cosine);
+    return (Crank){{s, v, acc, phi, rate, accel, r * c + x, vx, ax, r * si + y, vy, ay, csqrt(square(vx) + square(vy)),
+                    transmission, phi - theta, rate - w, -phi, creal(v) < 0 ? -v : v}};
+}
+
+static void rates_speeds_and_transmissions_have_slopes(void **state)
+{
+    (void)state;
+    static const char source[] =
+        "parameters: {r: 1 m, l: 3 m, h: 0.4 m, px: 1.2 m, py: 0.7 m}\n"
+        "bodies:\n  ground: {points: {O: [0, 0], G: [0, h]}}\n  crank: {points: {O: [0, 0], A: [r, 0]}}\n"
+        "  rod: {points: {A: [0, 0], B: [l, 0], P: [px, py]}}\n  slider: {points: {B: [0, 0]}}\n"
+        "joints:\n  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+        "  B: {pin: [rod, slider]}\n  S: {slide: [ground, slider], along: x, from: G, to: B, distance: s}\n"
+        "drives: {theta: 0.5}\nstart: {phi: -0.5, s: 4}\n";
+    enum { LENGTHS = 5, ANSWERS = sizeof crank_names / sizeof *crank_names };
+    const double own[LENGTHS] = {1, 3, 0.4, 1.2, 0.7};
+    Varied v = vary(source, NAMES);
+    assert_int_equal(v.count, LENGTHS);
+    for (int pose = 0; pose < 20; pose++) {
+        double theta = 0.1 + 0.3 * pose, w = 1.7, a = -0.6, slope[NAMES];
+        turn_to(&v, theta);
+        yk_state_set_input(v.state, 0, (YkMotion){theta, w, a});
+        assert_true(yk_state_solve(v.state) >= 0);
+        assert_true(linearise(&v));
+        for (int n = 0; n < ANSWERS; n++) {
+            YkChannel channel;
+            double complex p[LENGTHS] = {own[0], own[1], own[2], own[3], own[4]};
+            assert_int_equal(yk_channel_parse(v.m.mech, crank_names[n], &channel, NULL), YK_OK);
+            double off = yk_state_channel(v.state, channel) - creal(crank_of(p, theta, w, a).value[n]);
+            if (channel.quantity == YK_QUANTITY_ANGLE) off = remainder(off, 2 * YK_PI);
+            if (!(fabs(off) < 1e-12)) print_error("%s at %g\n", crank_names[n], theta);
+            CHECK_NEAR(off, 0, 1e-12);
+            by_parameters(&v, crank_names[n], slope);
+            for (int k = 0; k < LENGTHS; k++) {
+                p[k] += 1e-30 * I;
+                double truth = cimag(crank_of(p, theta, w, a).value[n]) * 1e30;
+                p[k] = own[k];
+                if (!(fabs(slope[k] - truth) < 1e-11 * (1 + fabs(truth))))
+                    print_error("%s by %s at %g\n", crank_names[n], v.name[k], theta);
+                CHECK_NEAR(slope[k], truth, 1e-11 * (1 + fabs(truth)));
+            }
+        }
+        YkWeighted time = {.channel = {.kind = YK_CHANNEL_TIME}, .weight = 1};
+        for (int k = 0; k < LENGTHS; k++) slope[k] = 0;
+        yk_gradient_add(v.gradient, &time, 1, slope);
+        for (int k = 0; k < LENGTHS; k++) CHECK_NEAR(slope[k], 0, 0);
+    }
+    vary_free(&v);
+}
+
+// --- by differences
+
+// All positions, rates, accelerations, speeds and transmission angles that have slopes.
+static size_t list_channels(const Varied *v, YkChannel *channels, size_t capacity)
+{
+    size_t count = 0;
+    for (int order = 0; order < 3; order++) {
+        for (size_t k = 0; k < v->m.model->point_count; k++)
+            for (int axis = 0; axis < 2 && count < capacity; axis++)
+                channels[count++] = (YkChannel){YK_CHANNEL_POINT_X + axis, (int)k, order, YK_QUANTITY_LENGTH};
+        for (size_t k = 0; k < v->m.model->joint_count && count < capacity; k++) {
+            bool turns = yk_part(v->m.model->joints[k].kind)->turns;
+            YkChannelKind kind = turns ? YK_CHANNEL_JOINT_ANGLE : YK_CHANNEL_JOINT_DISTANCE;
+            channels[count++] = (YkChannel){kind, (int)k, order, YK_QUANTITY_NUMBER};
+        }
+    }
+    for (size_t k = 0; k < v->m.model->point_count && count < capacity; k++)
+        channels[count++] = (YkChannel){YK_CHANNEL_POINT_SPEED, (int)k, 0, YK_QUANTITY_SPEED};
+    for (size_t k = 0; k < v->m.mech->block_count && count < capacity; k++) {
+        YkChannel c = {YK_CHANNEL_TRANSMISSION, (int)k, 0, YK_QUANTITY_ANGLE};
+        if (yk_gradient_covers(v->m.mech, c)) channels[count++] = c;
+    }
+    return count;
+}
+
+static void read_all(const Varied *v, const YkChannel *channels, size_t count, double *values)
+{
+    for (size_t i = 0; i < yk_input_count(v->m.mech); i++) {
+        YkMotion in = yk_state_input(v->state, i);
+        yk_state_set_input(v->state, i, (YkMotion){in.position, 1.1 - 0.4 * (double)i, 0.6});
+    }
+    assert_true(yk_state_solve(v->state) >= 0);
+    for (size_t c = 0; c < count; c++) values[c] = yk_state_channel(v->state, channels[c]);
+}
+
+// Central differences of the fourth order, of a state that follows.
+static void check_differences(const char *source)
+{
+    enum { CHANNELS = 400 };
+    static const double place[4] = {-2, -1, 1, 2}, weight[4] = {1.0 / 12, -8.0 / 12, 8.0 / 12, -1.0 / 12};
+    static YkChannel channels[CHANNELS];
+    static double values[4][CHANNELS], here[CHANNELS], slope[CHANNELS][NAMES];
+    Varied v = vary(source, NAMES);
+    size_t count = list_channels(&v, channels, CHANNELS);
+    assert_true(v.count > 0 && count > 0);
+    assert_int_equal(yk_state_set_time(v.state, 0.05, NULL), YK_OK);
+    assert_true(yk_state_assemble(v.state) >= 0);
+    read_all(&v, channels, count, here);
+    assert_true(linearise(&v));
+    memset(slope, 0, sizeof slope);
+    for (size_t c = 0; c < count; c++) yk_gradient_add(v.gradient, &(YkWeighted){channels[c], 1}, 1, slope[c]);
+    for (size_t k = 0; k < v.count; k++) {
+        double own = v.own[k], h = 1e-3 * fmax(fabs(own), 0.1 * v.m.mech->size);
+        for (int e = 0; e < 4; e++) {
+            v.own[k] = own + h * place[e];
+            assert_int_equal(yk_variant_set(v.variant, v.own), YK_OK);
+            read_all(&v, channels, count, values[e]);
+        }
+        v.own[k] = own;
+        for (size_t c = 0; c < count; c++) {
+            double by = 0, most = fabs(here[c]) / h;
+            for (int e = 0; e < 4; e++)
+                by += weight[e] *
+                      (channels[c].kind == YK_CHANNEL_JOINT_ANGLE && channels[c].order == 0
+                           ? remainder(values[e][c] - here[c], 2 * YK_PI)
+                           : values[e][c] - here[c]) /
+                      h;
+            double allowed = 1e-7 * (1 + fabs(by)) + 1e-9 * most;
+            if (!(fabs(slope[c][k] - by) <= allowed)) {
+                char name[200];
+                yk_channel_name(v.m.mech, channels[c], name, sizeof name);
+                print_error("%.40s: %s by %s: %.12g, differences %.12g\n", source, name, v.name[k], slope[c][k], by);
+            }
+            CHECK_NEAR(slope[c][k], by, allowed);
+        }
+    }
+    vary_free(&v);
+}
+
+static void rates_and_accelerations_have_the_slopes_of_differences(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"four-bar",           "crank-slotted-lever",  "inverted-slider-crank",
+                                        "quick-return",       "oscillating-cylinder", "whitworth-kg",
+                                        "offset-slider-crank"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) check_differences(names[k]);
+    check_differences( // a guide whose direction is a parameter, and a slot on a body that turns
+        "parameters: {r: 1 m, l: 3 m, lift: 20 deg, tilt: 12 deg}\n"
+        "bodies:\n  ground: {points: {O: [0, 0], G: [0, 0.3]}}\n  crank: {points: {O: [0, 0], A: [r, 0]}}\n"
+        "  rod: {points: {A: [0, 0], B: [l, 0], E: [1, 0.2]}}\n  slider: {points: {B: [0, 0]}}\n"
+        "  block: {points: {F: [0, 0], H: [0.3, 0.1]}}\n"
+        "joints:\n  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+        "  B: {pin: [rod, slider]}\n  S: {slide: [ground, slider], along: lift, from: G, to: B, distance: s}\n"
+        "  E: {slide: [rod, block], along: tilt, from: E, to: F, distance: e}\n"
+        "drives: {theta: 0.9, e: 0.4}\nstart: {phi: -0.5, s: 4}\n");
+}
+
 // --- the gallery
 
 // Compares all positions of a machine as its file gives it with those of machines solved anew.
@@ -271,6 +447,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(jansens_foot_follows_its_lengths),
         cmocka_unit_test(directions_and_functions_have_slopes),
+        cmocka_unit_test(rates_speeds_and_transmissions_have_slopes),
+        cmocka_unit_test(rates_and_accelerations_have_the_slopes_of_differences),
         cmocka_unit_test(the_gallery_has_the_slopes_of_machines_solved_anew),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

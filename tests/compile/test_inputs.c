@@ -108,6 +108,53 @@ static void a_drive_on_a_redundant_machine_is_judged_by_rank(void **state)
     machine_refused(text, NULL, YK_CODE_OVERDRIVEN, "`t3`");
 }
 
+// Freedom and inputs do not depend on how large a machine is, nor on whether it starts on a fold, where the rank drops.
+static void the_size_of_a_machine_does_not_change_its_freedom(void **state)
+{
+    (void)state;
+    static const char cranks[] =
+        "parameters: {k: 1 m, from: 1 rad}\nbodies:\n  ground: {points: {O: [0, 0], Q: [3*k, 0], P: [5*k, 0], G: [2*k, "
+        "0]}}\n"
+        "  a: {points: {O: [0, 0], A: [0.8*k, 0]}}\n  b: {points: {A: [0, 0], B: [3*k, 0], D: [5*k, 0]}}\n"
+        "  c: {points: {Q: [0, 0], B: [0.8*k, 0]}}\n  d: {points: {P: [0, 0], D: [0.8*k, 0]}}\n"
+        "  block: {points: {S: [0, 0]}}\njoints:\n  O: {pin: [ground, a], angle: th}\n"
+        "  Q: {pin: [ground, c], angle: ps}\n  P: {pin: [ground, d], angle: ph}\n  A: {pin: [a, b], angle: u}\n"
+        "  B: {pin: [b, c]}\n  D: {pin: [b, d]}\n  G: {slide: [ground, block], along: y, from: G, to: S, distance: y}\n"
+        "  S: {pin-slot: [b, block], along: x, from: A, at: S}\ndrives: {th: from}\n"
+        "start: {ps: from, ph: from, u: -from, y: 0.8*k*sin(from)}\n";
+    static const char *const sizes[] = {"1e-4 m", "1e-2 m", "1 m", "1e3 m", "1e6 m"}, *const starts[] = {"1 rad",
+                                                                                                         "0 rad",
+                                                                                                         "0.001 rad"};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
+        for (size_t from = 0; from < sizeof starts / sizeof *starts; from++) {
+            char text[200];
+            YkOverride overrides[] = {{"k", sizes[k]}, {"from", starts[from]}};
+            Machine m = machine_try_with(cranks, &(YkLoadOptions){overrides, 2, NULL}, NULL);
+            if (!m.mech) print_error("%s, %s: %s", sizes[k], starts[from], yk_problems_text(m.problems, 0));
+            assert_non_null(m.mech);
+            YkFreedom freedom = yk_mechanism_freedom(m.mech);
+            if (freedom.by_rank != 1) print_error("%s, %s: %d\n", sizes[k], starts[from], freedom.by_rank);
+            assert_int_equal(freedom.by_rank, 1);
+            assert_int_equal(freedom.gruebler, 0);
+            assert_int_equal(freedom.redundant, 1);
+            describe_inputs(m.mech, text, sizeof text);
+            assert_string_equal(text, "th");
+            machine_free(&m);
+        }
+}
+
+// Two bars in line between pivots as far apart as both are long: they shake, to first order, but no pose is near.
+static void bars_in_line_are_rigid(void **state)
+{
+    (void)state;
+    Machine m = machine("bodies:\n  ground: {points: {O: [0, 0], P: [2, 0]}}\n  a: {points: {O: [0, 0], A: [1, 0]}}\n"
+                        "  b: {points: {A: [0, 0], P: [1, 0]}}\njoints:\n  O: {pin: [ground, a], angle: th}\n"
+                        "  A: {pin: [a, b], angle: u}\n  P: {pin: [ground, b]}\nstart: {th: 0, u: 0}\n");
+    assert_int_equal(yk_mechanism_freedom(m.mech).by_rank, 0);
+    assert_int_equal(yk_input_count(m.mech), 0);
+    machine_free(&m);
+}
+
 static void too_many_asked_for_are_reported_by_name(void **state)
 {
     (void)state;
@@ -189,6 +236,8 @@ int main(void)
         cmocka_unit_test(driven_coordinates_that_depend_on_each_other_are_reported_by_name),
         cmocka_unit_test(drives_count_where_they_act),
         cmocka_unit_test(a_drive_on_a_redundant_machine_is_judged_by_rank),
+        cmocka_unit_test(the_size_of_a_machine_does_not_change_its_freedom),
+        cmocka_unit_test(bars_in_line_are_rigid),
         cmocka_unit_test(too_many_asked_for_are_reported_by_name),
         cmocka_unit_test(unknown_ones_are_reported_by_name),
         cmocka_unit_test(refusals_do_not_need_a_list_of_problems),

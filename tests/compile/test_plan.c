@@ -282,6 +282,29 @@ static void clusters_inside_groups_are_walked_from_any_end(void **state)
     }
 }
 
+// An arm that is short beside the machine is handled with care, whichever of the two it is.
+static void a_short_arm_is_seen_on_either_side(void **state)
+{
+    (void)state;
+    static const char *const lengths[][2] = {{"1", "1"},      {"1e-4", "2"}, {"2", "1e-4"}, {"0.9e-3", "2"},
+                                             {"2", "0.9e-3"}, {"0.1", "2"},  {"2", "0.1"}};
+    for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+        YkOverride overrides[] = {{"b", lengths[k][0]}, {"c", lengths[k][1]}};
+        Machine m = machine_try_with(
+            "parameters: {b: 1, c: 1}\nbodies:\n  ground: {points: {O: [0, 0], Q: [2, 0]}}\n"
+            "  crank: {points: {O: [0, 0], A: [1, 0]}}\n  coupler: {points: {A: [0, 0], B: [b, 0.1*b]}}\n"
+            "  rocker: {points: {Q: [0, 0], B: [c, 0]}}\njoints:\n  O: {pin: [ground, crank], angle: th}\n"
+            "  A: {pin: [crank, coupler], angle: u}\n  Q: {pin: [ground, rocker], angle: v}\n"
+            "  B: {pin: [coupler, rocker]}\ndrives: {th: 1}\nstart: {u: 1, v: 2}\n",
+            &(YkLoadOptions){overrides, 2, NULL}, NULL);
+        assert_non_null(m.mech);
+        double shorter = fmin(atof(lengths[k][0]), atof(lengths[k][1]));
+        bool is_short = shorter < 1e-3 * yk_mechanism_size(m.mech) * 0.99;
+        assert_int_equal(m.mech->blocks[0].form, is_short ? YK_FORM_RRR_SHORT : YK_FORM_RRR);
+        machine_free(&m);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -291,6 +314,7 @@ int main(void)
         cmocka_unit_test(every_choice_of_inputs_gives_a_valid_plan_or_is_refused),
         cmocka_unit_test(blocks_list_the_bodies_and_joints_they_place_once),
         cmocka_unit_test(redundant_joints_are_named),
+        cmocka_unit_test(a_short_arm_is_seen_on_either_side),
         cmocka_unit_test(driven_joints_make_clusters),
         cmocka_unit_test(clusters_inside_groups_are_walked_from_any_end),
     };

@@ -179,6 +179,11 @@ static void angles_in_functions_are_in_the_files_unit_and_pi_is_in_radians(void 
         {"2*pi", RATE, 6.283185307179586},
         {"pi/4", LENGTH, 0.78539816339744828e-3},
         {"theta - 180", ANGLE, 2 - 3.1415926535897931},
+        {"2*(pi/2 + 1)", ANGLE, 5.1415926535897931}, // a sum with pi in it is in radians as a whole
+        {"2*(1 + pi/2)", ANGLE, 5.1415926535897931},
+        {"2*max(pi, 3)", ANGLE, 6.283185307179586},
+        {"2*(2 + 3)", ANGLE, 0.17453292519943295},
+        {"2*max(2, 3)", ANGLE, 0.10471975511965977},
         {"sqrt(2)*sin(45)", NUMBER, 1},
         {"exp(0) + 2", NUMBER, 3},
     };
@@ -400,6 +405,27 @@ static void dimensions_travel_along_chains_of_parameters_in_any_order(void **sta
     file_free(&file);
 }
 
+// One use decides a chain of any length, whether each parameter is declared before what it needs or after.
+static void one_use_decides_a_chain_of_parameters(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"q0", "q1", "q2", "q3", "q4", "q5", "q6", "q7", "q8", "q9"};
+    for (int way = 0; way < 2; way++) {
+        File file = file_new(millimetres_and_degrees());
+        for (int k = 0; k < 10; k++) {
+            int at = way ? 9 - k : k;
+            char text[20];
+            snprintf(text, sizeof text, at > 0 ? "q%d/2" : "512", at - 1);
+            parameter(&file, names[at], text);
+        }
+        const YkExpr *x = use(&file, "q9", LENGTH, "x");
+        run_well(&file);
+        for (int k = 0; k < 10; k++) check_parameter(&file, names[k], LENGTH);
+        CHECK_NEAR(value(&file, x), 1e-3, 1e-18);
+        file_free(&file);
+    }
+}
+
 static void an_unused_parameter_stays_open_and_counts_as_a_number(void **state)
 {
     (void)state;
@@ -425,6 +451,19 @@ static void of_two_unknown_factors_the_first_is_a_number(void **state)
     run_well(&file);
     CHECK_NEAR(value(&file, torque), 12, 0);
     check_parameter(&file, "b", TORQUE);
+    file_free(&file);
+}
+
+static void of_two_products_with_an_unknown_each_the_first_has_a_number(void **state)
+{
+    (void)state;
+    File file = file_new(yk_units_si());
+    parameter(&file, "k", "3");
+    parameter(&file, "b", "4");
+    const YkExpr *torque = use(&file, "(k*d)*(b/t)", TORQUE, "effort");
+    run_well(&file);
+    CHECK_NEAR(value(&file, torque), 12, 0);
+    check_parameter(&file, "b", (YkDimension){1, 1, -1, 0});
     file_free(&file);
 }
 
@@ -647,7 +686,7 @@ static void follow_chain(size_t count)
 static void a_long_chain_is_followed(void **state)
 {
     (void)state;
-    follow_chain(500000);
+    follow_chain(100000);
 }
 
 int main(void)
@@ -663,8 +702,10 @@ int main(void)
         cmocka_unit_test(a_factor_is_solved_for_when_it_is_the_only_unknown),
         cmocka_unit_test(solved_angles_convert_like_any_other),
         cmocka_unit_test(dimensions_travel_along_chains_of_parameters_in_any_order),
+        cmocka_unit_test(one_use_decides_a_chain_of_parameters),
         cmocka_unit_test(an_unused_parameter_stays_open_and_counts_as_a_number),
         cmocka_unit_test(of_two_unknown_factors_the_first_is_a_number),
+        cmocka_unit_test(of_two_products_with_an_unknown_each_the_first_has_a_number),
         cmocka_unit_test(a_later_use_decides_an_ambiguous_product),
         cmocka_unit_test(contradictions_inside_an_expression_are_found_at_their_place),
         cmocka_unit_test(whole_powers_and_roots_of_quantities_are_fine),

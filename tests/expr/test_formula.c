@@ -315,6 +315,30 @@ static void only_what_varies_makes_a_formula_variable(void **state)
     }
 }
 
+// What a formula is when it is a variable or its opposite, and nothing else: then it is that column of a table.
+static void a_variable_alone_or_its_opposite_is_recognised(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int variable;
+        double sign;
+    } cases[] = {{"x", X, 1},    {"z", Z, 1},        {"-y", Y, -1},       {"+y", Y, 1},   {"(-z)", Z, -1},
+                 {"--y", -1, 1}, {"-sin(y)", -1, 1}, {"-(x + y)", -1, 1}, {"2*y", -1, 1}, {"abs(y)", -1, 1},
+                 {"3", -1, 1},   {"-3", -1, 1},      {"-a", -1, 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Fixture fixture = fixture_new();
+        const YkFormula *formula = compile(&fixture, cases[i].text);
+        double sign = 7, point[VARIABLES] = {0.3, -0.8, 1.7};
+        int variable = yk_formula_variable(formula, &sign);
+        if (variable != cases[i].variable) print_error("«%s»\n", cases[i].text);
+        assert_int_equal(variable, cases[i].variable);
+        CHECK_NEAR(sign, cases[i].sign, 0);
+        if (variable >= 0) CHECK_NEAR(sign * point[variable], yk_formula_eval(formula, point), 0);
+        fixture_free(&fixture);
+    }
+}
+
 static void an_unknown_name_gives_no_formula(void **state)
 {
     (void)state;
@@ -393,6 +417,7 @@ int main(void)
         cmocka_unit_test(a_variable_that_is_not_finite_leaves_no_value),
         cmocka_unit_test(numbers_come_in_si),
         cmocka_unit_test(only_what_varies_makes_a_formula_variable),
+        cmocka_unit_test(a_variable_alone_or_its_opposite_is_recognised),
         cmocka_unit_test(an_unknown_name_gives_no_formula),
         cmocka_unit_test(each_mention_is_resolved_once),
         cmocka_unit_test(deep_and_wide_expressions_stand),

@@ -79,15 +79,18 @@ static void what_is_no_unit_is_refused_with_what_to_write(void **state)
         {"20 RPM", 303, 4, "`rpm`"},
         {"2a1", 303, 2, "`2*a1`"},
         {"2 l_1", 303, 3, "`2*l_1`"},
-        {"2pi", 303, 2, "`2*pi`"},
+        {"2pi", 303, 2, "for a product write `2*pi`"},
+        {"2 m*pi", 303, 5, "for a product put spaces around the operator: `2 m * pi`"},
         {"2sin(x)", 303, 2, "`2*sin(...)`"},
         {"2 m(x)", 303, 3, "`2*m(...)`"},
         {"20 rpm*t", 303, 8, "`20 rpm * t`"},
         {"20 rpm*t1", 303, 8, "`20 rpm * t1`"},
         {"1 m/t", 303, 5, "`1 m / t`"},
+        {"2 m*sin(x)", 303, 5, "`2 m * sin(...)`"},
         {"1 + 3/4 lengths", 303, 9, "3/4*lengths"},
         {"2 m^99", 303, 3, NULL},
-        {"5 kg*mn", 303, 6, "did you mean"},
+        {"5 kg*mn", 303, 6, "did you mean `mN`? For a product put spaces around the operator: `5 kg * mn`"},
+        {"5 kg/mn", 303, 6, "`5 kg / mn`"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Fixture fixture = fixture_new();

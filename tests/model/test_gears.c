@@ -284,6 +284,10 @@ static void locks_are_lists_or_maps(void **state)
     refused("locks: {a: [rings]}", YK_CODE_UNKNOWN_BODY, "ring");
     refused("locks: {a: [ground]}", YK_CODE_BAD_LOCK, "already");
     refused("locks: {a: {join: [[sun, sun]]}}", YK_CODE_BAD_LOCK, "itself");
+    refused("locks: {a: {join: [[sun, rings]]}}", YK_CODE_UNKNOWN_BODY, "ring");
+    refused("locks: {a: {join: [[rings, sun], [sun, arm]]}}", YK_CODE_UNKNOWN_BODY, "ring");
+    refused("locks: {a: {join: [[sun, arm, ring]]}}", YK_CODE_COMPONENTS, "3");
+    refused("locks: {a: 3}", YK_CODE_WRONG_KIND, "join");
     refused("locks: {a: {join: [sun]}}", YK_CODE_WRONG_KIND, "list");
     refused("locks: {a: {keep: [sun]}}", YK_CODE_UNKNOWN_KEY, "keep");
 }

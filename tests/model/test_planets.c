@@ -62,6 +62,32 @@ static void two_planets_leave_one_mass_across_the_axis(void **state)
     yk_problems_free(problems);
 }
 
+// A set that says it has one planet is as if it said nothing.
+static void one_planet_changes_nothing(void **state)
+{
+    (void)state;
+    static const char *const numbers[] = {", planets: 1", ""};
+    for (int k = 0; k < 2; k++) {
+        char text[1000];
+        YkProblems *problems = yk_problems_new();
+        snprintf(text, sizeof text,
+                 "bodies: {sun: {}, planet: {mass: 0.2, inertia: 1e-5}, ring: {}, arm: {points: {P: [0.03, 0]}}}\n"
+                 "joints: {S: {pin: [ground, sun], angle: s}, C: {pin: [ground, arm], angle: c}, "
+                 "P: {pin: [arm, planet]}, R: {pin: [ground, ring]}}\n"
+                 "gears: {g: {mesh: [planet, sun], teeth: [10, 20]%s}, h: {mesh: [planet, ring], teeth: [10, 40], "
+                 "internal: true%s}}\n",
+                 numbers[k], numbers[k]);
+        YkModel *model = model_of(text, problems);
+        assert_int_equal(yk_problems_count(problems), 0);
+        assert_true(model->gears[0].copies <= 1 && model->gears[1].copies <= 1);
+        const YkBody *planet = &model->bodies[yk_model_find_body(model, "planet")];
+        CHECK_NEAR(planet->mass, 0.2, 0);
+        CHECK_NEAR(planet->inertia, 1e-5, 0);
+        yk_model_free(model);
+        yk_problems_free(problems);
+    }
+}
+
 static void what_keeps_planets_from_sharing_is_told(void **state)
 {
     (void)state;
@@ -98,6 +124,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planets_share_a_load),
         cmocka_unit_test(two_planets_leave_one_mass_across_the_axis),
+        cmocka_unit_test(one_planet_changes_nothing),
         cmocka_unit_test(what_keeps_planets_from_sharing_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -161,9 +161,52 @@ static void a_rack_on_the_other_side_of_its_pinion_is_refused(void **unused)
     }
 }
 
+// What follows no parameter is said with its place; a parameter that is not the file's, or follows another that varies, too.
+static void what_cannot_follow_is_said_where_it_stands(void **unused)
+{
+    (void)unused;
+    static const char *const text =
+        "parameters: {r: 30 mm, a: 20 deg, l: 1 m, twice: 2*l}\n"
+        "bodies: {wheel: {}, other: {points: {Q: [0, 0], F: [twice, 0]}}, bar: {}, ground: {points: {Q: [0.1, 0], G: [0, -30 "
+        "mm]}}}\n"
+        "joints:\n  O: {pin: [ground, wheel], angle: q}\n  Q: {pin: [ground, other], at: Q}\n"
+        "  S: {slide: [other, bar], along: x, turned: a}\n"
+        "belts: {b: {between: [wheel, other], radii: [r, 10 mm]}}\n";
+    static const struct {
+        const char *name, *message;
+        unsigned line, column;
+    } cases[] = {{"a", "a parameter that varies enters the constant angle of a joint here", 6, 46},
+                 {"r", "a parameter that varies enters a wheel, a cam or a law here", 7, 46}};
+    YkModel *model = fixture_load(text);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        YkProblems *problems = yk_problems_new();
+        assert_null(yk_redesign_new(model, &cases[k].name, 1, problems));
+        const YkProblem *problem = fixture_problem(problems, YK_CODE_CANNOT_VARY);
+        assert_non_null(problem);
+        assert_string_equal(problem->message, cases[k].message);
+        if (problem->place.line != cases[k].line || problem->place.column != cases[k].column)
+            print_error("%u:%u\n", problem->place.line, problem->place.column);
+        assert_int_equal(problem->place.line, cases[k].line);
+        assert_int_equal(problem->place.column, cases[k].column);
+        assert_int_equal(yk_problems_count(problems), 1);
+        yk_problems_free(problems);
+    }
+    const char *both[] = {"l", "twice"}, *stranger = "nobody";
+    YkRedesign *good = yk_redesign_new(model, both, 1, NULL);
+    assert_non_null(good);
+    const double half = 0.5;
+    assert_int_equal(yk_redesign_set(good, &half), YK_OK);
+    for (size_t p = 0; p < model->point_count; p++)
+        if (model->points[p].body == 2) CHECK_NEAR(yk_redesign_model(good)->points[p].at.x, model->points[p].at.x / 2, 1e-16);
+    yk_redesign_free(good);
+    assert_null(yk_redesign_new(model, &stranger, 1, NULL));
+    yk_model_free(model);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_cannot_follow_is_said_where_it_stands),
         cmocka_unit_test(values_are_those_of_the_file_read_anew),
         cmocka_unit_test(what_the_loader_refuses_is_refused),
         cmocka_unit_test(a_rack_on_the_other_side_of_its_pinion_is_refused),

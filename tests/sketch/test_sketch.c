@@ -100,6 +100,58 @@ static void open_ends_name_the_point_they_could_be_pinned_to(void **state)
     yk_sketch_free(sketch);
 }
 
+// The names of the ends of a sketch, in the order of its points: "crank.A, rod.B".
+static void check_ends(const char *text, const char *expected)
+{
+    YkSketch *sketch = sketch_of(text);
+    const YkModel *model = yk_sketch_model(sketch);
+    char found[200] = "";
+    for (size_t i = 0; i < yk_sketch_lack_count(sketch); i++) {
+        YkLack lack = yk_sketch_lack(sketch, i);
+        if (lack.kind != YK_LACK_END) continue;
+        assert_int_equal(lack.body, yk_model_point_body(model, lack.point));
+        snprintf(found + strlen(found), sizeof found - strlen(found), "%s%s.%s", *found ? ", " : "",
+                 yk_model_body_name(model, lack.body), yk_model_point_name(model, lack.point));
+    }
+    assert_string_equal(found, expected);
+    yk_sketch_free(sketch);
+}
+
+#define ARM "points: {O: [0, 0], A: [1, 0], B: [2, 0]}"
+#define HELD "joints: {O: {pin: [ground, arm]}}\n"
+
+static void what_something_uses_is_no_open_end(void **state)
+{
+    (void)state;
+    check_ends("bodies: {ground: {points: {O: [0, 0]}}, arm: {" ARM "}}\n" HELD, "arm.A, arm.B");
+    check_ends("bodies: {ground: {points: {O: [0, 0], F: [5, 0]}}, arm: {" ARM "}}\n" HELD
+               "springs: {k: {between: [ground.F, arm.B], stiffness: 1, length: 1}}\n",
+               "arm.A");
+    check_ends("bodies: {ground: {points: {O: [0, 0]}}, arm: {" ARM "}}\n" HELD
+               "forces: {f: {body: arm, at: A, value: [1, 0]}}\n",
+               "arm.B");
+    check_ends("bodies: {ground: {points: {O: [0, 0]}}, arm: {" ARM ", mass: 1, inertia: 1}}\n" HELD, ""); // a pendulum
+    check_ends("bodies: {ground: {points: {O: [0, 0]}}, arm: {" ARM "}, rod: {points: {A: [0, 0], C: [1, 0]}}}\n"
+               "joints: {O: {pin: [ground, arm]}, A: {pin: [arm, rod]}}\n",
+               "rod.C");                                                         // the arm is held by two
+    check_ends("bodies: {ground: {points: {O: [0, 0]}}, arm: {" ARM "}}\n", ""); // held by none: it floats
+}
+
+// A joint has the point's name already: the pin is named after the body as well, and says at which point.
+static void a_pin_whose_name_is_taken_gets_another(void **state)
+{
+    (void)state;
+    YkSketch *sketch = sketch_of("bodies: {ground: {points: {O: [0, 0], C: [4, 0]}}, crank: {points: {O: [0, 0]}},\n"
+                                 "  rocker: {points: {O: [0, 0]}}}\njoints: {O: {pin: [ground, crank]}}\n");
+    YkLack lack = yk_sketch_lack(sketch, 0);
+    assert_int_equal(lack.kind, YK_LACK_CONNECTION);
+    assert_string_equal(lack.path, "joints/O-rocker");
+    assert_string_equal(lack.value, "{pin: [ground, rocker], at: O}");
+    assert_string_equal(lack.mend, "`ground` and `rocker` both have a point `O`: pin them, as in `joints: {O-rocker: "
+                                   "{pin: [ground, rocker], at: O}}`");
+    yk_sketch_free(sketch);
+}
+
 // What holds a group that floats is no joint of the sketch.
 static void an_open_end_of_a_group_that_floats_could_be_pinned_to_the_ground(void **state)
 {
@@ -205,6 +257,8 @@ int main(void)
         cmocka_unit_test(groups_are_told_once_with_all_their_bodies),
         cmocka_unit_test(free_joints_count_as_connections),
         cmocka_unit_test(open_ends_name_the_point_they_could_be_pinned_to),
+        cmocka_unit_test(what_something_uses_is_no_open_end),
+        cmocka_unit_test(a_pin_whose_name_is_taken_gets_another),
         cmocka_unit_test(an_open_end_of_a_group_that_floats_could_be_pinned_to_the_ground),
         cmocka_unit_test(masses_make_drives_optional),
         cmocka_unit_test(a_frame_lacks_a_freedom),

@@ -93,6 +93,11 @@ static void laws_follow_what_they_are_of(void **unused)
         CHECK_NEAR(h.velocity, 0.005 * sin(a.position) * a.velocity, 1e-14);
         CHECK_NEAR(h.acceleration,
                    0.005 * (cos(a.position) * a.velocity * a.velocity + sin(a.position) * a.acceleration), 1e-13);
+        for (size_t j = 0; j < m.mech->relation_count; j++) { // the slopes that forces take
+            double gain = m.state->space.gain[j * m.state->space.stride];
+            if (strcmp(m.mech->relations[j].name, "h") == 0) CHECK_NEAR(gain, 0.005 * sin(a.position), 1e-14);
+            if (strcmp(m.mech->relations[j].name, "s") == 0) CHECK_NEAR(gain, 3, 1e-13);
+        }
         CHECK_NEAR(s.position, 3 * r.position, 1e-12);
         CHECK_NEAR(s.velocity, 3 * r.velocity, 1e-13);
         CHECK_NEAR(s.acceleration, 3 * r.acceleration, 1e-12);
@@ -133,6 +138,39 @@ static void residuals_tell_a_miss(void **unused)
     }
     CHECK_NEAR(yk_state_residuals(m.state).position, 0, 1e-12);
     machine_free(&m);
+}
+
+// A drag link whose rocker turns right round, and a wheel that meshes with the rocker: at 20 : 60 a whole turn of the rocker
+// is a third of the wheel's, so that the wheel shows which turn the start means.
+static void a_start_that_is_turns_away_counts_its_turns(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "parameters: {turns: 0 rad}\nbodies:\n  ground: {points: {O: [0, 0], Q: [1, 0], W: [3, 3]}}\n"
+        "  crank: {points: {O: [0, 0], A: [2, 0]}}\n  coupler: {points: {A: [0, 0], B: [1.8, 0]}}\n"
+        "  rocker: {points: {Q: [0, 0], B: [2.2, 0]}}\n  wheel: {points: {W: [0, 0]}}\njoints:\n"
+        "  O: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, coupler], angle: u}\n"
+        "  Q: {pin: [ground, rocker], angle: ps}\n  W: {pin: [ground, wheel], angle: w}\n  B: {pin: [coupler, "
+        "rocker]}\n"
+        "gears: {g: {mesh: [rocker, wheel], teeth: [20, 60]}}\ndrives: {th: 0.5}\nstart: {ps: 1.5 rad + turns}\n";
+    for (int turn = -7; turn <= 7; turn++) {
+        char value[40];
+        snprintf(value, sizeof value, "%.17g rad", 2 * YK_PI * turn);
+        YkOverride override = {.name = "turns", .value = value};
+        Machine m = machine_parse_with(text, &override, 1);
+        assert_true(yk_state_assemble(m.state) >= 0);
+        YkMotion ps = value_of(&m, "ps");
+        assert_true(fabs(ps.position - 2 * YK_PI * turn - 1.5) < YK_PI);
+        CHECK_NEAR(remainder(value_of(&m, "w").position + ps.position / 3, 2 * YK_PI), 0, 1e-12);
+        double turned = ps.position; // answers stay within half a turn of the start: counted here
+        for (int k = 1; k <= 40; k++) {
+            assert_true(machine_solve(&m, 0.5 + 0.4 * k, 1, 0) >= 0);
+            turned += remainder(value_of(&m, "ps").position - turned, 2 * YK_PI);
+            CHECK_NEAR(remainder(value_of(&m, "w").position + turned / 3, 2 * YK_PI), 0, 1e-12);
+        }
+        assert_true(turned - ps.position > 13);
+        machine_free(&m);
+    }
 }
 
 // d/dt along q + v t + a t^2 / 2 by central differences of the eighth order, of positions and of rates.
@@ -276,6 +314,7 @@ int main(void)
         cmocka_unit_test(wheels_turn_by_their_ratios),
         cmocka_unit_test(laws_follow_what_they_are_of),
         cmocka_unit_test(residuals_tell_a_miss),
+        cmocka_unit_test(a_start_that_is_turns_away_counts_its_turns),
         cmocka_unit_test(rates_are_differences_of_positions),
         cmocka_unit_test(a_pose_is_adopted_where_it_closes),
         cmocka_unit_test(a_pose_is_not_adopted_where_it_does_not_close),

@@ -284,6 +284,28 @@ static void test_three_cranks_in_line_tell_where_they_pass(void **unused)
     machine_free(&m);
 }
 
+// Wheels with a side rod that start at 0, where all cranks are in line with it: branches meet there already at the start.
+static void test_wheels_with_a_side_rod_start_in_line(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("bodies:\n  ground: {points: {O: [0, 0], Q: [2, 0], P: [4, 0]}}\n"
+                              "  a: {points: {O: [0, 0], A: [0.5, 0]}}\n  c: {points: {Q: [0, 0], B: [0.5, 0]}}\n"
+                              "  d: {points: {P: [0, 0], D: [0.5, 0]}}\n"
+                              "  rod: {points: {A: [0, 0], B: [2, 0], D: [4, 0]}}\njoints:\n"
+                              "  O: {pin: [ground, a], angle: th}\n  Q: {pin: [ground, c], angle: ps}\n"
+                              "  P: {pin: [ground, d], angle: ph}\n  A: {pin: [a, rod]}\n  B: {pin: [c, rod]}\n"
+                              "  D: {pin: [d, rod]}\ndrives: {th: 1 rad/s * t}\nstart: {ps: 0, ph: 0}\n",
+                              true);
+    static const char *const of[] = {"th", "ps", "ph", "ps.rate"};
+    YkSweep *sweep = machine_sweep(&m, "th", 0, 4 * YK_PI, 90, of, 4);
+    assert_int_equal(yk_sweep_status(sweep), YK_OK);
+    for (size_t row = 0; row <= 90; row++)
+        for (size_t c = 1; c < 4; c++)
+            CHECK_NEAR(yk_sweep_value(sweep, row, c), c == 3 ? 1 : yk_sweep_value(sweep, row, 0), 1e-7);
+    yk_sweep_free(sweep);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -295,6 +317,7 @@ int main(void)
         cmocka_unit_test(test_a_slotted_lever_passes_its_own_pivot),
         cmocka_unit_test(test_a_creep_through_a_change_point_keeps_the_kind),
         cmocka_unit_test(test_three_cranks_in_line_tell_where_they_pass),
+        cmocka_unit_test(test_wheels_with_a_side_rod_start_in_line),
         cmocka_unit_test(test_a_creep_within_rounding_of_a_change_point_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

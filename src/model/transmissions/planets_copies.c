@@ -10,7 +10,7 @@ static YkExpr *number(YkLoader *loader, double value, YkPlace place)
     *e = (YkExpr){.kind = YK_EXPR_NUMBER, .place = place, .number = value, .unit_size = 1, .value_scale = 1};
     e->is_exact = true;
     e->mantissa = (int64_t)value;
-    e->symbol = e->parameter = YK_NONE;
+    e->parameter = YK_NONE;
     return e;
 }
 
@@ -19,7 +19,7 @@ static YkExpr *join(YkLoader *loader, YkExprKind kind, const YkExpr *a, const Yk
     YkExpr *e = YK_NEW(loader->arena, YkExpr, 1);
     if (!a || !b || !e) return NULL;
     *e = (YkExpr){.kind = kind, .place = a->place, .a = a, .b = b, .value_scale = 1, .unit_size = 1};
-    e->symbol = e->parameter = YK_NONE;
+    e->parameter = YK_NONE;
     return e;
 }
 
