@@ -52,9 +52,10 @@ typedef struct YkStudyCase {
 // the file's values (yk_state_carry). From there it moves straight to its first pose (with a detour tried if there are
 // several inputs), then straight from pose to pose: branch and circuit are kept, change points passed, turns counted.
 // Status: YK_OK, YK_SINGULAR; YK_BAD_MODEL if the values make no valid machine, YK_NO_ASSEMBLY if it cannot be
-// assembled, YK_LIMIT for a pose that it cannot reach (the next one is sought from the last one reached); outputs are
-// then 0, never NaN. Returns the worst status; YK_STOPPED if it was stopped, and then outputs and status of some designs
-// are missing. For dyads the results have the bits of yk_state_move_to.
+// assembled (YK_NOT_CONVERGED if the search for that gave up), YK_LIMIT for a pose that it cannot reach (the next one
+// is sought from the last one reached); outputs are then 0, never NaN. Returns the worst status; YK_STOPPED if it was
+// stopped, and then outputs and status of some designs are missing. For dyads the results have the bits of
+// yk_state_move_to.
 // Cost per design: the expressions that vary, then that of yk_batch_run for every 2 degrees of the way or every pose,
 // whichever are more; that of yk_state_move_to where branches may meet, with groups, gears, belts and cams. Only these
 // allocate, and forces that a batch solves pose by pose. A parameter that enters teeth, belts, cams, laws, `turned` or
@@ -76,7 +77,8 @@ YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExte
 // by_derivative: by the implicit function theorem on the loops of the tree (only positions, of machines with at most
 // 300 unknowns and without gears, belts and cams; otherwise NaN). by_difference: from the solved pose, extrapolated from
 // central differences (Richardson 1911). The two share only the pose. Designs that are machines of their own are only
-// differenced. Returns YK_OK, or the status of a neighbouring pose that is not valid: half a tooth makes no machine.
+// differenced. A rate or force that the pose leaves undefined is NaN. Returns YK_OK, or the status of a neighbouring
+// pose that is not valid: half a tooth makes no machine.
 YK_API YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, double *by_derivative,
                                        double *by_difference);
 

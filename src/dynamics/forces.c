@@ -297,9 +297,8 @@ double yk_dynamics_effort(const YkDynamics *d, size_t coordinate)
     int32_t law = yk_law_relation(d->mech, coordinate);
     if (law != YK_NONE) return yk_free_bodies_law_effort(d->bodies, (size_t)law);
     int32_t input = d->mech->coordinates[coordinate].input;
-    double sum = input != YK_NONE && !d->is_free[input] ? d->drive[input] : 0;
     bool is_drive = input != YK_NONE && !d->is_free[input];
-    return is_drive ? sum : yk_loads_effort(d->loads, (int32_t)coordinate);
+    return is_drive ? d->drive[input] : yk_loads_effort(d->loads, (int32_t)coordinate);
 }
 
 YkEffortRange yk_dynamics_effort_range(const YkDynamics *d, size_t coordinate)

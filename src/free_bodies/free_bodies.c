@@ -77,12 +77,11 @@ static void find_inertia(YkFreeBodies *f, const YkBodyPart *part)
     }
 }
 
+// What is no number in the balance of one body is none in the shares of its whole part: they are solved together.
 static bool is_finite(const YkFreeBodies *f, const YkBodyPart *part)
 {
     double sum = 0;
     for (size_t k = 0; k < part->column_count; k++) sum += 0 * f->columns[part->columns[k]].share;
-    for (size_t k = 0; k < part->body_count; k++)
-        for (size_t i = 0; i < 3; i++) sum += 0 * f->inertia[3 * (size_t)part->bodies[k] + i];
     return sum == 0;
 }
 

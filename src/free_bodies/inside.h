@@ -114,7 +114,7 @@ static inline void yk_body_system_emit(YkBodySystem *system, size_t row, size_t 
 // Emits the entries of a wrench, times sign, on the rows of its bodies in `column`; transposed: as a row.
 void yk_body_system_wrench(const YkFreeBodies *f, YkBodySystem *system, const YkWrenchColumn *wrench, size_t column,
                            double sign, bool transposed);
-// Returns the product of the same entries with x.
+// Returns the product of the entries of an input's wrench with x; a mesh may have more bodies.
 double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *wrench, const double *x);
 
 // Finds the shares of a part that balance inertia - load. is_prescribed (may be NULL: all): other inputs have no

@@ -264,8 +264,7 @@ static void pose_cam(const YkFreeBodies *f, const YkSpace *space, YkWrenchColumn
     } else {
         p.u = yk_mul(place_of(f, space, cam->carrier, yk_vec(0, 0)).e, cam->along);
         lift = yk_space_slide(space, f->mech->joint_distance[cam->follower_joint]).d[0];
-        double reach = cam->base + cam->roller;
-        if (cam->face == YK_CAM_FACE_FLAT || !(reach * reach > cam->offset * cam->offset)) {
+        if (cam->face == YK_CAM_FACE_FLAT) {
             pose_flat(f, space, c, &p);
             return;
         }

@@ -131,12 +131,5 @@ double yk_wrench_dot(const YkFreeBodies *f, const YkWrenchColumn *c, const doubl
         const double *row = x + f->body_row[c->body[k]];
         sum += (k ? 1 : -1) * (c->force.x * row[0] + c->force.y * row[1]) + c->moment[k] * row[2];
     }
-    const int32_t others[] = {c->third, c->fourth};
-    for (int k = 0; k < 2; k++) {
-        if (others[k] == 0) continue;
-        const double *row = x + f->body_row[others[k]];
-        sum += (k ? -1 : 1) * (c->other.x * row[0] + c->other.y * row[1]) +
-               (k ? c->fourth_moment : c->third_moment) * row[2];
-    }
     return sum;
 }

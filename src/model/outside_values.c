@@ -99,6 +99,7 @@ YkStatus yk_model_value_of(const YkModel *model, const char *text, YkDimension d
 {
     YkProblems *found = yk_problems_new();
     bool done = found && read_apart(model, text, dimension, value, found);
+    if (!found) yk_problem(problems, YK_CODE_OUT_OF_MEMORY, place, "out of memory while reading %q", text);
     for (size_t i = 0; found && i < yk_problems_count(found); i++) {
         const YkProblem *problem = yk_problems_get(found, i);
         yk_problem(problems, (YkCode)problem->code, place, "%s", problem->message);

@@ -260,17 +260,21 @@ static YkStatus by_designs(YkStudy *study, const double *const *inputs, size_t p
     double **out = calloc(channels + 1, sizeof *out), h = step_of(study, parameter);
     const double **varied = calloc(study->parameter_count + 1, sizeof *varied);
     YkStatus status = stages && out && varied ? YK_OK : YK_NO_MEMORY;
-    for (size_t stage = 0; status == YK_OK && stage < STAGES; stage++, h /= 2) {
+    signed char one[2] = {YK_OK, YK_OK};
+    for (size_t stage = 0; status >= 0 && stage < STAGES; stage++, h /= 2) {
         values[0] = study->own[parameter] + h;
         values[1] = study->own[parameter] - h;
         varied[parameter] = values;
         for (size_t c = 0; c < channels; c++) out[c] = pair + 2 * c;
         YkStudyCase asked = {.parameters = varied, .design_count = 2, .inputs = inputs, .pose_count = 1};
-        status = yk_study_run(study, &asked, out, NULL);
-        for (size_t c = 0; c < channels; c++)
-            stages[c * STAGES + stage] = (out[c][0] - out[c][1]) / (values[0] - values[1]);
+        status = yk_study_run(study, &asked, out, one);
+        for (size_t c = 0; c < channels; c++) {
+            YkChannel channel = study->channels[c];
+            bool counts = yk_study_counts(channel, (YkStatus)one[0]) && yk_study_counts(channel, (YkStatus)one[1]);
+            stages[c * STAGES + stage] = counts ? (out[c][0] - out[c][1]) / (values[0] - values[1]) : (double)NAN;
+        }
     }
-    for (size_t c = 0; status == YK_OK && c < channels; c++) column[c] = extrapolate(stages + c * STAGES, STAGES);
+    for (size_t c = 0; status >= 0 && c < channels; c++) column[c] = extrapolate(stages + c * STAGES, STAGES);
     free(stages);
     free(out);
     free(varied);
@@ -283,13 +287,13 @@ static YkStatus differences_of_designs(YkStudy *study, const double *const *inpu
     size_t channels = study->channel_count, parameters = study->parameter_count;
     double *column = calloc(channels + 1, sizeof *column);
     YkStatus status = column ? YK_OK : YK_NO_MEMORY;
-    for (size_t p = 0; status == YK_OK && p < parameters; p++) {
+    for (size_t p = 0; status >= 0 && p < parameters; p++) {
         status = by_designs(study, inputs, p, column);
-        for (size_t c = 0; status == YK_OK && c < channels; c++)
+        for (size_t c = 0; status >= 0 && c < channels; c++)
             by_difference_out[c * parameters + p] = column[c], by_derivative[c * parameters + p] = (double)NAN;
     }
     free(column);
-    return status;
+    return status > 0 ? YK_OK : status;
 }
 
 // --- the door

@@ -256,10 +256,65 @@ static void a_flat_face_pushes_along_its_guide(void **unused)
     rig_free(&rig);
 }
 
+#define TWO_ROLLERS(by)                                                                                                \
+    "laws:\n  lift: {period: 2*pi, segments: [{rise: {to: 150 deg, by: " by ", law: cycloidal}}, "                     \
+    "{dwell: {to: 200 deg}}, {fall: {to: 330 deg, by: " by ", law: 3-4-5}}, {dwell: {to: 2*pi}}]}\n"                   \
+    "bodies:\n  ground: {points: {O: [0, 0], Q: [-90 mm, 20 mm]}}\n  shaft: {mass: 2, inertia: 0.001}\n"
+
+// Of two rollers one bears: the force of the cam is normal to the path of that roller's centre on the cam, and pushes
+// it away from the cam's axis; along the follower's freedom it is what accelerates the follower.
+static void check_two_rollers(const char *text, bool turns)
+{
+    Rig rig = rig_of_text(text);
+    size_t count[2] = {0, 0};
+    yk_dynamics_prescribe(rig.dynamics, 0, true);
+    for (int k = 0; k < 36; k++) {
+        yk_state_set_input(rig.state, 0, (YkMotion){0.1 + k * YK_PI / 18, 50, 30});
+        assert_true(yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_REDUCED) >= 0);
+        double accel = rate_of(&rig, "q.accel"), need = 2 * accel;
+        if (fabs(accel) < 1e-6) continue; // no roller bears
+        YkReaction contact = yk_dynamics_contact(rig.dynamics, 0);
+        YkBodyMotion cam = yk_body_motion(rig.mech, &rig.state->space, 1);
+        YkBodyMotion follower = yk_body_motion(rig.mech, &rig.state->space, 2);
+        YkVec at = yk_vec(contact.at[0], contact.at[1]), force = yk_vec(contact.force[0], contact.force[1]);
+        YkVec pin = turns ? yk_vec(-0.09, 0.02) : at, freedom = turns ? yk_quarter(yk_sub(at, pin)) : yk_vec(0, 1);
+        YkVec own = turns ? yk_scale(follower.w, yk_quarter(yk_sub(at, pin))) : follower.velocity;
+        YkVec path = yk_sub(own, yk_scale(cam.w, yk_quarter(at)));
+        assert_true(contact.on == 2 && contact.by == 1);
+        if (turns) need = 0.001 * accel;
+        CHECK_NEAR(yk_dot(force, freedom), need, 1e-12 * (1 + fabs(need)));
+        CHECK_NEAR(yk_dot(force, path), 0, 1e-12 * yk_norm(force) * yk_norm(path));
+        assert_true(yk_dot(force, at) > 0);
+        bool is_second = turns ? yk_norm(yk_sub(at, pin)) < 0.08 : at.y < 0; // arms of 85 and 70 mm
+        assert_int_equal(is_second, need < 0);
+        count[is_second]++;
+    }
+    assert_true(count[0] > 8 && count[1] > 8);
+    rig_free(&rig);
+}
+
+static void of_two_rollers_the_one_that_is_pushed_bears(void **unused)
+{
+    (void)unused;
+    check_two_rollers(
+        TWO_ROLLERS("20 mm") "  fol: {mass: 2}\njoints:\n  O: {pin: [ground, shaft], angle: th}\n"
+                             "  G: {slide: [ground, fol], along: y, distance: q}\n"
+                             "cams: {c: {cam: shaft, follower: fol, law: lift, roller: 8 mm, base: 30 mm, "
+                             "offset: 6 mm, conjugate: {roller: 10 mm, span: 90 mm}}}\nstart: {th: 0}\n",
+        false);
+    check_two_rollers(
+        TWO_ROLLERS("15 deg") "  fol: {points: {Q: [0, 0]}, mass: 2, inertia: 0.001}\n"
+                              "joints:\n  O: {pin: [ground, shaft], angle: th}\n  Q: {pin: [ground, fol], angle: q}\n"
+                              "cams: {c: {cam: shaft, follower: fol, law: lift, roller: 8 mm, base: 30 mm, arm: 85 "
+                              "mm, conjugate: {arm: 70 mm, angle: -75 deg}}}\nstart: {th: 0}\n",
+        true);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_train_of_the_format),
+        cmocka_unit_test(of_two_rollers_the_one_that_is_pushed_bears),
         cmocka_unit_test(many_turns_stay_exact),
         cmocka_unit_test(wheels_keep_their_ratio),
         cmocka_unit_test(a_pinion_moves_its_rack),

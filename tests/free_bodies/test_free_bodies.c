@@ -444,6 +444,22 @@ static void test_a_load_that_is_no_number_has_no_answer(void **unused)
     rig_free(&r);
 }
 
+// A plate that floats: no joint transmits anything, so only its own acceleration tells that a load is no number.
+static void test_a_floating_body_under_a_load_that_is_no_number_has_no_answer(void **unused)
+{
+    (void)unused;
+    Rig r = rig_parse("bodies: {ground: {points: {O: [0, 0]}}, plate: {points: {O: [0, 0]}, mass: 2, inertia: 3}}\n"
+                      "joints: {F: {free: [ground, plate], at: [x, y, phi]}}\nstart: {x: 0, y: 0, phi: 0}\n");
+    load_gravity(&r, yk_vec(NAN, 0));
+    assert_int_equal(rig_forward(&r, NULL), YK_SINGULAR);
+    for (int i = 0; i < 3; i++) CHECK_NEAR(r.accelerations[i], 0, 0);
+    load_clear(&r);
+    load_gravity(&r, down);
+    assert_int_equal(rig_forward(&r, NULL), YK_OK);
+    CHECK_NEAR(r.accelerations[1], -9.81, 1e-14);
+    rig_free(&r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -466,6 +482,7 @@ int main(void)
         cmocka_unit_test(test_a_crank_passes_its_dead_point_forwards_but_its_slide_cannot_drive_it_there),
         cmocka_unit_test(test_without_mass_and_load_nothing_acts),
         cmocka_unit_test(test_a_load_that_is_no_number_has_no_answer),
+        cmocka_unit_test(test_a_floating_body_under_a_load_that_is_no_number_has_no_answer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 // Designs that are machines of their own - other teeth, cams, laws, constant angles - against the file with these values.
 #include "study_check.h"
+#include "compile/mechanism.h"
 
 enum { DESIGNS = 4, POSES = 50, CHANNELS = 4 };
 static double out[CHANNELS][DESIGNS * POSES], again[CHANNELS][DESIGNS * POSES];
@@ -181,6 +182,130 @@ static void test_sensitivities(void **unused)
     machine_free(&m);
 }
 
+// A parallelogram behind a gear: the module moves both axes together, so the rocker's angle stays and its point moves
+// with them, 30 times as far. At its change points positions are known, and rates are not.
+#define GEARED_PARALLELOGRAM                                                                                           \
+    "parameters: {m: 2 mm}\n"                                                                                          \
+    "bodies:\n"                                                                                                        \
+    "  ground:  {points: {O: [0, 0], P: [30*m, 0], R: [30*m + 100 mm, 0]}}\n"                                          \
+    "  pinion:  {points: {O: [0, 0]}}\n"                                                                               \
+    "  wheel:   {points: {P: [0, 0], A: [40 mm, 0]}}\n"                                                                \
+    "  coupler: {points: {A: [0, 0], B: [100 mm, 0]}}\n"                                                               \
+    "  rocker:  {points: {R: [0, 0], B: [40 mm, 0]}}\n"                                                                \
+    "joints:\n"                                                                                                        \
+    "  O: {pin: [ground, pinion], angle: q}\n"                                                                         \
+    "  P: {pin: [ground, wheel], angle: theta}\n"                                                                      \
+    "  A: {pin: [wheel, coupler], angle: gamma}\n"                                                                     \
+    "  R: {pin: [ground, rocker], angle: psi}\n"                                                                       \
+    "  B: {pin: [coupler, rocker]}\n"                                                                                  \
+    "gears: {g: {mesh: [pinion, wheel], teeth: [20, 40], module: m}}\n"                                                \
+    "drives: {q: 10 rad/s * t}\n"                                                                                      \
+    "start: {theta: 60 deg, gamma: -60 deg, psi: 60 deg}\n"
+
+static void test_sensitivities_at_a_change_point(void **unused)
+{
+    (void)unused;
+    static const char *const of[] = {"psi", "rocker.B.x", "rocker.B.y", "B.force"};
+    const char *name = "m";
+    double derivative[4], difference[4];
+    Machine m = machine_parse(GEARED_PARALLELOGRAM, true);
+    YkStudy *study = study_of(&m, &name, 1, of, 4, 1);
+    for (int turn = 0; turn < 2; turn++) { // the wheel turns back half as fast: at 20 deg, at 0
+        double at = (turn == 0 ? 80 : 120) * YK_PI / 180;
+        const double *inputs[] = {&at, NULL, NULL};
+        memset(difference, 0x55, sizeof difference);
+        assert_int_equal(yk_study_sensitivities(study, inputs, derivative, difference), YK_OK);
+        double angle = turn == 0 ? 1e-6 : 0.01; // where branches meet it is known to the root of rounding
+        CHECK_NEAR(difference[0], 0, angle);
+        CHECK_NEAR(difference[1], 30, 1e-6);
+        CHECK_NEAR(difference[2], 0, 0.04 * angle);
+        if (turn == 0) CHECK_NEAR(difference[3], 0, 1e-9); // without mass
+        if (turn == 1) assert_true(isnan(difference[3]));  // undefined
+        for (int c = 0; c < 4; c++) assert_true(isnan(derivative[c]));
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
+// A triad whose coupler is bent by a constant angle: a group has no labels, so each design is assembled nearest to the
+// file's configuration. At 1 rad that has vanished: the machine closes, but with its rocker 1.7 rad away.
+#define BENT_TRIAD                                                                                                     \
+    "parameters: {bend: 37 deg}\n"                                                                                     \
+    "bodies:\n"                                                                                                        \
+    "  ground: {points: {O2: [0, 0], O4: [4, 0], O6: [6, 2.5]}}\n"                                                     \
+    "  crank: {points: {O2: [0, 0], A: [1, 0]}}\n"                                                                     \
+    "  coupler: {points: {A: [0, 0], B: [3.5, 0]}}\n"                                                                  \
+    "  wing: {points: {A: [0, 0], C: [2.5, 0]}}\n"                                                                     \
+    "  rocker: {points: {O4: [0, 0], B: [3, 0]}}\n"                                                                    \
+    "  link: {points: {C: [0, 0], D: [4.5, 0]}}\n"                                                                     \
+    "  output: {points: {O6: [0, 0], D: [2.5, 0]}}\n"                                                                  \
+    "joints:\n"                                                                                                        \
+    "  O6: {pin: [ground, output], angle: theta6}\n"                                                                   \
+    "  D: {pin: [output, link], angle: theta5}\n"                                                                      \
+    "  O2: {pin: [ground, crank], angle: theta2}\n"                                                                    \
+    "  A: {pin: [crank, coupler], angle: theta3}\n"                                                                    \
+    "  W: {weld: [coupler, wing], at: A, turned: bend}\n"                                                              \
+    "  O4: {pin: [ground, rocker], angle: theta4}\n"                                                                   \
+    "  B: {pin: [coupler, rocker]}\n"                                                                                  \
+    "  C: {pin: [wing, link]}\n"                                                                                       \
+    "drives: {theta6: 120 deg + 0.1 rad/s * t}\n"                                                                      \
+    "start: {theta2: 120 deg, theta3: -90 deg, theta4: 119 deg, theta5: -101 deg}\n"
+
+static void test_groups_are_assembled_near_the_files_configuration(void **unused)
+{
+    (void)unused;
+    static const double values[DESIGNS] = {0.64, 37 * YK_PI / 180, 0.65, 1};
+    static const char *const texts[] = {"0.64 rad", "37 deg", "0.65 rad"}, *const of[] = {"theta2", "theta4",
+                                                                                          "wing.C.y"};
+    const char *name = "bend";
+    double at[POSES], *outputs[CHANNELS];
+    Machine m = machine_parse(BENT_TRIAD, true);
+    assert_true(m.mech->has_groups);
+    YkStudy *study = study_of(&m, &name, 1, of, 3, 2);
+    const double *parameters[] = {values}, *inputs[] = {at, NULL, NULL};
+    YkStudyCase asked = {parameters, DESIGNS, inputs, POSES, false};
+    fill_poses(at, 120 * YK_PI / 180, 0.001);
+    point_at(out, outputs);
+    assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_NO_ASSEMBLY);
+    for (size_t k = 0; k < 3; k++) check_design(BENT_TRIAD, name, texts[k], of, 3, k, at);
+    for (size_t k = 3 * POSES; k < 4 * POSES; k++)
+        assert_true(status[k] == YK_NO_ASSEMBLY && out[0][k] == 0 && out[1][k] == 0 && out[2][k] == 0);
+    yk_study_free(study);
+    machine_free(&m);
+}
+
+// Assembled where the pinion is at 0, then driven at the piston: the wheel stands at 30 deg at first, so the pinion's
+// angle follows from the piston's place by the cosine theorem and the teeth.
+static void test_designs_start_at_the_inputs_of_the_start(void **unused)
+{
+    (void)unused;
+    static const double modules[DESIGNS] = {0.0019, 0.00195, 0.002, 0.0021};
+    static const char *const of[] = {"theta", "q"};
+    const char *name = "m";
+    double at[POSES], *outputs[CHANNELS], r = 0.02, l = 0.08;
+    Machine m = machine_parse(GEARED, true), by_piston = {.problems = m.problems, .model = m.model};
+    machine_compile(&by_piston, "x");
+    assert_true(yk_state_adopt(by_piston.state, m.state) >= 0);
+    YkChannel channels[] = {machine_channel(&by_piston, of[0]), machine_channel(&by_piston, of[1])};
+    YkStudyOptions options = {&name, 1, channels, 2, 1, m.state};
+    YkStudy *study = yk_study_new(by_piston.state, &options, m.problems);
+    assert_non_null(study);
+    const double *parameters[] = {modules}, *inputs[] = {at, NULL, NULL};
+    YkStudyCase asked = {parameters, DESIGNS, inputs, POSES, false};
+    fill_poses(at, 0.14, 0.0002);
+    point_at(out, outputs);
+    assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_OK);
+    for (size_t k = 0; k < DESIGNS * POSES; k++) {
+        double X = at[k % POSES] - 30 * modules[k / POSES], theta = acos((X * X + r * r - l * l) / (2 * r * X));
+        CHECK_NEAR(out[0][k], theta, 1e-10);
+        CHECK_NEAR(out[1][k], -2 * (theta - YK_PI / 6), 1e-10);
+    }
+    yk_study_free(study);
+    yk_state_free(by_piston.state);
+    yk_mechanism_free(by_piston.mech);
+    machine_free(&m);
+}
+
 static void test_a_drive_is_still_refused(void **unused)
 {
     (void)unused;
@@ -207,6 +332,9 @@ int main(void)
         cmocka_unit_test(test_threads_and_extents),
         cmocka_unit_test(test_values_that_make_no_machine_are_rows_with_a_status),
         cmocka_unit_test(test_sensitivities),
+        cmocka_unit_test(test_sensitivities_at_a_change_point),
+        cmocka_unit_test(test_groups_are_assembled_near_the_files_configuration),
+        cmocka_unit_test(test_designs_start_at_the_inputs_of_the_start),
         cmocka_unit_test(test_a_drive_is_still_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

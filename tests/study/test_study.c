@@ -400,6 +400,87 @@ static void test_a_machine_with_a_group_is_assembled_for_every_design(void **unu
     machine_free(&m);
 }
 
+// A study over `input`, whose designs start where the machine's own inputs put them.
+static YkStudy *study_from(const Machine *m, const char *input, const char *const *parameters, size_t count,
+                           const char *of, Machine *over)
+{
+    *over = (Machine){.problems = m->problems, .model = m->model};
+    machine_compile(over, input);
+    assert_true(yk_state_adopt(over->state, m->state) >= 0);
+    YkChannel channel = machine_channel(over, of);
+    YkStudyOptions options = {.parameters = parameters,
+                              .parameter_count = count,
+                              .channels = &channel,
+                              .channel_count = 1,
+                              .start = m->state};
+    YkStudy *study = yk_study_new(over->state, &options, m->problems);
+    assert_non_null(study);
+    return study;
+}
+
+static void end_from(YkStudy *study, Machine *over)
+{
+    yk_study_free(study);
+    yk_state_free(over->state);
+    yk_mechanism_free(over->mech);
+}
+
+// The four-bar is assembled by its crank at 40 deg, then moved by its rocker, which gives the crank's angle back from
+// there to the next dead point. A crank that cannot stand at 40 deg makes no design, wherever the rocker is.
+static void test_designs_start_at_the_inputs_of_the_start(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 40 };
+    static double crank[COUNT * POSES], rocker[COUNT * POSES];
+    Machine m = machine_load("four-bar"), over;
+    YkStudy *study = study_from(&m, "theta4", LENGTHS, 3, "theta2", &over);
+    uint64_t seed = 8;
+    draw(0.05, 7);
+    a[0] = 0.9;
+    for (size_t k = 0; k < COUNT * POSES; k++) {
+        YkVec P;
+        rocker[k] = 2;
+        crank[k] = check_uniform(&seed, 0.8, 3.1);
+        if (k >= POSES) assert_true(four_bar(a[k / POSES], b[k / POSES], c[k / POSES], crank[k], &rocker[k], &P));
+    }
+    const double *parameters[] = {a, b, c}, *inputs[] = {rocker, NULL, NULL};
+    double *outputs[] = {out[0]};
+    YkStudyCase asked = {parameters, COUNT, inputs, POSES, true};
+    assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_NO_ASSEMBLY);
+    for (size_t k = 0; k < COUNT * POSES; k++) {
+        assert_int_equal(status[k], k < POSES ? YK_NO_ASSEMBLY : YK_OK);
+        CHECK_NEAR(out[0][k], k < POSES ? 0 : crank[k], 1e-10);
+    }
+    end_from(study, &over);
+    machine_free(&m);
+}
+
+// There and back: the crank's angles of a triad that its output drives, then the output's angles that they give.
+static void test_groups_start_at_the_inputs_of_the_start(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 5 };
+    static const char *const name = "l", *const crank = "theta2";
+    Machine m = machine_parse(TRIAD, true), over;
+    double own = yk_model_parameter(m.model, name), values[COUNT], at[POSES], *outputs[] = {out[0]}, *back[] = {out[1]};
+    for (int k = 0; k < COUNT; k++) values[k] = own * (1 + 0.002 * (k - 2));
+    for (int k = 0; k < POSES; k++) at[k] = 120 * YK_PI / 180 + 0.002 * k;
+    const double *parameters[] = {values}, *inputs[] = {at, NULL, NULL}, *cranks[] = {out[0], NULL, NULL};
+    YkStudy *there = study_of(&m, &name, 1, &crank, 1, 1);
+    YkStudyCase asked = {parameters, COUNT, inputs, POSES, false};
+    assert_int_equal(yk_study_run(there, &asked, outputs, status), YK_OK);
+    YkStudy *study = study_from(&m, crank, &name, 1, "theta6", &over);
+    asked = (YkStudyCase){parameters, COUNT, cranks, POSES, true};
+    assert_int_equal(yk_study_run(study, &asked, back, status), YK_OK);
+    for (size_t k = 0; k < COUNT * POSES; k++) CHECK_NEAR(out[1][k], at[k % POSES], 1e-9);
+    values[0] = 40; // a link that reaches nothing
+    assert_int_equal(yk_study_run(study, &asked, back, status), YK_NO_ASSEMBLY);
+    assert_true(status[0] == YK_NO_ASSEMBLY && status[POSES] == YK_OK && out[1][0] == 0);
+    end_from(study, &over);
+    yk_study_free(there);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -414,6 +495,8 @@ int main(void)
         cmocka_unit_test(test_turns_are_counted_along_the_poses),
         cmocka_unit_test(test_turns_are_counted_up_to_a_change_point),
         cmocka_unit_test(test_a_machine_with_a_group_is_assembled_for_every_design),
+        cmocka_unit_test(test_designs_start_at_the_inputs_of_the_start),
+        cmocka_unit_test(test_groups_start_at_the_inputs_of_the_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
