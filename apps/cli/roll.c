@@ -85,3 +85,8 @@ YkStatus yk_session_each(YkSession *session, YkState *state, bool (*visit)(void 
     if (status == YK_NO_MEMORY) yk_session_run_out(session);
     return status;
 }
+
+const YkContinuum *yk_session_continuum(const YkSession *session)
+{
+    return session->rolls ? yk_configurations_continuum(session->rolls->configurations) : NULL;
+}

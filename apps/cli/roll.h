@@ -14,6 +14,8 @@ struct YkRolls {
 // order of yk_state_each; report may be NULL. Names (yk_configuration_name) may be asked for while it visits.
 YkStatus yk_session_each(YkSession *session, YkState *state, bool (*visit)(void *context, YkState *state),
                          void *context, YkConfigurationsReport *report);
+// Returns the continuum that the configuration being visited stands for, or NULL.
+const YkContinuum *yk_session_continuum(const YkSession *session);
 // Reads --within, s; 0 without it. Returns false, with the reason told, for a bad value or without --all.
 bool yk_roll_within(YkSession *session, double *seconds);
 // Reads --solver. Returns false, with the reason told, for another word or without --all.

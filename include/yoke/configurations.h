@@ -28,6 +28,18 @@ typedef enum YkCompleteReason {
 } YkCompleteReason;
 YK_API const char *yk_complete_reason_name(YkCompleteReason reason); // "none", "closed form", "counted", "excluded"
 
+// A continuum of poses with the same inputs: a parallelogram with a bar too many, a dyad whose base has no length.
+typedef struct YkContinuum {
+    // Of the largest part at the pose. It is measured: the rank of the Jacobian of all loops, gears and inputs is lower by
+    // that, and stays so where steps along its whole kernel, both ways, lead to other poses. 0: there is no continuum.
+    size_t dimension;
+    // Proved. The rank bounds the dimension from above. From below it is bounded where loops repeat each other because
+    // bodies keep their angle to each other (as long as dimensions are exact: to 1e-11 of the size); otherwise this is 0.
+    size_t at_least, at_most;
+    size_t poses; // found along it
+    double miss;  // by which their loops miss at most, over the machine's size
+} YkContinuum;
+
 typedef struct YkConfigurationsReport {
     bool complete; // there are no configurations but those visited
     YkCompleteReason reason;
@@ -36,7 +48,9 @@ typedef struct YkConfigurationsReport {
     // solutions were proved, and how many it has; expected is 0 if they were not counted.
     int block;
     size_t proved, expected;
-    char message[240]; // one sentence: why it is complete, or what is missing
+    char message[240];     // one sentence: why it is complete, or what is missing
+    size_t continua;       // how many of the configurations visited stand for a continuum
+    YkContinuum continuum; // the one of largest dimension
 } YkConfigurationsReport;
 
 // How the complex solutions of a group are found. They are proved and counted in the same way however they are found.
@@ -72,6 +86,10 @@ YK_API YkStatus yk_configurations_each(YkConfigurations *configurations, YkState
                                        const YkConfigurationsOptions *options,
                                        bool (*visit)(void *context, YkState *state), void *context,
                                        YkConfigurationsReport *report);
+
+// Returns the continuum that the configuration being visited stands for, one pose of it for all; or NULL. It is looked for
+// where a dyad is singular, or a group is not proved to be complete.
+YK_API const YkContinuum *yk_configurations_continuum(const YkConfigurations *configurations);
 
 // Names the configuration that a state with a pose stands in, among those at its inputs: its label and, if several have
 // the same label, a number, as in `J+.2`. They are counted in the order of the search at the start, where the machine

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "base/text.h"
+#include "configurations/continuum.h"
 #include "configurations/eliminate.h"
 #include "configurations/exclude.h"
 #include "configurations/group.h"
@@ -11,6 +12,8 @@
 #include "solve/assemble.h"
 #include "solve/gap.h"
 #include "solve/state.h"
+
+enum { BOXES_MAX = 2000000 }; // of all exclusions of a call
 
 // The group of one block: the data kept for it, its solutions at this pose, and room for the options of its level.
 typedef struct Member {
@@ -26,6 +29,8 @@ struct YkConfigurations {
     const YkMechanism *mech;
     Member *members; // [block]
     YkNamesakes namesakes;
+    YkContinua continua;
+    bool has_room; // for continua
     // of the present call:
     YkState *state;
     YkConfigurationsOptions options;
@@ -33,6 +38,11 @@ struct YkConfigurations {
     size_t lacking; // solutions that the group of the report lacks
     bool out_of_memory, is_running, is_cut_short, is_left;
     bool is_excluded; // some group was
+    bool has_left,
+        has_unsettled; // some group is excluded but beside singular poses; some is neither counted nor excluded
+    size_t boxes;
+    bool is_in_doubt; // some group is not known to be complete
+    YkContinuum here; // of the configuration that is shown
     YkPace enough;
     bool (*visit)(void *, YkState *);
     void *context;
@@ -79,6 +89,7 @@ void yk_configurations_free(YkConfigurations *all)
         free(m->order);
     }
     yk_namesakes_end(&all->namesakes);
+    yk_continua_end(&all->continua);
     free(all->members);
     free(all);
 }
@@ -134,6 +145,23 @@ static size_t add_options(YkConfigurations *all, Member *m, const YkBlock *block
     return count;
 }
 
+// Keeps one of several poses that a search found around one dead point, to half the digits. Those that are proved are none.
+// Returns how many are left.
+static size_t drop_twins(const YkConfigurations *all, const Member *m, const YkBlock *block, double *found,
+                         size_t count)
+{
+    const double near = 1e-5;
+    size_t n = block->column_count, left = 0;
+    for (size_t s = 0; s < count; s++) {
+        const double *x = found + s * n;
+        bool is_twin = false;
+        for (size_t k = 0; k < left && !is_twin; k++) is_twin = yk_group_gap(all->mech, block, x, found + k * n) < near;
+        if (is_twin && !is_listed(all, block, m->solutions.real, m->solutions.real_count, x)) continue;
+        memmove(found + left++ * n, x, n * sizeof *x);
+    }
+    return left;
+}
+
 static const char *reason_outside(YkOutside outside)
 {
     switch (outside) {
@@ -168,18 +196,22 @@ static void note(YkConfigurations *all, size_t index, const Member *m, YkGroupSt
     r->expected = s->is_counted ? s->expected : 0;
 }
 
-// Finds all configurations of a group with a gear by exclusion. Returns false if that does not succeed.
+// Finds all configurations of a group by exclusion. Returns false if that does not succeed. Where it succeeds but for boxes
+// beside singular poses, these are counted, and the group is not complete.
 static bool exclude(YkConfigurations *all, const YkRun *run, size_t index, YkPace *pace)
 {
     YkGeared geared;
-    Member *m = &all->members[index];
-    if (m->kept.outside != YK_OUTSIDE_RELATIONS || !yk_geared_read(&geared, run, index)) return false;
-    all->out_of_memory |= !yk_exclude(&geared, pace, &m->excluded);
+    YkExcluded *out = &all->members[index].excluded;
+    YkOutside outside = all->members[index].kept.outside;
+    bool can = outside == YK_OUTSIDE_NOT || outside == YK_OUTSIDE_RELATIONS || outside == YK_OUTSIDE_REDUNDANT;
+    out->count = out->left = 0;
+    out->is_complete = false;
+    if (!can || all->boxes > BOXES_MAX || !yk_geared_read(&geared, run, index)) return false;
+    all->out_of_memory |= !yk_exclude(&geared, pace, out);
+    all->boxes += out->boxes;
     all->is_cut_short |= yk_pace_is_stopped(pace);
-    if (all->out_of_memory || !m->excluded.is_complete) return false;
-    all->is_excluded = true;
-    if (all->report.block < 0) all->report.block = (int)index;
-    return true;
+    if (!out->is_complete) out->count = 0;
+    return !all->out_of_memory && out->is_complete;
 }
 
 static size_t list(void *context, const YkRun *run, size_t index, YkOptionRoom *room)
@@ -196,17 +228,24 @@ static size_t list(void *context, const YkRun *run, size_t index, YkOptionRoom *
     YkGroupStatus status = is_large ? YK_GROUP_OUTSIDE : yk_group_solve_all(&m->kept, run, index, pace, &m->solutions);
     all->is_cut_short |= status == YK_GROUP_STOPPED;
     all->out_of_memory |= status == YK_GROUP_NO_MEMORY;
-    bool is_excluded = status == YK_GROUP_OUTSIDE && exclude(all, run, index, pace);
+    bool is_counted = status == YK_GROUP_SOLVED && m->solutions.is_complete, is_short = yk_pace_is_stopped(pace);
+    bool is_settled = !is_counted && !is_large && !is_short && exclude(all, run, index, pace);
+    bool is_excluded = is_settled && m->excluded.left == 0;
+    if (is_settled && !is_excluded) all->has_left = true;
+    if (!is_counted && !is_settled) all->has_unsettled = true;
+    all->is_excluded |= is_excluded;
+    if (is_excluded && all->report.block < 0) all->report.block = (int)index;
     if (!is_excluded) note(all, index, m, status);
-    bool is_whole = is_excluded || (status != YK_GROUP_OUTSIDE && m->solutions.is_complete);
+    bool is_whole = is_excluded || is_counted;
+    all->is_in_doubt |= !is_whole;
     bool is_searched = all->options.in_search_order || !is_whole;
     if ((status == YK_GROUP_OUTSIDE && !is_excluded) || (is_searched && !yk_pace_is_stopped(pace))) {
         size_t found = yk_group_search(run, index);
+        if (status != YK_GROUP_OUTSIDE) found = drop_twins(all, m, block, run->groups->solutions, found);
         count = add_options(all, m, block, 0, run->groups->solutions, found);
     }
-    if (is_excluded)
-        count = add_options(all, m, block, count, m->excluded.poses, m->excluded.count);
-    else if (status != YK_GROUP_OUTSIDE)
+    if (is_settled) count = add_options(all, m, block, count, m->excluded.poses, m->excluded.count);
+    if (!is_excluded && status != YK_GROUP_OUTSIDE)
         count = add_options(all, m, block, count, m->solutions.real, m->solutions.real_count);
     *room = (YkOptionRoom){m->options, m->costs, m->order};
     return count;
@@ -214,28 +253,68 @@ static size_t list(void *context, const YkRun *run, size_t index, YkOptionRoom *
 
 // --- the whole machine
 
+// Looks for a continuum at the pose that is shown. Returns false if another pose of it has been shown.
+static bool is_of_its_own(YkConfigurations *all, const YkState *state)
+{
+    YkConfigurationsReport *r = &all->report;
+    bool is_new = true;
+    all->here = (YkContinuum){0};
+    if (!all->is_in_doubt && !(state->space.margin[0] <= YK_SINGULAR_MARGIN)) return true;
+    if (!all->has_room) all->has_room = yk_continua_start(&all->continua, all->mech);
+    all->out_of_memory |= !all->has_room || !yk_continuum_at(&all->continua, state, &all->here, &is_new);
+    if (all->here.dimension == 0 || !is_new) return is_new;
+    r->continua++;
+    if (all->here.dimension > r->continuum.dimension) r->continuum = all->here;
+    return true;
+}
+
+const YkContinuum *yk_configurations_continuum(const YkConfigurations *all)
+{
+    return all && all->is_running && all->here.dimension > 0 ? &all->here : NULL;
+}
+
 static bool show(void *context, YkState *state)
 {
     YkConfigurations *all = context;
+    if (!is_of_its_own(all, state)) return true;
     all->report.count++;
     if (!all->visit || all->visit(all->context, state)) return true;
     all->is_left = true;
     return false;
 }
 
-static void tell(YkConfigurations *all, bool whole, size_t lost)
+// Says which configurations are continua, and what of that is proved.
+static void tell_continua(const YkConfigurationsReport *r, bool has_settled, YkText *text)
+{
+    const YkContinuum *c = &r->continuum;
+    if (r->continua == 0 && has_settled) yk_text_puts(text, "a dyad turns freely, and was taken at one angle; ");
+    if (r->continua == 0) return;
+    if (r->continua == 1) yk_text_format(text, "one of them stands for a continuum of dimension %z", c->dimension);
+    if (r->continua > 1)
+        yk_text_format(text, "%z of them stand for continua, of dimension %z at most", r->continua, c->dimension);
+    bool is_bounded = c->at_most == c->dimension;
+    if (r->continua == 1 && is_bounded && c->at_least == c->dimension) yk_text_puts(text, ", proved");
+    if (r->continua == 1 && is_bounded && c->at_least < c->dimension)
+        yk_text_puts(text, " (no more is proved, as much is measured)");
+    yk_text_puts(text, "; ");
+}
+
+static void tell(YkConfigurations *all, bool whole, const YkLister *lister)
 {
     YkConfigurationsReport *r = &all->report;
     YkText text = {0};
-    r->complete = whole && all->lacking == 0 && lost == 0 && !all->is_cut_short;
+    size_t lost = lister->lost;
+    bool has_continua = r->continua > 0 || lister->settled > 0;
+    r->complete = whole && all->lacking == 0 && lost == 0 && !all->is_cut_short && !has_continua;
     r->reason = !r->complete       ? YK_INCOMPLETE
                 : all->is_excluded ? YK_COMPLETE_BY_EXCLUSION
                 : r->block < 0     ? YK_COMPLETE_BY_CLOSED_FORM
                                    : YK_COMPLETE_BY_COUNT;
     const char *label = r->block < 0 ? "" : all->mech->blocks[r->block].label;
-    if (r->complete && r->block < 0)
+    tell_continua(r, lister->settled > 0, &text);
+    if (r->block < 0 && whole)
         yk_text_puts(&text, "every dyad is solved in closed form");
-    else if (r->complete && r->expected == 0 && all->is_excluded)
+    else if (r->complete && all->is_excluded)
         yk_text_format(&text, "all other angles of the group of joint `%s` are proved not to close it%s", label,
                        r->count == 0 ? ", and none closes the machine" : "");
     else if (r->complete)
@@ -247,6 +326,11 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
         yk_text_format(
             &text, "stopped before all paths were followed; %z complex solutions of the group of joint `%s` are proved",
             r->proved, label);
+    else if (all->has_left && !all->has_unsettled)
+        yk_text_format(&text,
+                       "all other angles of the group of joint `%s` are proved not to close it, but within 1.2 deg of "
+                       "singular poses",
+                       label);
     else if (all->lacking == SIZE_MAX)
         yk_text_format(&text, "the group of joint `%s` was searched, not enumerated: %s", label,
                        reason_outside(all->members[r->block].kept.outside));
@@ -254,6 +338,8 @@ static void tell(YkConfigurations *all, bool whole, size_t lost)
         yk_text_format(&text,
                        "the group of joint `%s` was enumerated, but not counted: %z complex solutions are proved",
                        label, r->proved);
+    else if (all->lacking == 0 && lost == 0)
+        yk_text_format(&text, "all solutions of the group of joint `%s` are proved", label);
     else if (all->lacking == 0)
         yk_text_format(&text, "%z proved solutions do not close in the machine's own steps", lost);
     else
@@ -272,20 +358,23 @@ YkStatus yk_configurations_each(YkConfigurations *all, YkState *state, const YkC
         YkStatus status = yk_namesakes_prepare(&all->namesakes, all, state, options);
         if (status < 0) return status;
     }
-    YkLister lister = {list, all, 0};
+    YkLister lister = {list, all, 0, 0};
     bool whole = false;
     all->state = state;
     all->options = options ? *options : yk_default_configurations_options();
     all->report = (YkConfigurationsReport){.block = -1};
     all->lacking = 0;
-    all->out_of_memory = all->is_cut_short = all->is_left = all->is_excluded = false;
+    all->out_of_memory = all->is_cut_short = all->is_left = all->is_excluded = all->is_in_doubt = false;
+    all->has_left = all->has_unsettled = false;
+    all->boxes = 0;
+    all->continua.kept = 0;
     all->is_running = true;
     yk_pace_begin(&all->enough, all->options.enough);
     all->visit = visit;
     all->context = context;
     YkStatus status = yk_search_each(state, &lister, show, all, &whole);
     all->is_running = false;
-    tell(all, whole && !all->is_left && status != YK_STOPPED && !all->out_of_memory, lister.lost);
+    tell(all, whole && !all->is_left && status != YK_STOPPED && !all->out_of_memory, &lister);
     if (all->out_of_memory && status != YK_STOPPED) {
         status = YK_NO_MEMORY;
         all->report.complete = false;

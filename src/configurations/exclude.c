@@ -7,8 +7,9 @@
 #include "configurations/certify.h"
 #include "num/dense.h"
 
-enum { N = YK_GEARED_MAX, BOXES_MAX = 400000 };
+enum { N = YK_GEARED_MAX, ROWS = YK_GEARED_ROWS, BOXES_MAX = 400000 };
 #define SMALLEST 1e-7 // half a side, rad: poses that are not told apart then meet
+#define NEAR 0.01     // half a side: smaller boxes are left where a singular pose is as close
 #define WIDER 1.5     // a pose on the side of a box is inside of the box in which it is sought
 
 typedef struct Box {
@@ -22,8 +23,8 @@ typedef struct Row {
 
 typedef struct Search {
     const YkGeared *g;
-    size_t n;
-    Row rows[N];
+    size_t n, m;                                   // unknowns, equations
+    Row rows[ROWS];                                // those by which the unknowns are sought first
     double Y[N * N];                               // an approximate inverse of the Jacobian in the middle
     double shift[N], shift_radius[N], rest[N * N]; // Y F; bounds of |I - Y J|
 } Search;
@@ -130,10 +131,41 @@ static double read_relation(Search *s, size_t relation, const Box *box, double *
     return YK_BALL_OUT(moves * (1 + 1e-14) + row->miss_radius);
 }
 
+// Puts n independent equations first, by elimination with complete pivoting. Returns false if there are fewer.
+static bool choose_rows(Search *s)
+{
+    double A[ROWS * N];
+    bool is_taken[N] = {false};
+    for (size_t r = 0; r < s->m; r++) memcpy(A + r * s->n, s->rows[r].slope, s->n * sizeof *A);
+    for (size_t k = 0; k < s->n; k++) {
+        size_t row = k, column = s->n;
+        double most = 0;
+        for (size_t r = k; r < s->m; r++)
+            for (size_t c = 0; c < s->n; c++)
+                if (!is_taken[c] && fabs(A[r * s->n + c]) > most) most = fabs(A[r * s->n + c]), row = r, column = c;
+        if (column == s->n) return false;
+        Row t = s->rows[k];
+        s->rows[k] = s->rows[row];
+        s->rows[row] = t;
+        is_taken[column] = true;
+        for (size_t c = 0; c < s->n; c++) {
+            double a = A[k * s->n + c];
+            A[k * s->n + c] = A[row * s->n + c];
+            A[row * s->n + c] = a;
+        }
+        for (size_t r = k + 1; r < s->m; r++) {
+            double factor = A[r * s->n + column] / A[k * s->n + column];
+            for (size_t c = 0; c < s->n; c++) A[r * s->n + c] -= factor * A[k * s->n + c];
+        }
+    }
+    return true;
+}
+
 static bool invert(Search *s)
 {
     double A[N * N], scale[N], column[N];
     int pivot[N];
+    if (s->m > s->n && !choose_rows(s)) return false;
     for (size_t r = 0; r < s->n; r++) memcpy(A + r * s->n, s->rows[r].slope, s->n * sizeof *A);
     if (yk_lu_factor(s->n, A, pivot, scale) == 0) return false;
     for (size_t k = 0; k < s->n; k++) {
@@ -196,15 +228,25 @@ static Verdict judge(Search *s, const Box *box)
 
 // --- poses
 
-// Finds the pose that is alone in a box, by Newton's method.
-static void polish(Search *s, const Box *box, double *x)
+// Reads all equations at a pose.
+static void read_at(Search *s, const double *x)
+{
+    double nearest;
+    Box point = {.half = {0}};
+    memcpy(point.at, x, s->n * sizeof *x);
+    for (size_t l = 0; l < s->g->shape.loops; l++) read_loop(s, l, &point);
+    for (size_t r = 0; r < s->g->relations; r++) read_relation(s, r, &point, &nearest);
+}
+
+// Finds the pose that is alone in a box, by Newton's method. Returns by how much the equations miss that were not needed.
+static double polish(Search *s, const Box *box, double *x)
 {
     Box point = {.half = {0}};
+    double miss = 0;
     memcpy(point.at, box->at, sizeof point.at);
     for (int step = 0; step < 12; step++) {
-        double nearest, most = 0;
-        for (size_t l = 0; l < s->g->shape.loops; l++) read_loop(s, l, &point);
-        for (size_t r = 0; r < s->g->relations; r++) read_relation(s, r, &point, &nearest);
+        double most = 0;
+        read_at(s, point.at);
         if (!invert(s)) break;
         multiply(s);
         for (size_t k = 0; k < s->n; k++) {
@@ -214,6 +256,9 @@ static void polish(Search *s, const Box *box, double *x)
         if (most < 1e-15) break;
     }
     memcpy(x, point.at, s->n * sizeof *x);
+    read_at(s, x);
+    for (size_t r = 0; r < s->m && s->m > s->n; r++) miss = fmax(miss, fabs(s->rows[r].miss));
+    return miss;
 }
 
 static double difference(const Search *s, size_t k, double x, double y)
@@ -250,10 +295,12 @@ static bool make_room(YkExcluded *out, size_t n)
 // Keeps the pose of a box, unless it is one that was kept. Returns false when out of memory.
 static bool keep(Search *s, const Box *box, YkExcluded *out)
 {
-    double x[N], *alone;
+    const double closed = 1e-11, open = 1e-9;
+    double x[N], *alone, miss = polish(s, box, x);
     size_t n = s->n;
-    polish(s, box, x);
     if (!is_within(s, x, box->at, box->half)) out->is_complete = false;
+    if (miss > open) return true; // the equations that were not needed do not hold at the only pose
+    if (miss > closed) out->is_complete = false;
     for (size_t k = 0; k < out->count; k++) {
         alone = out->alone + 2 * n * k;
         if (!(apart(s, x, out->poses + n * k) < 1e-7)) continue;
@@ -288,6 +335,33 @@ static Box half_of(const Box *box, size_t side, double sign)
     return part;
 }
 
+// Closes the equations from the middle of a box by least squares. Returns whether that leads to a singular pose beside it:
+// a dead point, or one of a continuum.
+static bool is_beside_singular(Search *s, const Box *box)
+{
+    const double rounding = 1e-7, closed = 1e-12;
+    double x[N], A[ROWS * N], b[ROWS], tau[2 * N], step[N], miss = INFINITY;
+    size_t order[N], rank = s->n;
+    memcpy(x, box->at, s->n * sizeof *x);
+    for (int round = 0; round < 25 && !(miss < 1e-15); round++) {
+        double before = miss;
+        read_at(s, x);
+        miss = 0;
+        for (size_t r = 0; r < s->m; r++) {
+            memcpy(A + r * s->n, s->rows[r].slope, s->n * sizeof *A);
+            b[r] = -s->rows[r].miss;
+            miss = fmax(miss, fabs(b[r]));
+        }
+        rank = yk_qr_factor(s->m, s->n, A, order, tau, rounding);
+        if (!(miss < before)) break;
+        yk_qr_solve(s->m, s->n, A, order, tau, rank, b, step);
+        for (size_t k = 0; k < s->n; k++) x[k] += step[k];
+        for (size_t k = 0; k < s->n; k++)
+            if (!(difference(s, k, x[k], box->at[k]) < NEAR)) return false;
+    }
+    return miss < closed && rank < s->n;
+}
+
 static bool search(Search *s, const Box *box, YkPace *pace, YkExcluded *out)
 {
     if (!out->is_complete) return true;
@@ -300,6 +374,10 @@ static bool search(Search *s, const Box *box, YkPace *pace, YkExcluded *out)
     for (size_t k = 0; k < s->n; k++) wider.half[k] *= WIDER;
     size_t side = widest(box, s->n);
     if (judge(s, &wider) == ALONE) return keep(s, &wider, out);
+    if (box->half[side] < NEAR && is_beside_singular(s, box)) {
+        out->left++;
+        return true;
+    }
     if (box->half[side] < SMALLEST) {
         out->is_complete = false;
         return true;
@@ -319,13 +397,13 @@ static void order(const YkGeared *g, double *pose)
 
 bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out)
 {
-    Search s = {.g = geared, .n = geared->shape.unknowns};
+    Search s = {.g = geared, .n = geared->shape.unknowns, .m = 2 * geared->shape.loops + geared->relations};
     Box all = {.half = {0}};
     for (size_t k = 0; k < s.n; k++) {
         all.at[k] = 0.0123456789 * (double)(k + 1); // so that no box ends where machines are special
         all.half[k] = YK_BALL_OUT(geared->reach[k] + 1e-12 + (k < geared->shape.angles ? 0 : fabs(all.at[k])));
     }
-    out->count = out->boxes = 0;
+    out->count = out->boxes = out->left = 0;
     out->is_complete = true;
     bool has_memory = search(&s, &all, pace, out);
     for (size_t p = 0; p < out->count; p++) order(geared, out->poses + p * s.n);

@@ -4,11 +4,14 @@
 #define CONFIGURATIONS_EXCLUDE_H
 #include "configurations/geared.h"
 
+#define YK_EXCLUDE_NEAR 0.02 // rad, or of the machine's size: boxes that are left lie that near to a singular pose
+
 typedef struct YkExcluded { // the array is kept and reused
     double *poses; // [count][columns of the group]: angles, rad, with the turns that the relations want; distances, m
     double *alone; // [count][2 unknowns]: the middle and the half width of a box in which each is the only one
     size_t count, capacity, boxes;
-    bool is_complete;
+    size_t left;      // boxes within YK_EXCLUDE_NEAR of a singular pose, which may hold poses
+    bool is_complete; // there are no poses but these and those in boxes that were left
 } YkExcluded;
 
 // Returns false when out of memory. Being stopped by `pace` leaves it incomplete, as do poses that meet and cannot be told apart.

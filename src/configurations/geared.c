@@ -218,8 +218,9 @@ bool yk_geared_read(YkGeared *g, const YkRun *run, size_t index)
     const YkBlock *block = &mech->blocks[index];
     size_t relation[R];
     *g = (YkGeared){.relations = block->relation_count, .size = mech->size};
-    if (block->relation_count == 0 || block->relation_count > R || block->column_count > N) return false;
-    if (block->column_count != yk_block_rows(block) || !yk_shape_read_columns(&g->shape, mech, index)) return false;
+    if (block->relation_count > R || block->column_count > N || block->loop_count > YK_GEARED_MAX) return false;
+    if (yk_block_rows(block) < block->column_count || yk_block_rows(block) > YK_GEARED_ROWS) return false;
+    if (!yk_shape_read_columns(&g->shape, mech, index)) return false;
     list_relations(g, mech, block, relation);
     for (size_t r = 0; r < g->relations; r++)
         if (!read_relation(g, run, r, relation[r])) return false;

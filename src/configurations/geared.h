@@ -1,4 +1,4 @@
-// A group of loops with gears, belts, racks, cams or laws between its links, at a pose.
+// A group of loops with gears, belts, racks, cams or laws between its links, or with none, at a pose.
 //
 // Each relation says that sum p_j Phi_j + sum q_m d_m + law + C = 0 for angles that count their turns; whole turns do not
 // change what a law gives. With whole p_j it can be met by adding turns exactly where the sum is a multiple of 2 pi, if
@@ -9,7 +9,7 @@
 #include "configurations/system.h"
 #include "law/law.h"
 
-enum { YK_GEARED_MAX = 6, YK_GEARED_RELATIONS = 3 }; // unknowns; relations
+enum { YK_GEARED_MAX = 6, YK_GEARED_RELATIONS = 3, YK_GEARED_ROWS = 12 }; // unknowns; relations; equations
 
 // The law of one relation: gain times its value at sum factor_k x_k + offset.
 typedef struct YkGearedLaw {
@@ -19,7 +19,7 @@ typedef struct YkGearedLaw {
 } YkGearedLaw;
 
 typedef struct YkGeared {
-    YkShape shape; // unknowns = 2 loops + relations
+    YkShape shape; // unknowns <= 2 loops + relations
     YkVec coefficients[2 * YK_GEARED_MAX * (YK_GEARED_MAX + 1)];
     size_t relations, turning;                         // those with p_j come first
     double factor[YK_GEARED_RELATIONS][YK_GEARED_MAX]; // p, whole numbers; q, by the machine's size
@@ -31,7 +31,7 @@ typedef struct YkGeared {
 } YkGeared;
 
 // Reads block `index` of a run whose earlier blocks are solved. Returns false unless it is a group of this kind, with
-// distances that its loops bound.
+// distances that its loops bound; some of its equations may repeat others.
 bool yk_geared_read(YkGeared *geared, const YkRun *run, size_t index);
 // Returns the sum of a relation, at unknowns in the order of the shape.
 double yk_geared_sum(const YkGeared *geared, size_t relation, const double *x);

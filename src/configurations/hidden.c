@@ -11,13 +11,28 @@ static int line_from(int turning, int from)
     return turning == from ? -1 : turning < 0 ? from : turning;
 }
 
+// Returns the unknown with a number among those that can be hidden: slides first, then angles with which no line turns.
+// shape->unknowns: there are fewer.
+static size_t find_hidden(const YkShape *shape, size_t number)
+{
+    size_t n = shape->unknowns, slides = n - shape->angles;
+    if (number < slides) return shape->angles + number;
+    for (size_t angle = 0, at = slides; angle < shape->angles; angle++) {
+        bool turns = false;
+        for (size_t k = shape->angles; k < n; k++) turns |= shape->turning[k] == (int)angle;
+        if (!turns && at++ == number) return angle;
+    }
+    return n;
+}
+
 bool yk_hide(YkHidden *h, const YkShape *shape, const YkVec *coefficients, size_t number)
 {
-    size_t n = shape->unknowns, slides = n - shape->angles, first = slides > 0 ? shape->angles : 0;
-    if (number >= (slides > 0 ? slides : n)) return false;
-    *h = (YkHidden){.loops = shape->loops, .is_angle = slides == 0, .hidden = first + number};
-    h->angles = shape->angles - (slides == 0);
-    h->slides = slides - (slides > 0);
+    size_t n = shape->unknowns, hidden = find_hidden(shape, number);
+    if (hidden == n) return false;
+    bool is_angle = hidden < shape->angles;
+    *h = (YkHidden){.loops = shape->loops, .is_angle = is_angle, .hidden = hidden};
+    h->angles = shape->angles - is_angle;
+    h->slides = n - shape->angles - !is_angle;
     h->seen_from = shape->turning[h->hidden];
     int place[N_MAX];
     for (size_t k = 0, count = 0; k < n; k++) {
@@ -59,7 +74,8 @@ static bool find_distances(const YkHidden *h, YkVec hidden, const YkVec *angles,
     for (size_t k = 0; k < h->slides; k++) distances[k] = yk_vec(0, 0);
     for (size_t r = 0; r < 2 * h->loops; r++) {
         const YkVec *a = h->coefficients + r * n;
-        YkVec row[N_MAX], sum = yk_add_product(a[n - 1], h->times[r], hidden);
+        YkVec row[N_MAX],
+            sum = yk_add_product(a[n - 1], h->times[r], r < h->loops || !h->is_angle ? hidden : yk_inverse(hidden));
         for (size_t k = 0; k < h->angles; k++)
             sum = yk_add_product(sum, a[k], r < h->loops ? angles[k] : yk_inverse(angles[k]));
         for (size_t k = 0; k < h->slides; k++) {

@@ -2,8 +2,8 @@
 //
 // If there are slides the hidden unknown is the distance of one, along a line that is made known: where it turns with an
 // angle z_j, everything is seen from the body that carries it. All loops are divided by z_j, so that 1 / z_j and the
-// constants change places, and known lines turn with 1 / z_j. Otherwise it is an angle, z_h in the loops and 1 / z_h in
-// their conjugates.
+// constants change places, and known lines turn with 1 / z_j. Otherwise, and where these do not lead to all solutions, it is
+// an angle with which no line turns, z_h in the loops and 1 / z_h in their conjugates.
 #ifndef CONFIGURATIONS_HIDDEN_H
 #define CONFIGURATIONS_HIDDEN_H
 #include "configurations/system.h"

@@ -184,8 +184,11 @@ static YkStatus run_and_judge(YkState *s, size_t from, size_t to)
         may = step->kind == YK_STEP_BLOCK && s->mech->blocks[step->target].kind <= YK_BLOCK_RPR &&
               yk_may_coincide(s->spare.block_margin[step->target]);
     }
-    if (!may || s->mech->has_groups) return status;
-    return yk_run_settled(&run, from, to, guessed_turns(s)) ? yk_state_judge(s, &s->spare) : status;
+    YkLister *lister = s->search->lister;
+    if (!may || (s->mech->has_groups && !(lister && lister->list))) return status;
+    if (!yk_run_settled(&run, from, to, guessed_turns(s))) return status;
+    if (lister) lister->settled++;
+    return yk_state_judge(s, &s->spare);
 }
 
 // Runs a level with one option; returns the cost of what becomes known, or infinity if it does not close.
@@ -210,7 +213,7 @@ static void count_options(YkState *s, YkLevel *level)
     if (b->kind != YK_BLOCK_GROUP) return;
     YkRun run = yk_state_run(s, &s->spare);
     YkLister *lister = s->search->lister;
-    if (lister) {
+    if (lister && lister->list) {
         level->options = (uint32_t)lister->list(lister->context, &run, (size_t)level->block, &level->room);
         return;
     }
@@ -441,7 +444,8 @@ YkStatus yk_search_each(YkState *s, YkLister *lister, bool (*visit)(void *, YkSt
 YkStatus yk_state_each(YkState *s, bool (*visit)(void *, YkState *), void *context, bool *complete)
 {
     bool all;
-    YkStatus status = yk_search_each(s, NULL, visit, context, &all);
-    if (complete) *complete = all && !s->mech->has_groups;
+    YkLister lister = {0}; // counts alone
+    YkStatus status = yk_search_each(s, &lister, visit, context, &all);
+    if (complete) *complete = all && !s->mech->has_groups && lister.settled == 0;
     return status;
 }

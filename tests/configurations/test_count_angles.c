@@ -38,7 +38,7 @@ static Counts counts_of(const Group *g)
     Counts c = {0};
     assert_int_equal(yk_matroid_make(&matroid, &g->shape, g->coefficients), YK_MATROID_MADE);
     assert_int_equal(yk_count_angles(&matroid, NULL, &c.angles), YK_COUNTED);
-    if (g->shape.loops <= 3) assert_int_equal(yk_count_cones(&matroid, &g->shape, NULL, &c.cones), YK_COUNTED);
+    if (g->shape.loops <= 5) assert_int_equal(yk_count_cones(&matroid, &g->shape, NULL, &c.cones), YK_COUNTED);
     yk_matroid_free(&matroid);
     return c;
 }
@@ -97,7 +97,7 @@ static void test_two_ways_of_counting_agree(void **unused)
 {
     (void)unused;
     for (uint64_t seed = 1; seed <= 6; seed++)
-        for (size_t k = 0; k < 4; k++) {
+        for (size_t k = 0; k < (seed == 1 ? 6 : 5); k++) {
             Counts c = counts_of_truss(published[k].links, seed);
             assert_int_equal(c.cones, c.angles);
         }

@@ -2,6 +2,7 @@
 #include <math.h>
 #include "reach.h"
 #include "session.h"
+#include "roll.h"
 #include "verbs/solve/solve.h"
 
 static void add_rates(YkSession *session, YkJson *json, const YkState *state, const char *rate, YkMotion motion)
@@ -75,6 +76,19 @@ static void add_transmission(YkSession *session, YkJson *json, const YkState *st
     yk_json_end(json);
 }
 
+static void add_continuum(const YkSession *session, YkJson *json)
+{
+    const YkContinuum *c = yk_session_continuum(session);
+    if (!c) return;
+    yk_json_object(json, "continuum", YK_JSON_INLINE);
+    yk_json_number(json, "dimension", (double)c->dimension);
+    yk_json_number(json, "at_least", (double)c->at_least);
+    yk_json_number(json, "at_most", (double)c->at_most);
+    yk_json_number(json, "poses", (double)c->poses);
+    yk_json_number(json, "miss", c->miss);
+    yk_json_end(json);
+}
+
 void yk_solve_json(YkSession *session, YkJson *json, const YkState *state)
 {
     YkText label = yk_configuration_name(session, state);
@@ -82,6 +96,7 @@ void yk_solve_json(YkSession *session, YkJson *json, const YkState *state)
     yk_json_string(json, "label", yk_text_get(&label));
     yk_json_bool(json, "is_start", session->is_start);
     yk_json_string(json, "reached", session->is_chosen ? "chosen" : "moved");
+    add_continuum(session, json);
     if (session->forces_message) yk_json_string(json, "message", session->forces_message); // why there are no forces
     add_coordinates(session, json, state);
     add_bodies(session, json, state);

@@ -2,6 +2,7 @@
 #include <string.h>
 #include "reach.h"
 #include "session.h"
+#include "roll.h"
 #include "verbs/solve/solve.h"
 #include "write/amount.h"
 #include "write/table.h"
@@ -152,8 +153,10 @@ void yk_solve_text(YkSession *session, const YkState *state, size_t index)
 {
     YkText label = yk_configuration_name(session, state);
     if (session->request->all) {
+        const YkContinuum *continuum = yk_session_continuum(session);
         yk_text_format(&session->out, "\nConfiguration %z: %s%s\n", index + 1, yk_text_get(&label),
                        session->is_start ? " (the machine's own)" : "");
+        if (continuum) yk_text_format(&session->out, "  one of a continuum of dimension %z\n", continuum->dimension);
     } else if (yk_text_has_some(&label)) {
         yk_text_format(&session->out, "Configuration %s%s\n", yk_text_get(&label),
                        session->is_chosen ? " (chosen)" : "");

@@ -129,6 +129,7 @@ static void write_report(Writer *writer, const YkConfigurationsReport *report)
     yk_json_bool(json, "complete", report->complete);
     yk_json_string(json, "reason", is_known ? yk_complete_reason_name(report->reason) : NULL);
     yk_json_string(json, "because", report->message);
+    if (report->continua > 0) yk_json_number(json, "continua", (double)report->continua);
     if (report->block < 0 || (report->expected == 0 && report->reason == YK_COMPLETE_BY_EXCLUSION)) return;
     yk_json_object(json, "complex", YK_JSON_INLINE);
     yk_json_number(json, "proved", (double)report->proved);
@@ -150,7 +151,10 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
     } else if (session->request->format == YK_FORMAT_TEXT && all) {
         bool is_told = report->reason != YK_COMPLETE_BY_CLOSED_FORM;
         yk_text_format(&session->out, "\n%z configuration%s; there %s%s%s\n", writer->count,
-                       writer->count == 1 ? "" : "s", report->complete ? "are no others" : "may be others",
+                       writer->count == 1 ? "" : "s",
+                       report->complete       ? "are no others"
+                       : report->continua > 0 ? "are others"
+                                              : "may be others",
                        is_told ? ": " : "", is_told ? report->message : "");
     }
     if (session->request->format == YK_FORMAT_TEXT) yk_certify_text(session, "\n", &session->out);
