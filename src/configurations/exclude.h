@@ -13,6 +13,25 @@ typedef struct YkExcluded { // the array is kept and reused
 
 // Returns false when out of memory. Being stopped by `pace` leaves it incomplete, as do poses that meet and cannot be told apart.
 bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out);
+// Coefficients along an interval of a parameter: discs of them in its middle, and of their derivatives all over it; those of
+// the loops, then of the phases at [loops (unknowns + 1) 2 + relation (unknowns + 1) + unknowns].
+typedef struct YkExclusionPath {
+    const YkVec *middle, *rate;
+    const double *middle_radius, *rate_radius;
+    double half; // of the interval's length
+} YkExclusionPath;
+
+// Divides the space of all unknowns over the whole interval; `geared` has the coefficients all over it. `judge` is asked of each box that is
+// proved to hold exactly one pose for each of them (is_alone), and of each that is smaller than `smallest` and unknown: its
+// middle and half widths. Returns whether it agreed to all of them; false also after `most` boxes, or when stopped.
+typedef struct YkExclusion {
+    bool (*judge)(void *context, const double *at, const double *half, bool is_alone);
+    void *context;
+    YkExclusionPath path;
+    double smallest;
+    size_t most;
+} YkExclusion;
+bool yk_exclude_over(const YkGeared *geared, YkPace *pace, const YkExclusion *exclusion);
 void yk_excluded_end(YkExcluded *excluded);
 
 #endif

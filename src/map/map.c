@@ -19,7 +19,7 @@ static bool read_domain(YkMap *map, YkProblems *problems)
         t->low = -t->high;
         return true;
     }
-    t->period = yk_tracer_period(map->mech);
+    t->period = yk_tracer_period(t);
     if (t->period == 0) return yk_map_refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
     t->low = -YK_PI + aside;
     t->high = t->low + t->period;
@@ -129,16 +129,22 @@ void yk_map_tell(YkMap *map)
 {
     YkTracer *t = &map->tracer;
     YkText text = {0};
-    map->is_complete = !t->is_unproved && t->single_count == 0 && map->lost == 0 && map->has_start;
+    const char *kind, *label = yk_tracer_label(t, t->unproved_block, &kind);
+    map->is_complete = !t->is_unproved && !t->is_searched && t->single_count == 0 && map->lost == 0 && map->has_start;
     if (t->is_unproved)
-        yk_text_format(&text, "not all is proved: near %e %s, at joint `%s`", without_noise(t, t->unproved_at),
-                       t->is_angle ? "rad" : "m",
-                       t->unproved_block < t->piece_count ? map->mech->blocks[t->pieces[t->unproved_block].block].label
-                                                          : "?");
+        yk_text_format(&text, "not all is proved: near %e %s, at %s`%s`", without_noise(t, t->unproved_at),
+                       t->is_angle ? "rad" : "m", kind, label);
     else if (!map->has_start)
         yk_text_puts(&text, "the machine's own configuration is on none of the circuits");
     else if (t->single_count > 0)
         tell_singles(t, &text);
+    else if (t->is_searched)
+        yk_text_format(
+            &text,
+            "all configurations of the group of joint `%s`, which has gears, belts or racks, are known at many "
+            "inputs and followed from there with proof; a circuit that lies between two of these inputs may "
+            "be missing",
+            yk_tracer_label(t, t->searched_piece, &kind));
     else if (map->lost > 0)
         yk_text_format(&text, "%z dead points were not found on the circuits, or not all are known", map->lost);
     else
@@ -187,6 +193,7 @@ static bool begin(YkMap *map, const YkState *start, size_t coordinate)
     map->inputs = calloc(mech->input_count + 1, sizeof *map->inputs);
     if (!map->inputs || !yk_tracer_begin(&map->tracer, mech)) return false;
     for (size_t k = 0; k < mech->input_count; k++) map->inputs[k] = start->valid_input[3 * k];
+    map->tracer.start = start;
     map->tracer.discs.mapped = map->tracer.over.mapped = mech->coordinates[coordinate].input;
     map->tracer.discs.others = map->tracer.over.others = map->inputs;
     return true;

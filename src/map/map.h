@@ -55,8 +55,6 @@ struct YkMap {
     YkText picture; // the last one drawn
 };
 
-#define YK_MAP_CLOSE 1e-9 // over the scale: inputs that are the same event
-
 static inline double *yk_map_row_at(const YkMap *map, const YkMapRows *rows, size_t row)
 {
     return rows->numbers + row * map->width;
