@@ -328,8 +328,9 @@ static bool search(Search *s, const Box *box, YkPace *pace, YkExcluded *out)
     size_t side = widest(box, s->n);
     bool is_alone = judge(s, &wider) == ALONE, is_small = box->half[side] < (s->over ? s->over->smallest : SMALLEST);
     if (is_alone && !s->over) return keep(s, &wider, out);
-    if (is_alone || is_small) {
-        out->is_complete = s->over && s->over->judge(s->over->context, wider.at, wider.half, is_alone);
+    if (s->over && is_alone && s->over->judge(s->over->context, wider.at, wider.half)) return true;
+    if (is_small) {
+        out->is_complete = s->over && s->over->keep(s->over->context, box->at, box->half);
         return true;
     }
     Box low = half_of(box, side, -1), high = half_of(box, side, 1);
@@ -360,8 +361,15 @@ static bool search_all(Search *s, YkPace *pace, YkExcluded *out)
 bool yk_exclude_over(const YkGeared *geared, YkPace *pace, const YkExclusion *exclusion)
 {
     Search s = {.g = geared, .n = geared->shape.unknowns, .over = exclusion};
-    YkExcluded none = {0};
-    return search_all(&s, pace, &none) && none.is_complete;
+    YkExcluded none = {.is_complete = true};
+    if (!exclusion->boxes) return search_all(&s, pace, &none) && none.is_complete;
+    for (size_t k = 0; k < exclusion->count && none.is_complete; k++) {
+        Box box;
+        memcpy(box.at, exclusion->boxes + 2 * N * k, sizeof box.at);
+        memcpy(box.half, exclusion->boxes + 2 * N * k + N, sizeof box.half);
+        search(&s, &box, pace, &none);
+    }
+    return none.is_complete;
 }
 
 bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out)

@@ -21,13 +21,17 @@ typedef struct YkExclusionPath {
     double half; // of the interval's length
 } YkExclusionPath;
 
-// Divides the space of all unknowns over the whole interval; `geared` has the coefficients all over it. `judge` is asked of each box that is
-// proved to hold exactly one pose for each of them (is_alone), and of each that is smaller than `smallest` and unknown: its
-// middle and half widths. Returns whether it agreed to all of them; false also after `most` boxes, or when stopped.
+// Divides boxes, or the space of all unknowns, over the whole interval; `geared` has the coefficients all over it. `judge` is
+// asked of each box that is proved to hold exactly one pose for each of them, by its middle and half widths, whether that is
+// known; `keep` is given each box that is as small as `smallest`, of which nothing is proved or which `judge` does not know.
+// Returns false after `most` boxes, when stopped, or when `keep` returns false.
 typedef struct YkExclusion {
-    bool (*judge)(void *context, const double *at, const double *half, bool is_alone);
+    bool (*judge)(void *context, const double *at, const double *half);
+    bool (*keep)(void *context, const double *at, const double *half);
     void *context;
     YkExclusionPath path;
+    const double *boxes; // [count][2][YK_GEARED_MAX]: middles and half widths; NULL: the whole space
+    size_t count;
     double smallest;
     size_t most;
 } YkExclusion;

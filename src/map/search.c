@@ -63,14 +63,19 @@ static bool search_at(YkTracer *t, YkStrand *below, double at, size_t first)
 
 // --- nothing else
 
+typedef struct YkBoxes {
+    double *numbers; // [count][2][YK_GEARED_MAX]
+    size_t count, capacity;
+} YkBoxes;
+
 // An interval of the input over which nothing but known strands is to be.
 typedef struct Between {
     YkTracer *t;
     YkStrand *below;
     size_t first;
     double from, to;
-    bool is_zone; // solutions meet in it: boxes near ends of strands are left
-    bool is_new;  // a strand was found
+    bool is_zone;  // solutions meet in it: boxes near ends of strands are left
+    YkBoxes *rest; // of which nothing is known
     YkDiscCoefficients middle, whole;
     size_t left; // intervals that may still be taken
 } Between;
@@ -104,7 +109,8 @@ static bool is_near_end(const Between *b, const double *box, const double *half)
     return false;
 }
 
-static bool judge(void *context, const double *box, const double *half, bool is_alone)
+// Whether the one pose of a box is on a known strand. One that is not is followed.
+static bool judge(void *context, const double *box, const double *half)
 {
     Between *b = context;
     YkTracer *t = b->t;
@@ -112,30 +118,46 @@ static bool judge(void *context, const double *box, const double *half, bool is_
     const YkPiece *piece = &t->pieces[b->below->level];
     double at = 0.5 * (b->from + b->to), within;
     YkVec x[YK_PIECE_UNKNOWNS] = {{0, 0}};
-    if (b->is_zone && is_near_end(b, box, half)) return true;
-    if (!is_alone) return false;
+    YkCertificate own;
     for (size_t k = b->first; k < list->count; k++) {
         YkStrand *s = list->items[k];
         if (yk_strand_from(s) > b->from || yk_strand_to(s) < b->to) continue;
         if (yk_trace_read(t, s, at, x, &within) && is_in_box(piece, x, within, box, half, 0)) return true;
     }
-    // One that is not known: it is followed, and the interval is taken once more.
     for (size_t k = 0; k < piece->shape.unknowns; k++) x[k] = yk_vec(box[k], 0);
-    YkCertificate own;
     if (!yk_trace_place(t, b->below, at) || !yk_trace_enclose(t, b->below->level, x, &own)) return false;
-    within = own.within;
     for (size_t k = b->first; k < list->count; k++)
-        if (is_on(t, list->items[k], at, x) || within > 1e-3) return false;
-    b->is_new = follow(t, b->below, at, x);
+        if (is_on(t, list->items[k], at, x)) return false; // it ends within the interval
+    follow(t, b->below, at, x);
     return false;
+}
+
+static bool keep(void *context, const double *box, const double *half)
+{
+    enum { BOXES = 100000 };
+    Between *b = context;
+    YkBoxes *rest = b->rest;
+    if (b->is_zone && is_near_end(b, box, half)) return true;
+    if (b->is_zone || rest->count >= BOXES) return false;
+    if (rest->count == rest->capacity) {
+        size_t capacity = 2 * rest->capacity + 64;
+        double *numbers = realloc(rest->numbers, capacity * 2 * YK_GEARED_MAX * sizeof *numbers);
+        b->t->out_of_memory |= !numbers;
+        if (!numbers) return false;
+        rest->numbers = numbers;
+        rest->capacity = capacity;
+    }
+    double *row = rest->numbers + 2 * YK_GEARED_MAX * rest->count++;
+    memcpy(row, box, YK_GEARED_MAX * sizeof *row);
+    memcpy(row + YK_GEARED_MAX, half, YK_GEARED_MAX * sizeof *row);
+    return true;
 }
 
 // Returns whether an interval lies where strands end.
 static bool is_at_ends(const Between *b, double from, double to)
 {
     const YkStrands *list = &b->t->levels[b->below->level + 1];
-    double low = INFINITY, high = -INFINITY, slack = 100 * YK_MAP_CLOSE * b->t->scale,
-           near = YK_TRACE_BLUR * b->t->scale;
+    double low = INFINITY, high = -INFINITY, slack = 1e-6 * b->t->scale, near = YK_TRACE_BLUR * b->t->scale;
     for (size_t k = b->first; k < list->count; k++)
         for (int end = 0; end < 2; end++) {
             double at = end == 1 ? yk_strand_to(list->items[k]) : yk_strand_from(list->items[k]);
@@ -146,33 +168,61 @@ static bool is_at_ends(const Between *b, double from, double to)
     return from >= low - slack && to <= high + slack;
 }
 
-// Returns whether nothing but known strands is over an interval; divides it where one step does not tell.
-static bool prove_over(Between *b, double from, double to)
+static bool prove_over(Between *b, double from, double to, const YkBoxes *boxes);
+
+static bool prove_halves(Between *b, double from, double to, const YkBoxes *boxes)
 {
+    double middle = from + 0.5 * (to - from);
+    return prove_over(b, from, middle, boxes) && prove_over(b, middle, to, boxes);
+}
+
+// Returns whether nothing but known strands is in boxes (NULL: anywhere) over an interval. What one look at it does not tell is
+// left to its halves.
+static bool prove_over(Between *b, double from, double to, const YkBoxes *boxes)
+{
+    enum { MOST = 400000, FEW = 100 };
     YkTracer *t = b->t;
     YkPiece *piece = &t->pieces[b->below->level];
-    double half, end = yk_strand_cell_end(b->below, from, 1);
-    if (end > from && end < to) return prove_over(b, from, end) && prove_over(b, end, to);
+    YkBoxes rest = {0}, finer = {0};
+    double half, end = yk_strand_cell_end(b->below, from, 1), length = (to - from) / t->scale;
+    if (end > from && end < to) return prove_over(b, from, end, boxes) && prove_over(b, end, to, boxes);
+    if (length > YK_TRACE_LONGEST) return prove_halves(b, from, to, boxes);
     if (t->out_of_memory || yk_pace_is_stopped(t->pace) || b->left == 0) return false;
     b->left--;
     b->from = from;
     b->to = to;
     b->is_zone = is_at_ends(b, from, to);
-    b->is_new = false;
+    b->rest = &rest;
     if (!yk_trace_place_path(t, b->below, from, to, &half)) return false;
     yk_piece_coefficients(piece, &t->discs, &b->middle);
     yk_piece_coefficients(piece, &t->over, &b->whole);
-    YkExclusionPath path = {b->middle.at, b->whole.rate, b->middle.radius, b->whole.rate_radius, half};
-    YkExclusion over = {judge, b, path, b->is_zone ? 2e-3 : fmin(0.1, 0.02 * sqrt((to - from) / t->scale)), 40000};
-    if (yk_meshed_take(piece->meshed, &b->whole) && yk_exclude_over(&piece->meshed->geared, t->pace, &over))
-        return true;
-    if (b->is_new) return prove_over(b, from, to);
-    double middle = from + 0.5 * (to - from);
-    if (to - from < YK_MAP_CLOSE * t->scale || b->is_zone) {
-        yk_note_unproved(t, middle, b->below->level);
-        return false;
+    YkExclusion over = {.judge = judge,
+                        .keep = keep,
+                        .context = b,
+                        .path = {b->middle.at, b->whole.rate, b->middle.radius, b->whole.rate_radius, half},
+                        .boxes = boxes ? boxes->numbers : NULL,
+                        .count = boxes ? boxes->count : 0,
+                        .smallest = b->is_zone ? 2e-3 : 0.5 * sqrt(length),
+                        .most = MOST};
+    bool is_bounded = yk_meshed_take(piece->meshed, &b->whole);
+    bool is_divided = is_bounded && yk_exclude_over(&piece->meshed->geared, t->pace, &over);
+    bool is_short = length < YK_TRACE_ZONE || b->is_zone;
+    bool is_proved = is_divided && rest.count == 0;
+    if (is_divided && !is_proved && !b->is_zone &&
+        rest.count <= FEW) { // near a limit smaller boxes may tell, which halves could not start from
+        over.boxes = rest.numbers;
+        over.count = rest.count;
+        over.smallest *= 0.1;
+        b->rest = &finer;
+        is_proved = yk_exclude_over(&piece->meshed->geared, t->pace, &over) && finer.count == 0;
     }
-    return prove_over(b, from, middle) && prove_over(b, middle, to);
+    if (!is_proved && is_short)
+        yk_note_unproved(t, from, b->below->level);
+    else if (!is_proved && (is_divided || !is_bounded))
+        is_proved = prove_halves(b, from, to, is_bounded ? &rest : boxes);
+    free(rest.numbers);
+    free(finer.numbers);
+    return is_proved;
 }
 
 static bool prove_all(YkTracer *t, YkStrand *below, size_t first)
@@ -183,7 +233,7 @@ static bool prove_all(YkTracer *t, YkStrand *below, size_t first)
     Between b = {.t = t, .below = below, .first = first, .left = INTERVALS};
     if (from > t->low) from += aside;
     if (to < t->high) to -= aside;
-    return from >= to || prove_over(&b, from, to);
+    return from >= to || prove_over(&b, from, to, NULL);
 }
 
 // --- ends
