@@ -1,5 +1,6 @@
 // Maps the motion of a machine with one freedom: the public functions.
 #include "map/map.h"
+#include "map/meshed.h"
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
@@ -125,6 +126,21 @@ static void tell_singles(const YkTracer *t, YkText *text)
     yk_text_format(text, " %s%s", t->is_angle ? "rad" : "m", count > most ? " and others" : "");
 }
 
+// Says that wheels count over all turns that their meshes allow.
+static void tell_meshes(const YkTracer *t, YkText *text)
+{
+    for (size_t p = 0; p < t->piece_count; p++) {
+        const char *kind, *label = yk_tracer_label(t, p, &kind);
+        if (!t->pieces[p].meshed) continue;
+        if (t->pieces[p].meshed->is_listed)
+            yk_text_format(text, "; the wheels of `%s` mesh in %z ways, each of which counts", label,
+                           yk_meshed_count(&t->pieces[p]));
+        else
+            yk_text_format(text, "; wheels of the group of joint `%s` count over all turns that their meshes allow",
+                           label);
+    }
+}
+
 void yk_map_tell(YkMap *map)
 {
     YkTracer *t = &map->tracer;
@@ -150,6 +166,7 @@ void yk_map_tell(YkMap *map)
     else
         yk_text_format(&text, "between its events the number of configurations is proved constant%s",
                        t->repeats ? "; the constraints that repeat others close along them, to rounding" : "");
+    if (!t->is_unproved && map->has_start) tell_meshes(t, &text);
     t->out_of_memory |= text.failed;
     const char *words = text.failed ? "" : yk_text_get(&text);
     size_t length = strlen(words) < sizeof map->message ? strlen(words) : sizeof map->message - 1;

@@ -51,7 +51,7 @@ struct YkMap {
     YkMapTurn *turns; // [circuit][joint]
     bool is_complete;
     size_t lost; // dead points of another map that are not on this one
-    char message[320];
+    char message[640];
     YkText picture; // the last one drawn
 };
 
