@@ -185,9 +185,9 @@ bool yk_trace_place_between(YkTracer *t, YkStrand *a, double at_a, YkStrand *b, 
         if (!yk_trace_read(t, of_a[level], at_a, x[0], &within[0])) return false;
         if (!yk_trace_read(t, of_b[level], at_b, x[1], &within[1])) return false;
         for (size_t k = 0; k < piece->shape.unknowns; k++) {
-            YkVec off = yk_piece_off(piece, x[0], x[1], k);
-            hull[level][k] = yk_sub(x[0][k], yk_scale(0.5, off));
-            double apart = yk_norm(off) / yk_piece_size(piece, hull[level], k);
+            YkVec between = yk_piece_off(piece, x[0], x[1], k);
+            hull[level][k] = yk_sub(x[0][k], yk_scale(0.5, between));
+            double apart = yk_norm(between) / yk_piece_size(piece, hull[level], k);
             radius[level] = fmax(radius[level], 0.75 * apart + fmax(within[0], within[1]) + 1e-13);
         }
     }
