@@ -14,13 +14,8 @@ typedef struct Proof {
     double spread[N_MAX];   // by which x_k itself moves; 0 except over an interval
     YkVec Y[N_MAX * N_MAX]; // an approximate inverse of the Jacobian at x
     double miss[N_MAX];     // upper bounds of |Y F(x)|
+    bool is_rate;           // the coefficients are derivatives of some, in which the unknowns of relations stand still
 } Proof;
-
-static double size_of(const YkShape *shape, const YkVec *x, size_t k)
-{
-    double size = yk_sum_norm(x[k]);
-    return k < shape->angles ? size : fmax(1, size);
-}
 
 static YkBall coefficient(const Proof *p, size_t row, size_t k)
 {
@@ -30,10 +25,45 @@ static YkBall coefficient(const Proof *p, size_t row, size_t k)
     return yk_ball(a, is_absent ? 0 : YK_COEFFICIENT_ERROR);
 }
 
+// Returns a part of a disc, x or y, as an interval.
+static YkBall part_of(YkBall a, size_t part)
+{
+    return yk_ball(yk_vec(part == 0 ? a.at.x : a.at.y, 0), a.radius);
+}
+
+// Evaluates a row of a system in real unknowns as below, where every disc is an interval and w is e^(i Phi).
+static YkBall real_row_at(const Proof *p, size_t row, const YkBall *x, const YkBall *w, YkBall *J)
+{
+    const YkShape *shape = p->shape;
+    const YkBall i = {{0, 1}, 0}, zero = {{0, 0}, 0};
+    size_t n = shape->unknowns, part = row % 2;
+    bool is_loop = row < 2 * shape->loops;
+    YkBall sum = coefficient(p, is_loop ? row / 2 : row, n);
+    for (size_t k = 0; J && k < n; k++) J[k] = zero;
+    for (size_t k = 0; k < n; k++) {
+        YkBall a = coefficient(p, is_loop ? row / 2 : row, k);
+        int turning = shape->turning[k];
+        bool is_turn = is_loop && k < shape->angles, turns = is_loop && turning >= 0;
+        if (a.radius == 0) continue;
+        if (turns) a = yk_ball_mul(a, w[turning]);
+        YkBall term = yk_ball_mul(a, is_turn ? w[k] : x[k]);
+        sum = yk_ball_add(sum, term);
+        if (!J) continue;
+        YkBall slope = is_turn ? yk_ball_mul(i, term) : a;
+        J[k] = yk_ball_add(J[k], is_loop ? part_of(slope, part) : slope);
+        if (turns) J[turning] = yk_ball_add(J[turning], part_of(yk_ball_mul(i, term), part));
+    }
+    if (is_loop) return part_of(sum, part);
+    if (row < 2 * shape->loops + shape->whole && !p->is_rate) sum.at.x = yk_nearest_turn(sum.at.x, 0);
+    sum.radius = YK_BALL_OUT(sum.radius + 1e-15);
+    return sum;
+}
+
 // Evaluates a row at discs: its value, and its derivatives (J may be NULL).
 static YkBall row_at(const Proof *p, size_t row, const YkBall *x, const YkBall *w, YkBall *J)
 {
     const YkShape *shape = p->shape;
+    if (shape->relations > 0) return real_row_at(p, row, x, w, J);
     bool inverse = row >= shape->loops;
     const YkBall *z = inverse ? w : x, zero = {{0, 0}, 0};
     size_t n = shape->unknowns;
@@ -60,7 +90,10 @@ static void discs_about(const Proof *p, double radius, YkBall *x, YkBall *w)
 {
     for (size_t k = 0; k < p->shape->unknowns; k++)
         x[k] = yk_ball(p->x[k], YK_BALL_OUT(radius * p->size[k] + p->spread[k]));
-    for (size_t k = 0; k < p->shape->angles; k++) w[k] = yk_ball_inverse(x[k]);
+    for (size_t k = 0; k < p->shape->angles; k++)
+        w[k] = p->shape->relations == 0
+                   ? yk_ball_inverse(x[k])
+                   : yk_ball(yk_unit(x[k].at.x), YK_BALL_OUT(x[k].radius + 1e-15 + 4e-16 * fabs(x[k].at.x)));
 }
 
 static bool invert_jacobian(Proof *p)
@@ -142,7 +175,7 @@ bool yk_certify(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkCer
     static const double radii[] = {1e-6, 1e-8, 1e-10, 3e-12, 2e-13};
     Proof p = {.shape = shape, .coefficients = coefficients, .x = x};
     bool looks_real = make_real(shape, x), is_proved = false;
-    for (size_t k = 0; k < shape->unknowns; k++) p.size[k] = size_of(shape, x, k);
+    for (size_t k = 0; k < shape->unknowns; k++) p.size[k] = yk_unknown_size(shape, x, k);
     if (!invert_jacobian(&p)) return false;
     bound_miss(&p);
     for (size_t r = 0; r < sizeof radii / sizeof *radii; r++) {
@@ -165,7 +198,7 @@ bool yk_enclose(const YkShape *shape, const YkVec *coefficients, const double *r
     static const double times[] = {1.3, 2, 4};
     double miss = 1e-15;
     Proof p = {.shape = shape, .coefficients = coefficients, .radii = radii, .x = x};
-    for (size_t k = 0; k < shape->unknowns; k++) p.size[k] = size_of(shape, x, k);
+    for (size_t k = 0; k < shape->unknowns; k++) p.size[k] = yk_unknown_size(shape, x, k);
     if (!invert_jacobian(&p)) return false;
     bound_miss(&p);
     for (size_t k = 0; k < shape->unknowns; k++) miss = fmax(miss, p.miss[k] / p.size[k]);
@@ -214,8 +247,8 @@ bool yk_enclose_path(const YkShape *shape, const YkPathDiscs *path, const YkVec 
     double drift[N_MAX], least = 1e-15;
     size_t n = shape->unknowns;
     Proof p = {.shape = shape, .coefficients = path->middle, .radii = path->middle_radius, .x = x};
-    Proof rates = {.shape = shape, .coefficients = path->rate, .radii = path->rate_radius, .x = x};
-    for (size_t k = 0; k < n; k++) p.size[k] = size_of(shape, x, k);
+    Proof rates = {.shape = shape, .coefficients = path->rate, .radii = path->rate_radius, .x = x, .is_rate = true};
+    for (size_t k = 0; k < n; k++) p.size[k] = yk_unknown_size(shape, x, k);
     if (!invert_jacobian(&p)) return false;
     bound_miss(&p);
     read_rate(&p, &rates, certificate->rate);
@@ -244,7 +277,9 @@ bool yk_are_distinct(const YkShape *shape, const YkVec *x, const YkCertificate *
 {
     for (size_t k = 0; k < shape->unknowns; k++) {
         double off = fmax(fabs(x[k].x - y[k].x), fabs(x[k].y - y[k].y)) * (1 - 0x1p-48);
-        if (off > YK_BALL_OUT(of_x->within * size_of(shape, x, k) + of_y->within * size_of(shape, y, k))) return true;
+        if (off >
+            YK_BALL_OUT(of_x->within * yk_unknown_size(shape, x, k) + of_y->within * yk_unknown_size(shape, y, k)))
+            return true;
     }
     return false;
 }

@@ -16,24 +16,33 @@ typedef struct Box {
     double at[N], half[N];
 } Box;
 
-// What is known of the equations over a box: F in its middle, and the Jacobian over it, each with a radius.
+// What is known of the equations over a box: F in its middle, in the middle of the interval, and the Jacobian over it, each with a radius.
 typedef struct Row {
     double miss, miss_radius, slope[N], slope_radius[N];
+    double rate, rate_radius; // its derivative by the interval's parameter
 } Row;
 
 typedef struct Search {
     const YkGeared *g;
+    const YkExclusion *over;                       // NULL: at a pose
     size_t n, m;                                   // unknowns, equations
     Row rows[ROWS];                                // those by which the unknowns are sought first
     double Y[N * N];                               // an approximate inverse of the Jacobian in the middle
     double shift[N], shift_radius[N], rest[N * N]; // Y F; bounds of |I - Y J|
 } Search;
 
-static YkBall coefficient(const YkGeared *g, size_t loop, size_t k)
+// Which coefficients: those of the whole interval or of the pose; in the interval's middle; their derivatives over it.
+typedef enum Which { WHOLE, MIDDLE, RATE } Which;
+
+static YkBall coefficient(const Search *s, size_t loop, size_t k, Which which)
 {
-    YkVec a = g->coefficients[loop * (g->shape.unknowns + 1) + k];
-    bool is_absent = k < g->shape.unknowns && a.x == 0 && a.y == 0;
-    return yk_ball(a, is_absent ? 0 : YK_COEFFICIENT_ERROR);
+    size_t place = loop * (s->g->shape.unknowns + 1) + k;
+    const YkExclusionPath *path = s->over ? &s->over->path : NULL;
+    if (path && which == MIDDLE) return yk_ball(path->middle[place], path->middle_radius[place]);
+    if (which == RATE) return path ? yk_ball(path->rate[place], path->rate_radius[place]) : yk_ball(yk_vec(0, 0), 0);
+    YkVec a = s->g->coefficients[place];
+    bool is_absent = k < s->g->shape.unknowns && a.x == 0 && a.y == 0 && s->g->radius[place] == 0;
+    return yk_ball(a, is_absent ? 0 : fmax(YK_COEFFICIENT_ERROR, s->g->radius[place]));
 }
 
 // Adds a term of a loop to its derivative by an unknown.
@@ -54,10 +63,11 @@ static YkBall value_of(const Search *s, const Box *box, size_t k, bool is_over)
 }
 
 // Adds a term of a loop over the box: to the sum, and to the slopes unless they are NULL.
-static YkBall term_of(const Search *s, const Box *box, size_t loop, size_t k, bool is_over, Row *rows)
+static YkBall term_of(const Search *s, const Box *box, size_t loop, size_t k, Which which, Row *rows)
 {
+    bool is_over = which == WHOLE;
     const YkBall i = {{0, 1}, 0};
-    YkBall a = coefficient(s->g, loop, k), x = value_of(s, box, k, is_over);
+    YkBall a = coefficient(s, loop, k, which), x = value_of(s, box, k, is_over);
     int turning = s->g->shape.turning[k];
     if (k >= s->g->shape.angles && turning >= 0) a = yk_ball_mul(a, value_of(s, box, (size_t)turning, is_over));
     YkBall term = yk_ball_mul(a, x);
@@ -71,17 +81,22 @@ static YkBall term_of(const Search *s, const Box *box, size_t loop, size_t k, bo
 static bool read_loop(Search *s, size_t loop, const Box *box)
 {
     Row *rows = &s->rows[2 * loop];
-    YkBall sum = coefficient(s->g, loop, s->n), over = sum;
+    YkBall sum = coefficient(s, loop, s->n, MIDDLE), over = coefficient(s, loop, s->n, WHOLE);
+    YkBall rate = coefficient(s, loop, s->n, RATE);
     for (int r = 0; r < 2; r++)
         for (size_t k = 0; k < s->n; k++) rows[r].slope[k] = rows[r].slope_radius[k] = 0;
     for (size_t k = 0; k < s->n; k++) {
-        if (coefficient(s->g, loop, k).radius == 0) continue; // absent
-        sum = yk_ball_add(sum, term_of(s, box, loop, k, false, NULL));
-        over = yk_ball_add(over, term_of(s, box, loop, k, true, rows));
+        if (coefficient(s, loop, k, WHOLE).radius == 0) continue; // absent
+        sum = yk_ball_add(sum, term_of(s, box, loop, k, MIDDLE, NULL));
+        if (s->over) rate = yk_ball_add(rate, term_of(s, box, loop, k, RATE, NULL));
+        over = yk_ball_add(over, term_of(s, box, loop, k, WHOLE, rows));
     }
     rows[0].miss = sum.at.x;
     rows[1].miss = sum.at.y;
     rows[0].miss_radius = rows[1].miss_radius = sum.radius;
+    rows[0].rate = rate.at.x;
+    rows[1].rate = rate.at.y;
+    rows[0].rate_radius = rows[1].rate_radius = rate.radius;
     return fmax(fabs(over.at.x), fabs(over.at.y)) > over.radius;
 }
 
@@ -113,7 +128,8 @@ static double read_relation(Search *s, size_t relation, const Box *box, double *
 {
     Row *row = &s->rows[2 * s->g->shape.loops + relation];
     double size = fabs(s->g->phase[relation]), moves = 0;
-    row->miss = s->g->phase[relation];
+    row->miss = s->over ? s->over->path.middle[(2 * s->g->shape.loops + relation) * (s->n + 1) + s->n].x
+                        : s->g->phase[relation];
     for (size_t k = 0; k < s->n; k++) {
         double p = s->g->factor[relation][k];
         row->miss += p * box->at[k];
@@ -127,6 +143,14 @@ static double read_relation(Search *s, size_t relation, const Box *box, double *
             moves += read_law(s, &s->g->laws[r], s->g->share[relation][r], box, row, &size);
     if (relation < s->g->turning) row->miss -= 2 * YK_PI * rint(row->miss / (2 * YK_PI));
     row->miss_radius = 1e-13 + 1e-14 * size;
+    row->rate = row->rate_radius = 0;
+    if (s->over) {
+        size_t at = (2 * s->g->shape.loops + relation) * (s->n + 1) + s->n;
+        row->rate = s->over->path.rate[at].x;
+        row->rate_radius = s->over->path.rate_radius[at];
+        row->miss_radius += s->over->path.middle_radius[at];
+        moves += (fabs(row->rate) + row->rate_radius) * s->over->path.half;
+    }
     *nearest = fabs(row->miss);
     return YK_BALL_OUT(moves * (1 + 1e-14) + row->miss_radius);
 }
@@ -181,11 +205,14 @@ static void multiply(Search *s)
     const double unit = 0x1p-48; // of all that is added: more than its rounding
     for (size_t r = 0; r < s->n; r++) {
         const double *y = s->Y + r * s->n;
-        double shift = 0, radius = 0;
+        double shift = 0, radius = 0, along = 0, beside = 0;
         for (size_t k = 0; k < s->n; k++) {
             shift += y[k] * s->rows[k].miss;
             radius += fabs(y[k]) * (s->rows[k].miss_radius + unit * fabs(s->rows[k].miss));
+            along += y[k] * s->rows[k].rate;
+            beside += fabs(y[k]) * (s->rows[k].rate_radius + unit * fabs(s->rows[k].rate));
         }
+        if (s->over) radius += (fabs(along) + beside) * s->over->path.half;
         s->shift[r] = shift;
         s->shift_radius[r] = YK_BALL_OUT(radius);
         for (size_t c = 0; c < s->n; c++) {
@@ -365,7 +392,7 @@ static bool is_beside_singular(Search *s, const Box *box)
 static bool search(Search *s, const Box *box, YkPace *pace, YkExcluded *out)
 {
     if (!out->is_complete) return true;
-    if (++out->boxes > BOXES_MAX || !yk_pace_spend(pace, 40 * s->n * s->n * s->n)) {
+    if (++out->boxes > (s->over ? s->over->most : BOXES_MAX) || !yk_pace_spend(pace, 40 * s->n * s->n * s->n)) {
         out->is_complete = false;
         return true;
     }
@@ -373,13 +400,15 @@ static bool search(Search *s, const Box *box, YkPace *pace, YkExcluded *out)
     Box wider = *box;
     for (size_t k = 0; k < s->n; k++) wider.half[k] *= WIDER;
     size_t side = widest(box, s->n);
-    if (judge(s, &wider) == ALONE) return keep(s, &wider, out);
-    if (box->half[side] < NEAR && is_beside_singular(s, box)) {
+    bool is_alone = judge(s, &wider) == ALONE, is_small = box->half[side] < (s->over ? s->over->smallest : SMALLEST);
+    if (is_alone && !s->over) return keep(s, &wider, out);
+    if (s->over && is_alone && s->over->judge(s->over->context, wider.at, wider.half)) return true;
+    if (!s->over && box->half[side] < NEAR && is_beside_singular(s, box)) {
         out->left++;
         return true;
     }
-    if (box->half[side] < SMALLEST) {
-        out->is_complete = false;
+    if (is_small) {
+        out->is_complete = s->over && s->over->keep(s->over->context, box->at, box->half);
         return true;
     }
     Box low = half_of(box, side, -1), high = half_of(box, side, 1);
@@ -395,17 +424,41 @@ static void order(const YkGeared *g, double *pose)
         pose[g->shape.column[k]] = k < g->shape.angles ? x[k] : g->size * x[k];
 }
 
-bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out)
+static Search search_of(const YkGeared *g, const YkExclusion *over)
 {
-    Search s = {.g = geared, .n = geared->shape.unknowns, .m = 2 * geared->shape.loops + geared->relations};
+    return (Search){.g = g, .over = over, .n = g->shape.unknowns, .m = 2 * g->shape.loops + g->relations};
+}
+
+static bool search_all(Search *s, YkPace *pace, YkExcluded *out)
+{
     Box all = {.half = {0}};
-    for (size_t k = 0; k < s.n; k++) {
+    for (size_t k = 0; k < s->n; k++) {
         all.at[k] = 0.0123456789 * (double)(k + 1); // so that no box ends where machines are special
-        all.half[k] = YK_BALL_OUT(geared->reach[k] + 1e-12 + (k < geared->shape.angles ? 0 : fabs(all.at[k])));
+        all.half[k] = YK_BALL_OUT(s->g->reach[k] + 1e-12 + (k < s->g->shape.angles ? 0 : fabs(all.at[k])));
     }
     out->count = out->boxes = out->left = 0;
     out->is_complete = true;
-    bool has_memory = search(&s, &all, pace, out);
+    return search(s, &all, pace, out);
+}
+
+bool yk_exclude_over(const YkGeared *geared, YkPace *pace, const YkExclusion *exclusion)
+{
+    Search s = search_of(geared, exclusion);
+    YkExcluded none = {.is_complete = true};
+    if (!exclusion->boxes) return search_all(&s, pace, &none) && none.is_complete;
+    for (size_t k = 0; k < exclusion->count && none.is_complete; k++) {
+        Box box;
+        memcpy(box.at, exclusion->boxes + 2 * N * k, sizeof box.at);
+        memcpy(box.half, exclusion->boxes + 2 * N * k + N, sizeof box.half);
+        search(&s, &box, pace, &none);
+    }
+    return none.is_complete;
+}
+
+bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out)
+{
+    Search s = search_of(geared, NULL);
+    bool has_memory = search_all(&s, pace, out);
     for (size_t p = 0; p < out->count; p++) order(geared, out->poses + p * s.n);
     return has_memory;
 }

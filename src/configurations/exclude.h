@@ -16,6 +16,29 @@ typedef struct YkExcluded { // the array is kept and reused
 
 // Returns false when out of memory. Being stopped by `pace` leaves it incomplete, as do poses that meet and cannot be told apart.
 bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out);
+// Coefficients along an interval of a parameter: discs of them in its middle, and of their derivatives all over it; those of
+// the loops, then of the phases at [loops (unknowns + 1) 2 + relation (unknowns + 1) + unknowns].
+typedef struct YkExclusionPath {
+    const YkVec *middle, *rate;
+    const double *middle_radius, *rate_radius;
+    double half; // of the interval's length
+} YkExclusionPath;
+
+// Divides boxes, or the space of all unknowns, over the whole interval; `geared` has the coefficients all over it. `judge` is
+// asked of each box that is proved to hold exactly one pose for each of them, by its middle and half widths, whether that is
+// known; `keep` is given each box that is as small as `smallest`, of which nothing is proved or which `judge` does not know.
+// Returns false after `most` boxes, when stopped, or when `keep` returns false.
+typedef struct YkExclusion {
+    bool (*judge)(void *context, const double *at, const double *half);
+    bool (*keep)(void *context, const double *at, const double *half);
+    void *context;
+    YkExclusionPath path;
+    const double *boxes; // [count][2][YK_GEARED_MAX]: middles and half widths; NULL: the whole space
+    size_t count;
+    double smallest;
+    size_t most;
+} YkExclusion;
+bool yk_exclude_over(const YkGeared *geared, YkPace *pace, const YkExclusion *exclusion);
 void yk_excluded_end(YkExcluded *excluded);
 
 #endif

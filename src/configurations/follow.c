@@ -27,7 +27,7 @@ double yk_relative_change(const YkShape *shape, const YkVec *x, const YkVec *cha
 {
     double most = 0;
     for (size_t k = 0; k < shape->unknowns; k++) {
-        double size = yk_sum_norm(x[k]), part = yk_sum_norm(change[k]) / (k < shape->angles ? size : fmax(1, size));
+        double part = yk_sum_norm(change[k]) / yk_unknown_size(shape, x, k);
         if (!(part <= most)) most = part; // also for NaN
     }
     return most;

@@ -189,16 +189,17 @@ static void list_relations(YkGeared *g, const YkMechanism *mech, const YkBlock *
 static double reach_in(const YkGeared *g, size_t loop, size_t slide)
 {
     const YkVec *row = g->coefficients + loop * (g->shape.unknowns + 1);
-    double own = yk_norm(row[slide]), sum = yk_norm(row[g->shape.unknowns]);
-    if (own == 0) return INFINITY;
+    const double *radius = g->radius + loop * (g->shape.unknowns + 1);
+    double own = yk_norm(row[slide]) - radius[slide], sum = yk_norm(row[g->shape.unknowns]) + radius[g->shape.unknowns];
+    if (!(own > 0)) return INFINITY;
     for (size_t k = 0; k < g->shape.unknowns; k++) {
-        double length = yk_norm(row[k]);
+        double length = yk_norm(row[k]) + radius[k];
         if (k != slide && length > 0) sum += length * (k < g->shape.angles ? 1 : g->reach[k]);
     }
     return sum / own * (1 + 1e-9);
 }
 
-static bool bound_distances(YkGeared *g)
+bool yk_geared_bound(YkGeared *g)
 {
     size_t n = g->shape.unknowns;
     for (size_t k = 0; k < n; k++) g->reach[k] = k < g->shape.angles ? YK_PI : INFINITY;
@@ -216,16 +217,15 @@ bool yk_geared_read(YkGeared *g, const YkRun *run, size_t index)
 {
     const YkMechanism *mech = run->mech;
     const YkBlock *block = &mech->blocks[index];
-    size_t relation[R];
     *g = (YkGeared){.relations = block->relation_count, .size = mech->size};
     if (block->relation_count > R || block->column_count > N || block->loop_count > YK_GEARED_MAX) return false;
     if (yk_block_rows(block) < block->column_count || yk_block_rows(block) > YK_GEARED_ROWS) return false;
     if (!yk_shape_read_columns(&g->shape, mech, index)) return false;
-    list_relations(g, mech, block, relation);
+    list_relations(g, mech, block, g->relation);
     for (size_t r = 0; r < g->relations; r++)
-        if (!read_relation(g, run, r, relation[r])) return false;
+        if (!read_relation(g, run, r, g->relation[r])) return false;
     yk_coefficients_read(&g->shape, run, index, g->coefficients);
-    return combine(g) && are_known_turns_whole(g, mech, relation) && bound_distances(g);
+    return combine(g) && are_known_turns_whole(g, mech, g->relation) && yk_geared_bound(g);
 }
 
 double yk_geared_sum(const YkGeared *g, size_t relation, const double *x)

@@ -19,8 +19,12 @@ typedef struct YkGearedLaw {
 } YkGearedLaw;
 
 typedef struct YkGeared {
-    YkShape shape; // unknowns <= 2 loops + relations
+    YkShape shape;                        // unknowns <= 2 loops + relations
+    size_t relation[YK_GEARED_RELATIONS]; // the mechanism's
     YkVec coefficients[2 * YK_GEARED_MAX * (YK_GEARED_MAX + 1)];
+    double radius[2 * YK_GEARED_MAX *
+                  (YK_GEARED_MAX + 1)]; // of the coefficients' discs; 0 at a pose, where it is their rounding
+    double phase_radius[YK_GEARED_RELATIONS];
     size_t relations, turning;                         // those with p_j come first
     double factor[YK_GEARED_RELATIONS][YK_GEARED_MAX]; // p, whole numbers; q, by the machine's size
     double phase[YK_GEARED_RELATIONS];                 // C, rad; over the machine's size where there is no p_j
@@ -33,6 +37,8 @@ typedef struct YkGeared {
 // Reads block `index` of a run whose earlier blocks are solved. Returns false unless it is a group of this kind, with
 // distances that its loops bound; some of its equations may repeat others.
 bool yk_geared_read(YkGeared *geared, const YkRun *run, size_t index);
+// Bounds the distances by the loops, at the coefficients. Returns false if they do not bound all.
+bool yk_geared_bound(YkGeared *geared);
 // Returns the sum of a relation, at unknowns in the order of the shape.
 double yk_geared_sum(const YkGeared *geared, size_t relation, const double *x);
 // Adds whole turns to the angles of a pose until all relations are met, as few as possible. Returns false if it takes too

@@ -131,10 +131,60 @@ static YkVec evaluate_row(const YkShape *shape, const YkVec *A, const YkVec *x, 
     return sum;
 }
 
+double yk_unknown_size(const YkShape *shape, const YkVec *x, size_t unknown)
+{
+    double size = yk_sum_norm(x[unknown]);
+    return unknown >= shape->angles ? fmax(1, size) : shape->relations > 0 ? 1 : size;
+}
+
+// Evaluates a loop in real unknowns, in x and in y.
+static void evaluate_parts(const YkShape *shape, const YkVec *A, const YkVec *x, YkVec *F, YkVec *J)
+{
+    size_t n = shape->unknowns;
+    YkVec sum = A[n], slope[2 * YK_SYSTEM_LOOPS_MAX] = {{0, 0}};
+    for (size_t k = 0; k < n; k++) {
+        int turning = shape->turning[k];
+        bool is_angle = k < shape->angles;
+        YkVec along = is_angle || turning >= 0 ? yk_mul(A[k], yk_unit(x[is_angle ? k : (size_t)turning].x)) : A[k];
+        YkVec term = is_angle ? along : yk_scale(x[k].x, along);
+        sum = yk_add(sum, term);
+        slope[k] = yk_add(slope[k], is_angle ? yk_mul(yk_vec(0, 1), along) : along);
+        if (turning >= 0) slope[turning] = yk_add(slope[turning], yk_mul(yk_vec(0, 1), term));
+    }
+    F[0] = yk_vec(sum.x, 0);
+    F[1] = yk_vec(sum.y, 0);
+    for (size_t k = 0; J && k < n; k++) {
+        J[k] = yk_vec(slope[k].x, 0);
+        J[n + k] = yk_vec(slope[k].y, 0);
+    }
+}
+
+static void evaluate_real(const YkShape *shape, const YkVec *coefficients, const YkVec *x, YkVec *F, YkVec *J)
+{
+    size_t n = shape->unknowns, width = n + 1;
+    for (size_t l = 0; l < shape->loops; l++)
+        evaluate_parts(shape, coefficients + l * width, x, F + 2 * l, J ? J + 2 * l * n : NULL);
+    for (size_t row = 2 * shape->loops; row < n; row++) {
+        const YkVec *A = coefficients + row * width;
+        double sum = A[n].x;
+        bool turns = false; // in derivatives by the pose no unknown occurs, and no turn is taken away
+        for (size_t k = 0; k < n; k++) {
+            sum += A[k].x * x[k].x;
+            turns |= A[k].x != 0 && row < 2 * shape->loops + shape->whole;
+            if (J) J[row * n + k] = A[k];
+        }
+        F[row] = yk_vec(turns ? yk_nearest_turn(sum, 0) : sum, 0);
+    }
+}
+
 void yk_system_evaluate(const YkShape *shape, const YkVec *coefficients, const YkVec *x, YkVec *F, YkVec *J)
 {
     size_t n = shape->unknowns, width = n + 1;
     YkVec w[2 * YK_SYSTEM_LOOPS_MAX];
+    if (shape->relations > 0) {
+        evaluate_real(shape, coefficients, x, F, J);
+        return;
+    }
     for (size_t k = 0; k < shape->angles; k++) w[k] = yk_inverse(x[k]);
     for (size_t row = 0; row < n; row++)
         F[row] = evaluate_row(shape, coefficients + row * width, x, w, row >= shape->loops, J ? J + row * n : NULL);

@@ -5,6 +5,9 @@
 // 1/z_j in place of A and z_j. Set free, the two coefficient arrays are independent complex numbers: the system is a
 // member of a family in which paths can be followed. Lengths are over the machine's size.
 // Source: Wampler 1999, "Solving the kinematics of planar mechanisms" (isotropic coordinates).
+//
+// With relations between the unknowns (gears, belts, racks) the system is one in real unknowns: Phi_j, rad, in place of z_j. Its
+// rows are every loop in x and in y, then the relations sum p_j Phi_j + sum q_m d_m + C, modulo 2 pi where they count turns.
 #ifndef CONFIGURATIONS_SYSTEM_H
 #define CONFIGURATIONS_SYSTEM_H
 #include <stdbool.h>
@@ -16,12 +19,14 @@ enum { YK_SYSTEM_LOOPS_MAX = 7 }; // beyond this a group has too many solutions 
 
 // The structure, which one topology keeps. Unknown k < angles is an angle, the others are slides.
 typedef struct YkShape {
-    size_t loops, angles, unknowns;         // unknowns = 2 loops
+    size_t loops, angles, unknowns; // unknowns = 2 loops + relations
+    size_t relations, whole; // of a system in real unknowns, see below: of them, those that hold modulo 2 pi, the first
     int turning[2 * YK_SYSTEM_LOOPS_MAX];   // of a slide: the angle whose line it follows, or -1; of an angle: -1
     size_t column[2 * YK_SYSTEM_LOOPS_MAX]; // of an unknown: the group's column
 } YkShape;
 
-// The coefficients of the loops, then of their conjugates: [2][loops][unknowns + 1], the constants last.
+// The coefficients of the loops, then of their conjugates: [2][loops][unknowns + 1], the constants last. In real unknowns those
+// of the relations follow, [relations][unknowns + 1].
 
 typedef enum YkOutside { // why a group is not such a system
     YK_OUTSIDE_NOT,
@@ -41,6 +46,14 @@ void yk_coefficients_read(const YkShape *shape, const YkRun *run, size_t index, 
 static inline size_t yk_coefficient_count(const YkShape *shape) // of one of the two arrays
 {
     return shape->loops * (shape->unknowns + 1);
+}
+
+// Returns the size that measures changes of an unknown: of z its own, of an angle 1, of a distance its own or the machine's.
+double yk_unknown_size(const YkShape *shape, const YkVec *x, size_t unknown);
+// Returns e^(i Phi) of an angle, whichever unknown it has.
+static inline YkVec yk_unknown_turn(const YkShape *shape, const YkVec *x, size_t angle)
+{
+    return shape->relations > 0 ? yk_unit(x[angle].x) : x[angle];
 }
 
 // Evaluates F[unknowns] (loops, then conjugates) at x, and the Jacobian J[unknowns][unknowns] if it is not NULL.

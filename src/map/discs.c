@@ -56,8 +56,7 @@ bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step)
 
 // --- the steps
 
-// Returns e^(i angle), where the angle is real.
-static YkDual turn_by(YkDual angle)
+YkDual yk_dual_turn(YkDual angle)
 {
     double at = angle.at.at.x;
     YkBall e = yk_ball(yk_unit(at), YK_BALL_OUT(angle.at.radius + 1e-15 + fabs(at) * 4e-16));
@@ -71,7 +70,7 @@ static YkDual power(YkDual z, int n)
     return result;
 }
 
-static YkDual input_of(const YkDiscs *d, int32_t input)
+YkDual yk_discs_input(const YkDiscs *d, int32_t input)
 {
     if (d->ways) {
         YkBall way = yk_real_disc(d->ways[input], 0), from = yk_real_disc(d->others[input], 0);
@@ -83,13 +82,13 @@ static YkDual input_of(const YkDiscs *d, int32_t input)
 }
 
 // Returns gain times the law over its argument: by the mean value theorem no farther from its middle than its slope allows.
-static YkDual law_of(const YkDiscs *d, const YkRelation *r)
+YkDual yk_discs_law(const YkDiscs *d, const YkRelation *r)
 {
     YkLawBound bound = d->laws[r - d->mech->relations];
     YkDual x = yk_dual_constant(yk_vec(r->argument_offset, 0));
     for (uint32_t k = r->first_argument_source; k < r->first_argument_source + r->argument_source_count; k++)
-        x = yk_dual_add(x,
-                        yk_dual_times(yk_vec(d->mech->sources[k].factor, 0), input_of(d, d->mech->sources[k].index)));
+        x = yk_dual_add(
+            x, yk_dual_times(yk_vec(d->mech->sources[k].factor, 0), yk_discs_input(d, d->mech->sources[k].index)));
     double y[YK_LAW_ORDER + 1], rounding = 1e-14 * (1 + fabs(x.at.at.x)) * bound.slope, radius = x.at.radius;
     yk_law_eval(r->law, x.at.at.x, y);
     YkBall value = yk_real_disc(y[0], YK_BALL_OUT(bound.slope * radius + rounding + 1e-14 * fabs(y[0])));
@@ -106,15 +105,15 @@ static void take_relation(YkDiscs *d, const YkRelation *r)
         if (s->kind == YK_SOURCE_SLOT)
             turn = yk_dual_mul(turn, power(d->slots[s->index], (int)s->factor));
         else
-            sum = yk_dual_add(sum,
-                              yk_dual_times(yk_vec(s->factor, 0), s->kind == YK_SOURCE_INPUT ? input_of(d, s->index)
-                                                                                             : d->distances[s->index]));
+            sum = yk_dual_add(sum, yk_dual_times(yk_vec(s->factor, 0), s->kind == YK_SOURCE_INPUT
+                                                                           ? yk_discs_input(d, s->index)
+                                                                           : d->distances[s->index]));
     }
-    if (r->law) sum = yk_dual_add(sum, law_of(d, r));
+    if (r->law) sum = yk_dual_add(sum, yk_discs_law(d, r));
     if (r->target.is_distance)
         d->distances[r->target.index] = sum;
     else
-        d->slots[r->target.index] = yk_dual_mul(turn, turn_by(sum));
+        d->slots[r->target.index] = yk_dual_mul(turn, yk_dual_turn(sum));
 }
 
 YkDual yk_discs_sum(const YkDiscs *d, const YkSum *sum)
@@ -181,16 +180,16 @@ void yk_discs_take(YkDiscs *d, const YkStep *step)
 {
     switch (step->kind) {
     case YK_STEP_TURN: {
-        YkDual angle = yk_dual_add(input_of(d, step->input), yk_dual_constant(yk_vec(step->offset, 0)));
+        YkDual angle = yk_dual_add(yk_discs_input(d, step->input), yk_dual_constant(yk_vec(step->offset, 0)));
         d->slots[step->target] =
-            yk_dual_mul(d->slots[step->parent], turn_by(yk_dual_times(yk_vec(step->sign, 0), angle)));
+            yk_dual_mul(d->slots[step->parent], yk_dual_turn(yk_dual_times(yk_vec(step->sign, 0), angle)));
         break;
     }
     case YK_STEP_COMPOSE:
         d->slots[step->target] = yk_dual_mul(d->slots[step->parent], d->slots[step->other]);
         break;
     case YK_STEP_DISTANCE:
-        d->distances[step->target] = input_of(d, step->input);
+        d->distances[step->target] = yk_discs_input(d, step->input);
         break;
     case YK_STEP_NODE:
         d->nodes[step->target] = yk_discs_sum(d, &d->mech->node_sums[step->target]);

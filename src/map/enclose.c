@@ -6,7 +6,8 @@
 bool yk_trace_is_inside(const YkPiece *piece, const YkVec *x, double radius, const YkVec *y, double within)
 {
     for (size_t k = 0; k < piece->shape.unknowns; k++) {
-        double off = yk_hypot(x[k].x - y[k].x, x[k].y - y[k].y) * (1 + 0x1p-40);
+        YkVec way = yk_piece_off(piece, x, y, k);
+        double off = yk_hypot(way.x, way.y) * (1 + 0x1p-40);
         double reach = off + within * yk_piece_size(piece, y, k);
         if (!(reach < radius * yk_piece_size(piece, x, k))) return false;
     }
@@ -184,8 +185,9 @@ bool yk_trace_place_between(YkTracer *t, YkStrand *a, double at_a, YkStrand *b, 
         if (!yk_trace_read(t, of_a[level], at_a, x[0], &within[0])) return false;
         if (!yk_trace_read(t, of_b[level], at_b, x[1], &within[1])) return false;
         for (size_t k = 0; k < piece->shape.unknowns; k++) {
-            hull[level][k] = yk_scale(0.5, yk_add(x[0][k], x[1][k]));
-            double apart = yk_norm(yk_sub(x[0][k], x[1][k])) / yk_piece_size(piece, hull[level], k);
+            YkVec between = yk_piece_off(piece, x[0], x[1], k);
+            hull[level][k] = yk_sub(x[0][k], yk_scale(0.5, between));
+            double apart = yk_norm(between) / yk_piece_size(piece, hull[level], k);
             radius[level] = fmax(radius[level], 0.75 * apart + fmax(within[0], within[1]) + 1e-13);
         }
     }

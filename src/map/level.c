@@ -5,16 +5,6 @@
 #include "map/segments.h"
 #include "num/complex.h"
 
-enum { MEETING_MAX = 128 };
-
-// The ends that meet in one zone between two segments.
-typedef struct Meeting {
-    YkStrand *strand[MEETING_MAX];
-    int end[MEETING_MAX]; // 1: it ends here, 0: it begins here
-    size_t count;
-    double from, to; // the zone
-} Meeting;
-
 // --- joining over a zone
 
 // Appends the cells of b to a.
@@ -58,9 +48,9 @@ static bool join(YkTracer *t, YkStrand *strand, YkSegment *next, const YkVec *x)
 
 // --- what meets in a zone
 
-static void meet(YkTracer *t, Meeting *m, YkStrand *strand, int end)
+void yk_trace_meet(YkTracer *t, YkMeeting *m, YkStrand *strand, int end)
 {
-    if (m->count == MEETING_MAX) {
+    if (m->count == YK_MEETING_MAX) {
         yk_note_unproved(t, m->from, strand->level - 1);
         return;
     }
@@ -92,7 +82,7 @@ static double determinant(YkTracer *t, YkStrand *strand, double at)
 
 // Returns where the determinant of a strand vanishes beyond its end: a parabola through three of its poses, evaluated at
 // 0. Near a limit the input is a smooth function of the determinant's square, near a change point of itself.
-static double locate(YkTracer *t, YkStrand *strand, int end, const Meeting *m, bool is_limit)
+static double locate(YkTracer *t, YkStrand *strand, int end, const YkMeeting *m, bool is_limit)
 {
     double at = end_of(strand, end), length = yk_strand_to(strand) - yk_strand_from(strand);
     double d = fmin((is_limit ? 1e-6 : 1e-4) * t->scale, length / 8), u[3], y[3], found = 0;
@@ -110,7 +100,7 @@ static double locate(YkTracer *t, YkStrand *strand, int end, const Meeting *m, b
     return isfinite(found) ? fmin(fmax(found, m->from), m->to) : 0.5 * (m->from + m->to);
 }
 
-static YkTie tie_of(YkTracer *t, const Meeting *m, size_t a, size_t b, double at, size_t event)
+static YkTie tie_of(YkTracer *t, const YkMeeting *m, size_t a, size_t b, double at, size_t event)
 {
     size_t block = t->pieces[m->strand[a]->level - 1].block;
     return (YkTie){.strand = {m->strand[a], m->strand[b]},
@@ -120,7 +110,7 @@ static YkTie tie_of(YkTracer *t, const Meeting *m, size_t a, size_t b, double at
                    .event = event};
 }
 
-static void tie_limit(YkTracer *t, const Meeting *m, size_t a, size_t b)
+static void tie_limit(YkTracer *t, const YkMeeting *m, size_t a, size_t b)
 {
     YkTie tie = tie_of(t, m, a, b, locate(t, m->strand[a], m->end[a], m, true), t->event_count++);
     tie.kind = YK_TIE_LIMIT;
@@ -128,7 +118,7 @@ static void tie_limit(YkTracer *t, const Meeting *m, size_t a, size_t b)
 }
 
 // Two branches arrive and two leave: they cross, unless they turn back on both sides of a narrow gap.
-static void tie_crossing(YkTracer *t, const Meeting *m, const size_t *member)
+static void tie_crossing(YkTracer *t, const YkMeeting *m, const size_t *member)
 {
     size_t first = member[0], event, other = 1;
     size_t level = m->strand[first]->level, opposite = 1, same = 1;
@@ -153,7 +143,7 @@ static void tie_crossing(YkTracer *t, const Meeting *m, const size_t *member)
     }
 }
 
-static void tie_group(YkTracer *t, const Meeting *m, const size_t *member, size_t count)
+static void tie_group(YkTracer *t, const YkMeeting *m, const size_t *member, size_t count)
 {
     size_t arriving = 0, level = m->strand[member[0]]->level;
     for (size_t k = 0; k < count; k++) arriving += (size_t)m->end[member[k]];
@@ -177,17 +167,17 @@ static double apart(const YkPiece *piece, const YkVec *x, const YkVec *y)
 {
     double most = 0;
     for (size_t k = 0; k < piece->shape.unknowns; k++)
-        most = fmax(most, yk_norm(yk_sub(x[k], y[k])) / yk_piece_size(piece, x, k));
+        most = fmax(most, yk_norm(yk_piece_off(piece, x, y, k)) / yk_piece_size(piece, x, k));
     return most;
 }
 
 // Several may meet at the same input in different poses: those that are near each other belong together.
-static void tie_all(YkTracer *t, const Meeting *m)
+void yk_trace_tie_all(YkTracer *t, const YkMeeting *m)
 {
     const double near = 1e-2;
     YkVec(*x)[YK_PIECE_UNKNOWNS] = malloc((m->count + 1) * sizeof *x);
-    bool is_taken[MEETING_MAX] = {false};
-    size_t member[MEETING_MAX];
+    bool is_taken[YK_MEETING_MAX] = {false};
+    size_t member[YK_MEETING_MAX];
     double within;
     if (!x) {
         t->out_of_memory = true;
@@ -212,7 +202,7 @@ static void tie_all(YkTracer *t, const Meeting *m)
 
 // Returns whether a dyad is proved to have as many real solutions all over a zone as are followed through it. For a dyad
 // the bounds of its triangle tell, also where complex solutions pass through infinity.
-static bool is_counted(YkTracer *t, YkStrand *below, const Meeting *m, size_t arriving)
+static bool is_counted(YkTracer *t, YkStrand *below, const YkMeeting *m, size_t arriving)
 {
     const YkPiece *piece = &t->pieces[below->level];
     double half;
@@ -226,26 +216,26 @@ static void pass_zone(YkTracer *t, YkStrand *below, YkSegment *before, YkSegment
 {
     size_t level = below->level;
     YkVec x[YK_PIECE_UNKNOWNS];
-    Meeting m = {.from = before->to, .to = after->from};
+    YkMeeting m = {.from = before->to, .to = after->from};
     size_t joined = 0, arriving = 0;
     bool is_far = before->is_far[1] && after->is_far[0]; // solutions pass through infinity, none of them real
     for (size_t k = 0; k < before->count; k++) {
         YkStrand *strand = before->real[k];
         if (!go_over(t, strand, m.to, x)) {
-            meet(t, &m, strand, 1);
+            yk_trace_meet(t, &m, strand, 1);
             continue;
         }
         arriving++;
         if (join(t, strand, after, x)) joined++;
     }
     for (size_t k = 0; k < after->count; k++)
-        if (yk_strand_from(after->real[k]) >= m.to) meet(t, &m, after->real[k], 0);
+        if (yk_strand_from(after->real[k]) >= m.to) yk_trace_meet(t, &m, after->real[k], 0);
     // A wider zone could hide solutions that come in and go again; a dyad's are counted.
     bool is_narrow = m.to - m.from < YK_TRACE_BLUR * t->scale;
     if (!is_narrow && (m.count > 0 || !is_counted(t, below, &m, arriving)))
         yk_note_unproved(t, 0.5 * (m.from + m.to), level);
     if (joined < arriving || (m.count == 0 && !is_far)) yk_note_unproved(t, m.from, level);
-    if (m.count > 0) tie_all(t, &m);
+    if (m.count > 0) yk_trace_tie_all(t, &m);
 }
 
 // At its ends a strand must be covered: what happens there belongs to what ends it.
@@ -285,5 +275,5 @@ void yk_trace_level(YkTracer *t, size_t level)
 {
     const YkStrands *below = &t->levels[level - 1];
     for (size_t k = 0; k < below->count && !t->out_of_memory && !yk_pace_is_stopped(t->pace); k++)
-        trace_on(t, below->items[k]);
+        (t->pieces[level - 1].meshed ? yk_trace_search : trace_on)(t, below->items[k]);
 }

@@ -1,5 +1,6 @@
 // Maps the motion of a machine with one freedom: the public functions.
 #include "map/map.h"
+#include "map/meshed.h"
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
@@ -19,7 +20,7 @@ static bool read_domain(YkMap *map, YkProblems *problems)
         t->low = -t->high;
         return true;
     }
-    t->period = yk_tracer_period(map->mech);
+    t->period = yk_tracer_period(t);
     if (t->period == 0) return yk_map_refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
     t->low = -YK_PI + aside;
     t->high = t->low + t->period;
@@ -125,25 +126,47 @@ static void tell_singles(const YkTracer *t, YkText *text)
     yk_text_format(text, " %s%s", t->is_angle ? "rad" : "m", count > most ? " and others" : "");
 }
 
+// Says that wheels count over all turns that their meshes allow.
+static void tell_meshes(const YkTracer *t, YkText *text)
+{
+    for (size_t p = 0; p < t->piece_count; p++) {
+        const char *kind, *label = yk_tracer_label(t, p, &kind);
+        if (!t->pieces[p].meshed) continue;
+        if (t->pieces[p].meshed->is_listed)
+            yk_text_format(text, "; the wheels of `%s` mesh in %z ways, each of which counts", label,
+                           yk_meshed_count(&t->pieces[p]));
+        else
+            yk_text_format(text, "; wheels of the group of joint `%s` count over all turns that their meshes allow",
+                           label);
+    }
+}
+
 void yk_map_tell(YkMap *map)
 {
     YkTracer *t = &map->tracer;
     YkText text = {0};
-    map->is_complete = !t->is_unproved && t->single_count == 0 && map->lost == 0 && map->has_start;
+    const char *kind, *label = yk_tracer_label(t, t->unproved_block, &kind);
+    map->is_complete = !t->is_unproved && !t->is_searched && t->single_count == 0 && map->lost == 0 && map->has_start;
     if (t->is_unproved)
-        yk_text_format(&text, "not all is proved: near %e %s, at joint `%s`", without_noise(t, t->unproved_at),
-                       t->is_angle ? "rad" : "m",
-                       t->unproved_block < t->piece_count ? map->mech->blocks[t->pieces[t->unproved_block].block].label
-                                                          : "?");
+        yk_text_format(&text, "not all is proved: near %e %s, at %s`%s`", without_noise(t, t->unproved_at),
+                       t->is_angle ? "rad" : "m", kind, label);
     else if (!map->has_start)
         yk_text_puts(&text, "the machine's own configuration is on none of the circuits");
     else if (t->single_count > 0)
         tell_singles(t, &text);
+    else if (t->is_searched)
+        yk_text_format(
+            &text,
+            "all configurations of the group of joint `%s`, which has gears, belts or racks, are known at many "
+            "inputs and followed from there with proof; a circuit that lies between two of these inputs may "
+            "be missing",
+            yk_tracer_label(t, t->searched_piece, &kind));
     else if (map->lost > 0)
         yk_text_format(&text, "%z dead points were not found on the circuits, or not all are known", map->lost);
     else
         yk_text_format(&text, "between its events the number of configurations is proved constant%s",
                        t->repeats ? "; the constraints that repeat others close along them, to rounding" : "");
+    if (!t->is_unproved && map->has_start) tell_meshes(t, &text);
     t->out_of_memory |= text.failed;
     yk_text_move(&text, map->message, sizeof map->message);
 }
@@ -183,6 +206,7 @@ static bool begin(YkMap *map, const YkState *start, size_t coordinate)
     map->inputs = calloc(mech->input_count + 1, sizeof *map->inputs);
     if (!map->inputs || !yk_tracer_begin(&map->tracer, mech)) return false;
     for (size_t k = 0; k < mech->input_count; k++) map->inputs[k] = start->valid_input[3 * k];
+    map->tracer.start = start;
     map->tracer.discs.mapped = map->tracer.over.mapped = mech->coordinates[coordinate].input;
     map->tracer.discs.others = map->tracer.over.others = map->inputs;
     return true;

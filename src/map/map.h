@@ -51,11 +51,9 @@ struct YkMap {
     YkMapTurn *turns; // [circuit][joint]
     bool is_complete;
     size_t lost; // dead points of another map that are not on this one
-    char message[320];
+    char message[640];
     YkText picture; // the last one drawn
 };
-
-#define YK_MAP_CLOSE 1e-9 // over the scale: inputs that are the same event
 
 static inline double *yk_map_row_at(const YkMap *map, const YkMapRows *rows, size_t row)
 {

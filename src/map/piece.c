@@ -1,6 +1,7 @@
 // Reads blocks as systems whose coefficients are discs.
 #include "map/piece.h"
 #include "configurations/certify.h"
+#include "map/meshed.h"
 
 static YkPieceStatus read_group(YkPiece *piece, const YkMechanism *mech)
 {
@@ -20,7 +21,7 @@ static YkPieceStatus read_group(YkPiece *piece, const YkMechanism *mech)
 
 YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step)
 {
-    *piece = (YkPiece){.block = (size_t)mech->steps[step].target, .step = step};
+    *piece = (YkPiece){.block = (size_t)mech->steps[step].target, .step = step, .relation = YK_NONE};
     const YkBlock *block = &mech->blocks[piece->block];
     if (block->kind == YK_BLOCK_GROUP) return read_group(piece, mech);
     if (block->kind == YK_BLOCK_LINK || block->kind == YK_BLOCK_CHECK) return YK_PIECE_REPEATED;
@@ -32,8 +33,14 @@ YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step
 
 double yk_piece_size(const YkPiece *piece, const YkVec *x, size_t unknown)
 {
-    double size = yk_sum_norm(x[unknown]);
-    return unknown < piece->shape.angles ? size : fmax(1, size);
+    return yk_unknown_size(&piece->shape, x, unknown);
+}
+
+YkVec yk_piece_off(const YkPiece *piece, const YkVec *x, const YkVec *y, size_t unknown)
+{
+    YkVec off = yk_sub(x[unknown], y[unknown]);
+    if (piece->shape.relations > 0 && unknown < piece->shape.angles) off.x = yk_nearest_turn(off.x, 0);
+    return off;
 }
 
 // --- coefficients
@@ -80,6 +87,14 @@ static void read_loop(const YkPiece *piece, const YkDiscs *d, const YkSum *sum, 
     }
 }
 
+static void write_coefficient(YkDiscCoefficients *out, size_t at, YkDual v, bool is_absent)
+{
+    out->at[at] = v.at.at;
+    out->rate[at] = v.rate.at;
+    out->radius[at] = is_absent ? 0 : YK_BALL_OUT(v.at.radius + YK_COEFFICIENT_ERROR);
+    out->rate_radius[at] = is_absent ? 0 : YK_BALL_OUT(v.rate.radius + YK_COEFFICIENT_ERROR);
+}
+
 void yk_piece_coefficients(const YkPiece *piece, const YkDiscs *d, YkDiscCoefficients *out)
 {
     const YkBlock *block = &d->mech->blocks[piece->block];
@@ -92,27 +107,29 @@ void yk_piece_coefficients(const YkPiece *piece, const YkDiscs *d, YkDiscCoeffic
             read_dyad(d, block, 1 / d->mech->size, row);
         for (size_t k = 0; k < width; k++) {
             size_t at = l * width + k;
-            YkBall v = row[k].at, rate = row[k].rate;
+            YkBall v = row[k].at;
             bool is_absent = k < n && v.at.x == 0 && v.at.y == 0 && v.radius < 1e-200;
-            out->at[at] = v.at;
-            out->rate[at] = rate.at;
-            out->radius[at] = out->radius[half + at] = is_absent ? 0 : YK_BALL_OUT(v.radius + YK_COEFFICIENT_ERROR);
-            out->rate_radius[at] = out->rate_radius[half + at] =
-                is_absent ? 0 : YK_BALL_OUT(rate.radius + YK_COEFFICIENT_ERROR);
-            out->at[half + at] = yk_conj(v.at);
-            out->rate[half + at] = yk_conj(rate.at);
+            write_coefficient(out, at, row[k], is_absent);
+            write_coefficient(out, half + at, yk_dual_conjugate(row[k]), is_absent);
         }
+    }
+    for (size_t r = 0; r < piece->shape.relations; r++) {
+        yk_meshed_row(piece->meshed, d, r, row);
+        for (size_t k = 0; k < width; k++)
+            write_coefficient(out, 2 * half + r * width + k, row[k], k < n && row[k].at.at.x == 0);
     }
 }
 
 void yk_discs_place(YkDiscs *d, const YkPiece *piece, const YkDual *x)
 {
     const YkBlock *block = &d->mech->blocks[piece->block];
-    bool is_group = block->kind == YK_BLOCK_GROUP;
+    bool is_group = piece->relation == YK_NONE && block->kind == YK_BLOCK_GROUP;
     for (size_t k = 0; k < piece->shape.unknowns; k++) {
-        YkColumn c = is_group ? d->mech->group_columns[block->first_column + piece->shape.column[k]] : block->column[k];
+        YkColumn c = piece->relation != YK_NONE ? (YkColumn){false, d->mech->relations[piece->relation].target.index}
+                     : is_group                 ? d->mech->group_columns[block->first_column + piece->shape.column[k]]
+                                                : block->column[k];
         if (k < piece->shape.angles)
-            d->slots[c.index] = x[k];
+            d->slots[c.index] = piece->shape.relations > 0 ? yk_dual_turn(x[k]) : x[k];
         else
             d->distances[c.index] = yk_dual_times(yk_vec(d->mech->size, 0), x[k]);
     }

@@ -10,6 +10,8 @@ enum { YK_PIECE_UNKNOWNS = 2 * YK_SYSTEM_LOOPS_MAX, YK_PIECE_NUMBERS = YK_PIECE_
 typedef struct YkPiece {
     size_t block, step; // the step that solves it
     YkShape shape;
+    struct YkMeshed *meshed; // of a system in real unknowns: its relations; otherwise NULL
+    int32_t relation; // of a gear that takes a fraction of an angle that loops place, which is no block; or YK_NONE
 } YkPiece;
 
 // What is known of a pose, or of all poses of an interval: [slot], [distance], [node].
@@ -56,6 +58,10 @@ bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step);
 void yk_discs_take(YkDiscs *discs, const YkStep *step);
 // Returns by how much the loop of a block that repeats others misses, over the size (of a link: its square).
 YkDual yk_discs_miss(const YkDiscs *discs, const YkBlock *block);
+// Returns e^(i angle), where the angle is real; what inputs and laws of them are.
+YkDual yk_dual_turn(YkDual angle);
+YkDual yk_discs_input(const YkDiscs *discs, int32_t input);
+YkDual yk_discs_law(const YkDiscs *discs, const YkRelation *relation);
 YkDual yk_discs_sum(const YkDiscs *discs, const YkSum *sum);
 // Computes the coefficients of a block at what is known.
 void yk_piece_coefficients(const YkPiece *piece, const YkDiscs *discs, YkDiscCoefficients *out);
@@ -63,5 +69,7 @@ void yk_piece_coefficients(const YkPiece *piece, const YkDiscs *discs, YkDiscCoe
 void yk_discs_place(YkDiscs *discs, const YkPiece *piece, const YkDual *x);
 // Returns the size that measures changes of an unknown: of z its own, of a distance its own or the machine's.
 double yk_piece_size(const YkPiece *piece, const YkVec *x, size_t unknown);
+// Returns x - y of an unknown; whole turns do not count.
+YkVec yk_piece_off(const YkPiece *piece, const YkVec *x, const YkVec *y, size_t unknown);
 
 #endif

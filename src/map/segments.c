@@ -113,11 +113,7 @@ static void follow_both(Search *s, const YkProved *solution, double at, YkSegmen
     }
     memcpy(x, solution->x, bytes);
     follow_to(s, at, 0, x, strand, segment);
-    for (size_t a = 0, b = strand ? strand->count : 0; a + 1 < b; a++, b--) {
-        YkCell swapped = strand->cells[a];
-        strand->cells[a] = strand->cells[b - 1];
-        strand->cells[b - 1] = swapped;
-    }
+    if (strand) yk_strand_reverse(strand);
     memcpy(x, solution->x, bytes);
     follow_to(s, at, 1, x, strand, segment);
 }

@@ -15,6 +15,17 @@ typedef struct YkSegments { // ascending
     size_t count, capacity;
 } YkSegments;
 
+// The ends that meet in one zone.
+enum { YK_MEETING_MAX = 128 };
+typedef struct YkMeeting {
+    YkStrand *strand[YK_MEETING_MAX];
+    int end[YK_MEETING_MAX]; // 1: it ends here, 0: it begins here
+    size_t count;
+    double from, to; // the zone
+} YkMeeting;
+void yk_trace_meet(YkTracer *tracer, YkMeeting *meeting, YkStrand *strand, int end);
+void yk_trace_tie_all(YkTracer *tracer, const YkMeeting *meeting); // level.c
+
 // Covers the interval of a strand with segments, up to zones of YK_TRACE_ZONE in which solutions meet.
 void yk_segments_find(YkTracer *tracer, YkStrand *below, YkSegments *out);
 void yk_segments_free(YkSegments *segments); // and the strands that are still theirs

@@ -55,6 +55,15 @@ void yk_strand_shorten(YkStrand *strand, size_t count)
     while (strand->count > count) free(strand->cells[--strand->count].x);
 }
 
+void yk_strand_reverse(YkStrand *strand)
+{
+    for (size_t a = 0, b = strand->count; a + 1 < b; a++, b--) {
+        YkCell swapped = strand->cells[a];
+        strand->cells[a] = strand->cells[b - 1];
+        strand->cells[b - 1] = swapped;
+    }
+}
+
 // Returns the first cell that ends beyond `at`, or the last.
 static size_t find(YkStrand *s, double at)
 {

@@ -9,6 +9,7 @@
 #include "configurations/certify.h"
 #include "configurations/group.h"
 #include "map/piece.h"
+#include "solve/state.h"
 
 typedef struct YkCell {
     double from, to;
@@ -76,8 +77,11 @@ typedef struct YkTracer {
     bool is_unproved;
     double unproved_at;
     size_t unproved_block;
-    bool repeats;     // blocks repeat constraints of others: what their loops leave is sifted (repeated.c)
-    double single[8]; // inputs near which they may close in single poses beside the strands, the first of them
+    bool is_searched; // at many inputs only, on top of a piece in real unknowns: the first of them
+    size_t searched_piece;
+    const YkState *start; // where the relations of groups are read; NULL: such groups are not mapped
+    bool repeats;         // blocks repeat constraints of others: what their loops leave is sifted (repeated.c)
+    double single[8];     // inputs near which they may close in single poses beside the strands, the first of them
     size_t single_count;
     double single_last;
 } YkTracer;
@@ -89,6 +93,7 @@ typedef struct YkTracer {
 // there, to within the second: at change points, to the square root of rounding. Events that lie closer together are one.
 #define YK_TRACE_ZONE 1e-10
 #define YK_TRACE_BLUR 1e-5
+#define YK_MAP_CLOSE 1e-9 // over the scale: inputs that are the same event
 // How many steps each solution may take over a strand, on average: some 130 for a whole turn, and up to a few thousand
 // about each event. If a machine is so nearly special that it takes more, the map is not complete.
 #define YK_TRACE_STEPS 30000
@@ -101,7 +106,9 @@ void yk_tracer_end(YkTracer *tracer);
 // Reads the pieces. Returns false with a problem if one cannot be mapped.
 bool yk_tracer_read(YkTracer *tracer, YkProblems *problems);
 // Returns the angle, rad, after which everything repeats, whole turns of the inputs; 0 if that is not found.
-double yk_tracer_period(const YkMechanism *mech);
+double yk_tracer_period(const YkTracer *tracer);
+// Returns what a piece is called after; *kind: the word before it.
+const char *yk_tracer_label(const YkTracer *tracer, size_t piece, const char **kind);
 // Returns a length that no distance of the machine exceeds while its loops are bounded by their links.
 double yk_tracer_reach(const YkMechanism *mech);
 
@@ -126,6 +133,8 @@ const YkCell *yk_strand_cell(YkStrand *strand, double from, double to);
 // Returns where the cell of the strand that contains `at` ends, in a direction (+1, -1).
 double yk_strand_cell_end(YkStrand *strand, double at, int direction);
 void yk_note_unproved(YkTracer *tracer, double at, size_t block);
+
+void yk_strand_reverse(YkStrand *strand); // the order of its cells
 
 // --- enclosing (enclose.c)
 
@@ -160,6 +169,8 @@ double yk_trace_follow(YkTracer *tracer, YkStrand *below, double from, double to
 
 // Finds all strands of a level on top of those of the level below, and the ties between them.
 void yk_trace_level(YkTracer *tracer, size_t level);
+// Finds the strands of a piece in real unknowns on top of one strand, and their ties (search.c).
+void yk_trace_search(YkTracer *tracer, YkStrand *below);
 bool yk_trace_tie(YkTracer *tracer, size_t level, YkTie tie); // returns false when out of memory
 // Ties the strands of a level where those below are tied (carry.c).
 void yk_trace_carry(YkTracer *tracer, size_t level);

@@ -183,7 +183,7 @@ start: {th: %r, ps: %r}
             self.assertIn(at, answer["reason"])
 
     def test_refusals(self):
-        for name in ("geared-five-bar", "ferguson"):
+        for name in ("two-rings", "ferguson"):
             run = Run("map", example(name))
             self.assertEqual((run.code, "E0850" in run.err), (1, True), name)
         self.wrong(806, "map", example("four-bar"), "--format", "csv")

@@ -124,7 +124,7 @@ bool yk_field_fill(YkField *f, double tolerance)
 {
     const double aside[2] = {0.0123456789, 0.0198765432}; // so that no edge lies where machines are special
     size_t n = COARSE;
-    double reach = yk_tracer_reach(f->tracer.mech), period = yk_tracer_period(f->tracer.mech);
+    double reach = yk_tracer_reach(f->tracer.mech), period = yk_tracer_period(&f->tracer);
     while ((double)n * tolerance < 1) n *= 2;
     for (int k = 0; k < 2; k++) {
         f->low[k] = f->is_angle[k] ? aside[k] - YK_PI : -(1 + aside[k]) * reach;

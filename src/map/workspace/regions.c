@@ -162,7 +162,7 @@ static bool read_pieces(YkRegions *r, YkProblems *problems)
     bool has_angle = r->field.is_angle[0] || r->field.is_angle[1];
     if (!yk_tracer_read(t, problems)) return false;
     if (t->repeats) return yk_map_refuse(problems, "some of its constraints repeat others", NULL);
-    if (has_angle && yk_tracer_period(r->mech) == 0)
+    if (has_angle && yk_tracer_period(t) == 0)
         return yk_map_refuse(problems, "it does not repeat after any number of turns up to 720", NULL);
     return true;
 }

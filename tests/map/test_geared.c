@@ -1,0 +1,157 @@
+// Maps of machines with gears and racks among their loops: at random inputs they have as many places as a fine walk finds by
+// closed form, and those that `solve --all` lists; events stand where the walk's count changes.
+#include <yoke/configurations.h>
+#include <yoke/map.h>
+#include "configurations/geared_chain.h"
+
+enum { PLACES_MAX = 128 };
+
+static YkMap *map_of(Machine *m)
+{
+    assert_true(yk_state_set_time(m->state, 0, m->problems) >= 0 && yk_state_assemble(m->state) >= 0);
+    YkMap *map = yk_map_new(m->state, yk_input_coordinate(m->mech, 0), m->problems);
+    if (!map) print_error("%s", yk_problems_text(m->problems, 0));
+    assert_non_null(map);
+    return map;
+}
+
+// Returns the distance of an input from the nearest event of a map.
+static double event_near(const YkMap *map, double at)
+{
+    double nearest = 10;
+    for (size_t c = 0; c < yk_map_circuit_count(map); c++)
+        for (size_t k = 0; k < yk_map_circuit(map, c).events; k++)
+            nearest = fmin(nearest, fabs(yk_nearest_turn(yk_map_event(map, c, k).at - at, 0)));
+    return nearest;
+}
+
+static size_t places_at(const YkMap *map, double at)
+{
+    YkMapPlace places[PLACES_MAX];
+    return yk_map_places(map, at, places, PLACES_MAX);
+}
+
+static void test_geared_five_bars_have_the_places_of_a_walk(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 21;
+    size_t proved = 0, cases = check_cases(3), compared = 0, most = 0;
+    for (size_t k = 0; k < cases; k++) {
+        Chain chain = {.teeth = {10 + 10 * (int)(3 * check_uniform(&seed, 0, 1)), 20}};
+        for (int j = 0; j < LINKS; j++) {
+            chain.length[j] = check_uniform(&seed, 0.5, 3);
+            chain.angle[j] = check_uniform(&seed, -YK_PI, YK_PI);
+        }
+        Machine m = machine_of(&chain);
+        YkMap *map = map_of(&m);
+        if (!yk_map_is_complete(map)) print_message("case %zu: %s\n", k, yk_map_message(map));
+        proved += yk_map_is_complete(map);
+        assert_true(yk_map_circuit(map, 0).contains_start);
+        for (int p = 0; p < 20; p++) {
+            double at = check_uniform(&seed, -YK_PI, YK_PI);
+            chain.turned = at - chain.angle[A];
+            if (event_near(map, at) < 1e-3) continue;
+            size_t count = places_at(map, at), walked = count_along(&chain);
+            if (count != walked) print_error("case %zu at %.17g: %zu, walked %zu\n", k, at, count, walked);
+            assert_int_equal(count, walked);
+            compared++;
+            most = count > most ? count : most;
+        }
+        // At a limit two places come or go.
+        for (size_t c = 0; c < yk_map_circuit_count(map); c++)
+            for (size_t e = 0; e < yk_map_circuit(map, c).events; e++) {
+                YkMapEvent event = yk_map_event(map, c, e);
+                size_t before, after;
+                assert_int_equal(event.kind, YK_MAP_LIMIT);
+                chain.turned = event.at - 1e-5 - chain.angle[A];
+                before = count_along(&chain);
+                chain.turned = event.at + 1e-5 - chain.angle[A];
+                after = count_along(&chain);
+                assert_int_equal(before > after ? before - after : after - before, 2);
+            }
+        yk_map_free(map);
+        machine_free(&m);
+    }
+    assert_true(proved == cases);
+    assert_true(compared > 15 * cases && most >= 4);
+}
+
+// The limits of the example, which looks the same from both sides of the ground line, are found in pairs, and where its loop and
+// its mesh have dependent derivatives, from the file's lengths: a determinant of 3 by 3.
+static void test_limits_are_where_the_determinant_vanishes(void **unused)
+{
+    (void)unused;
+    Machine m = machine_open("geared-five-bar", NULL);
+    YkMap *map = map_of(&m);
+    assert_true(yk_map_is_complete(map));
+    assert_int_equal(yk_map_circuit_count(map), 7);
+    size_t events = 0;
+    double sum = 0;
+    for (size_t c = 0; c < yk_map_circuit_count(map); c++)
+        for (size_t e = 0; e < yk_map_circuit(map, c).events; e++) {
+            double angle[4], turn = 0;
+            static const char *const names[] = {"t1", "t2", "t3", "t4"};
+            static const double length[] = {1, 2.5, 2, 2.2};
+            for (int k = 0; k < 4; k++)
+                angle[k] = turn += yk_map_event_value(map, c, e, yk_coordinate_find(m.mech, names[k]));
+            // b, c and d turn by w such that the loop closes and 20 (w_b - w_c) + 30 (w_d - w_c) = 0.
+            YkVec v[4];
+            for (int k = 0; k < 4; k++) v[k] = yk_scale(length[k], yk_unit(angle[k]));
+            double det = 20 * yk_cross(v[2], v[3]) + 50 * yk_cross(v[1], v[3]) + 30 * yk_cross(v[1], v[2]);
+            CHECK_NEAR(det, 0, 1e-3); // at poses known to about 1e-5
+            sum += yk_map_event(map, c, e).at;
+            events++;
+        }
+    assert_int_equal(events, 6);
+    CHECK_NEAR(sum, 0, 1e-9);
+    yk_map_free(map);
+    machine_free(&m);
+}
+
+// --- a gear on a rocker, outside of loops
+
+static Machine wheel_machine(double crank, double coupler, double rocker, double ground, int teeth)
+{
+    char text[1500];
+    snprintf(text, sizeof text,
+             "bodies:\n  ground: {points: {A: [0, 0], D: [%.17g, 0], W: [9, 0]}}\n"
+             "  crank: {points: {A: [0, 0], B: [%.17g, 0]}}\n  coupler: {points: {B: [0, 0], C: [%.17g, 0]}}\n"
+             "  rocker: {points: {D: [0, 0], C: [%.17g, 0]}}\n  wheel: {points: {W: [0, 0]}}\njoints:\n"
+             "  A: {pin: [ground, crank], angle: u}\n  B: {pin: [crank, coupler]}\n  C: {pin: [coupler, rocker]}\n"
+             "  D: {pin: [ground, rocker], angle: d}\n  W: {pin: [ground, wheel], angle: w}\n"
+             "gears: {g: {mesh: [rocker, wheel], teeth: [20, %d]}}\ndrives: {u: 1}\nstart: {d: 1.5}\n",
+             ground, crank, coupler, rocker, teeth);
+    return machine_parse_with(text, NULL, 0);
+}
+
+static void test_a_wheel_on_a_rocker_stands_in_every_phase_of_its_mesh(void **unused)
+{
+    (void)unused;
+    // A rocker that swings keeps the phase of its wheel; one that turns fully goes through all of them.
+    Machine swings = wheel_machine(1, 2.5, 2, 3, 30), turns = wheel_machine(4, 4.5, 4.2, 1, 30);
+    YkMap *map = map_of(&swings);
+    assert_true(yk_map_is_complete(map));
+    assert_int_equal(yk_map_circuit_count(map), 2 * 3);
+    assert_int_equal(places_at(map, 0.7), 2 * 3);
+    assert_false(yk_map_turn(map, 0, 4).is_full);
+    YkRange rocker = yk_map_turn(map, 0, 3).range, wheel = yk_map_turn(map, 0, 4).range;
+    CHECK_NEAR(wheel.to - wheel.from, (rocker.to - rocker.from) * 20 / 30, 1e-8);
+    yk_map_free(map);
+    map = map_of(&turns);
+    assert_true(yk_map_is_complete(map));
+    assert_int_equal(yk_map_circuit_count(map), 2);
+    assert_int_equal(places_at(map, 0.7), 2 * 3);
+    assert_true(yk_map_turn(map, 0, 4).is_full);
+    CHECK_NEAR(yk_map_branch(map, 0, 0).to - yk_map_branch(map, 0, 0).from, 3 * 2 * YK_PI, 1e-9);
+    yk_map_free(map);
+    machine_free(&swings);
+    machine_free(&turns);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_geared_five_bars_have_the_places_of_a_walk),
+                                       cmocka_unit_test(test_limits_are_where_the_determinant_vanishes),
+                                       cmocka_unit_test(test_a_wheel_on_a_rocker_stands_in_every_phase_of_its_mesh)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
