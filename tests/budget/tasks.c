@@ -105,6 +105,26 @@ static void run_study(Machine *m)
     yk_study_free(study);
 }
 
+// Accelerations of states with parameters of their own.
+static void run_states(Machine *m)
+{
+    static const char *const names[] = {"l1", "lc2", "m1", "I2"};
+    static double rows[8][POSES], a[2][POSES];
+    const double *const parameters[] = {rows[0], rows[1], rows[2], rows[3]}, *const q[] = {rows[4], rows[5]};
+    const double *const v[] = {rows[6], rows[7]};
+    double *const accelerations[] = {a[0], a[1]};
+    YkMotionBatch *batch = yk_motion_batch_new(m->state, names, 4, 1, m->problems);
+    for (size_t p = 0; p < 8; p++)
+        for (size_t k = 0; k < POSES; k++)
+            rows[p][k] =
+                p < 4 ? yk_model_parameter(m->model, names[p]) * (1 + 1e-4 * (double)k) : 1e-3 * (double)(p * k);
+    YkMotionCase asked = {.parameters = parameters, .positions = q, .rates = v, .count = POSES};
+    if (!batch) die("no batch");
+    for (int k = 0; k < 50; k++)
+        if (yk_motion_batch_run(batch, &asked, accelerations, NULL) != YK_OK) die("no accelerations");
+    yk_motion_batch_free(batch);
+}
+
 static void run_derive(Machine *m)
 {
     YkText text = {0};
@@ -147,6 +167,7 @@ static const Task tasks[] = {
     {"n-four-bar-motion", NULL, n_four_bar_text, LOOPS, run_second},
     {"double-pendulum-motion", "double-pendulum", NULL, 0, run_second},
     {"andrews-motion", "andrews", NULL, 0, run_hundredths},
+    {"double-pendulum-states", "double-pendulum", NULL, 0, run_states},
     {"four-bar-study", "four-bar", NULL, 0, run_study},
     {"check-andrews", "andrews", NULL, 0, run_check},
     {"derive-double-pendulum", "double-pendulum", NULL, 0, run_derive},
