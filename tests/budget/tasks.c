@@ -9,6 +9,7 @@
 #include "derive/derive.h"
 #include "page/print.h"
 #include "prove/check.h"
+#include "simulate/simulation.h"
 
 enum { POSES = 1024, LOOPS = 200, LINKS = 500, DESIGNS = 50 };
 
@@ -86,6 +87,30 @@ static void run_second(Machine *m)
 static void run_hundredths(Machine *m)
 {
     run_motion(m, 1e-10, 0.03);
+}
+
+// A machine that its drive alone moves, which is compared with what follows the drive as a sweep does.
+static void run_rows(Machine *m)
+{
+    YkSimulation *simulation = machine_simulate(m, 1e-8, 1);
+    for (int k = 1; k <= 100; k++)
+        if (yk_simulation_advance(simulation, 0.01 * k) != YK_OK) die("no motion");
+    yk_simulation_free(simulation);
+}
+
+// The choice of independent coordinates, whose cost may only grow with the number of loops that move by themselves.
+static void run_choice(Machine *m)
+{
+    YkSimulation *simulation = machine_simulate(m, 1e-8, 1);
+    bool changed = true;
+    if (!yk_simulation_recoordinate(simulation, &changed) || changed) die("no choice");
+    yk_simulation_free(simulation);
+}
+
+// A turn of a cam at 3000 revolutions a minute, whose follower could lift off at any time.
+static void run_turn(Machine *m)
+{
+    run_motion(m, 1e-8, 0.02);
 }
 
 static void run_study(Machine *m)
@@ -167,6 +192,9 @@ static const Task tasks[] = {
     {"n-four-bar-motion", NULL, n_four_bar_text, LOOPS, run_second},
     {"double-pendulum-motion", "double-pendulum", NULL, 0, run_second},
     {"andrews-motion", "andrews", NULL, 0, run_hundredths},
+    {"valve-cam-motion", "valve-cam", NULL, 0, run_turn},
+    {"geared-five-bar-motion", "geared-five-bar", NULL, 0, run_rows},
+    {"separate-loops-choice", NULL, separate_loops_text, LOOPS, run_choice},
     {"double-pendulum-states", "double-pendulum", NULL, 0, run_states},
     {"four-bar-study", "four-bar", NULL, 0, run_study},
     {"check-andrews", "andrews", NULL, 0, run_check},
