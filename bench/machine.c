@@ -1,5 +1,6 @@
 // Machines for the benches of dynamics, and medians over rounds.
 #include "machine.h"
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -122,6 +123,36 @@ char *n_four_bar_text(size_t n)
     }
     add(&t, "start: {theta0: 90 deg, theta0.rate: -1 rad/s");
     for (size_t i = 0; i < n; i++) add(&t, ", theta%zu: 90 deg, psi%zu: -90 deg", i + 1, i);
+    add(&t, "}\n");
+    return t.start;
+}
+
+char *separate_loops_text(size_t n)
+{
+    Text t = {malloc(1000 * n + 200), 0};
+    if (!t.start) return NULL;
+    add(&t, "gravity: [0, -9.81]\nbodies:\n  ground:\n    points:\n");
+    for (size_t i = 0; i < n; i++) add(&t, "      O%zu: [%zu, 0]\n      C%zu: [%zu, 0]\n", i, 3 * i, i, 3 * i + 2);
+    for (size_t i = 0; i < n; i++) {
+        add(&t, "  crank%zu: {points: {O%zu: [0, 0], A%zu: [1.5, 0]}, mass: 1, rod: [O%zu, A%zu]}\n", i, i, i, i, i);
+        add(&t, "  coupler%zu: {points: {A%zu: [0, 0], B%zu: [1.8, 0]}, mass: 1, rod: [A%zu, B%zu]}\n", i, i, i, i, i);
+        add(&t, "  rocker%zu: {points: {C%zu: [0, 0], B%zu: [1.2, 0]}, mass: 1, rod: [C%zu, B%zu]}\n", i, i, i, i, i);
+    }
+    add(&t, "joints:\n");
+    for (size_t i = 0; i < n; i++) {
+        add(&t, "  O%zu: {pin: [ground, crank%zu], angle: theta%zu}\n", i, i, i);
+        add(&t, "  A%zu: {pin: [crank%zu, coupler%zu], angle: phi%zu}\n", i, i, i, i);
+        add(&t, "  C%zu: {pin: [ground, rocker%zu], angle: psi%zu}\n", i, i, i);
+        add(&t, "  B%zu: {pin: [coupler%zu, rocker%zu]}\n", i, i, i);
+    }
+    add(&t, "start: {");
+    for (size_t i = 0; i < n; i++) {
+        double part = (double)i / (double)n, angle = 1 + 0.2 * part, x = 2 - 1.5 * cos(angle), y = -1.5 * sin(angle);
+        double square = x * x + y * y, psi = atan2(-y, -x) - acos((square + 1.44 - 3.24) / (2.4 * sqrt(square)));
+        double phi = atan2(y + 1.2 * sin(psi), x + 1.2 * cos(psi)) - angle;
+        add(&t, "%stheta%zu: %.17g, phi%zu: %.17g, psi%zu: %.17g, theta%zu.rate: %.17g", i > 0 ? ", " : "", i, angle, i,
+            phi, i, psi, i, 2 + part);
+    }
     add(&t, "}\n");
     return t.start;
 }

@@ -1,6 +1,7 @@
 // The recursion of open trees over lanes.
 #include "elementary/elementary.h"
 #include "elementary/turn.h"
+#include "equations/kernels_chain.h"
 #include "equations/kernels_tree.h"
 #include "equations/tree_articulated.h"
 
@@ -159,19 +160,27 @@ YK_INLINE void outward(YkTreeFound *link, const YkTreeFound *parent, bool has_pa
     }
 }
 
-// Returns whether a row contains only numbers of reasonable size.
+// Returns whether a row contains only numbers of reasonable size: in bits, where NaN lies above all numbers.
 YK_INLINE bool fits(const double *value, size_t n)
 {
-    uint64_t bad = 0;
+    const uint64_t most = bits_of(1e100);
+    uint64_t beyond = 0;
+#pragma GCC unroll 4
     YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) bad |= fabs(value[i]) <= 1e100 ? 0u : 1u;
-    return bad == 0;
+    for (size_t i = 0; i < n; i++) beyond |= most - (bits_of(value[i]) & ~YK_SIGN_BIT);
+    return beyond >> 63 == 0;
 }
 
 YK_APART void mark_row(const double *value, double *ok, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         if (!(fabs(value[i]) <= 1e100)) ok[i] = -1;
+}
+
+YK_INLINE void check_rows(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
+{
+    for (size_t k = 0; k < tree->checked_count; k++)
+        if (!fits(tree->checked[k] + at, n)) mark_row(tree->checked[k] + at, ok, n);
 }
 
 YK_INLINE bool all_well(const double *ok, size_t n)
@@ -193,8 +202,7 @@ YK_APART void mask(const YkTreeLanes *tree, const double *ok, size_t at, size_t 
 YK_INLINE bool few(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
 {
     const double *gx = tree->gravity[0] + at, *gy = tree->gravity[1] + at;
-    for (size_t k = 0; k < tree->checked_count; k++)
-        if (!fits(tree->checked[k] + at, n)) mark_row(tree->checked[k] + at, ok, n);
+    check_rows(tree, ok, at, n);
     for (size_t k = 0; k < tree->link_count; k++) {
         const YkTreeRows *link = &tree->link[k];
         if (link->parent < 0)
@@ -216,6 +224,23 @@ YK_INLINE bool few(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
     }
     return all_well(ok, n);
 }
+
+// One copy for all instruction sets.
+YK_APART void repeat_far(const YkTreeLanes *tree, double *ok, bool *bad, size_t n)
+{
+    for (size_t i = 0; i < n; i++) ok[i] = ok[i] < 0 ? -1 : 1;
+    chain_choose(tree, true, ok, bad, n);
+}
+
+YK_INLINE void yk_lanes_chain_body(bool *well, const YkTreeLanes *tree, double *ok, size_t n)
+{
+    bool bad;
+    check_rows(tree, ok, 0, n);
+    if (sincos_is_far(chain_choose(tree, false, ok, &bad, n))) repeat_far(tree, ok, &bad, n);
+    if (bad) mask(tree, ok, 0, n);
+    *well = !bad;
+}
+YK_KERNEL(yk_lanes_chain, (bool *well, const YkTreeLanes *tree, double *ok, size_t n), (well, tree, ok))
 
 YK_INLINE void yk_lanes_tree_body(bool *well, const YkTreeLanes *tree, double *ok, size_t n)
 {

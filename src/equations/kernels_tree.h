@@ -18,9 +18,12 @@ enum {
     YK_GIVEN_INERTIA,
     YK_GIVEN_COUNT
 };
+// The axis of their own along which all links' vectors lie, for chains; those across it are 0 then.
+typedef enum YkAxis { YK_AXIS_NONE, YK_AXIS_X, YK_AXIS_Y } YkAxis;
 
 // The results for a link, a few lanes at a time.
 enum { YK_TREE_LANES = 32 };
+
 typedef double YkFew[YK_TREE_LANES];
 typedef struct YkTreeFound {
     YkFew c, s, w;                                               // absolute
@@ -38,6 +41,7 @@ typedef struct YkTreeRows { // of a link; links come after their parents
     bool has_mass;                // the file gives one
     double sense;                 // of the coordinate: +1 or -1
 } YkTreeRows;
+enum { YK_CHAIN_MOST = 3 }; // links of a short chain, each on the one before: kernels_chain.h
 
 typedef struct YkTreeLanes {
     const YkTreeRows *link;
@@ -46,12 +50,16 @@ typedef struct YkTreeLanes {
     const double *gravity[2];
     const double *const *checked; // rows that must contain numbers of reasonable size
     size_t checked_count;
+    YkAxis axis;
 } YkTreeLanes;
 
 // Computes the accelerations of n states. ok[lane] is 1 on entry, or -1 if something is wrong already. On return it is
 // 1; 0 if no inertia resists; -1 if a checked row contains no number or one beyond all measure, a mass is not positive
 // or an inertia is negative. Accelerations are 0 unless ok. *well: whether all are.
 void yk_lanes_tree(bool *well, const YkTreeLanes *tree, double *ok, size_t n);
+
+// Does the same for a short chain, in one pass.
+void yk_lanes_chain(bool *well, const YkTreeLanes *tree, double *ok, size_t n);
 
 // Computes row = sign * value, or adds that to row.
 void yk_lanes_tree_part(double *row, const double *value, double sign, bool adds, size_t n);

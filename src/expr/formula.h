@@ -24,7 +24,7 @@ double yk_formula_slope(const YkFormula *formula, const double *variables, const
 // Does the same as yk_formula_eval for n <= YK_FORMULA_LANES sets of variables at once, variables[index][lane]. Returns
 // the lanes of the value, in scratch[YK_FORMULA_SCRATCH] or a variable's own; they stay valid until scratch is used
 // again.
-enum { YK_FORMULA_LANES = 64, YK_FORMULA_SCRATCH = 34 * YK_FORMULA_LANES };
+enum { YK_FORMULA_LANES = 256, YK_FORMULA_SCRATCH = 34 * YK_FORMULA_LANES };
 const double *yk_formula_lanes(const YkFormula *formula, const double *const *variables, double *scratch, size_t n);
 
 #endif

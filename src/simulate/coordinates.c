@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
-#include "num/dense.h"
 #include "simulate/simulation.h"
 
 static size_t driven_count(const YkDynamics *d)
@@ -157,43 +156,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     sim->near_count = sim->contact_count = 0;
 }
 
-// --- choosing
-
-// Finds rates[free][coordinate] of all coordinates for a unit rate of each free input; distances over the machine's
-// size.
-static bool find_rates(YkSimulation *sim, double *rates)
-{
-    YkState *s = sim->state;
-    const YkMechanism *mech = sim->mech;
-    size_t n = mech->coordinate_count;
-    bool ok = true;
-    for (size_t j = 0; j < sim->free_count && ok; j++) {
-        for (size_t i = 0; i < mech->input_count; i++) s->input[3 * i + 1] = s->input[3 * i + 2] = 0;
-        s->input[3 * sim->free_input[j] + 1] = 1;
-        ok = yk_state_solve(s) >= 0 && s->has_rates;
-        for (size_t c = 0; c < n && ok; c++) {
-            const YkTreeCoordinate *q = &mech->coordinates[c];
-            bool is_driven = q->input != YK_NONE && !sim->dynamics->is_free[q->input];
-            double rate = is_driven ? 0 : yk_state_coordinate(s, c).velocity;
-            rates[j * n + c] = q->is_distance ? rate / mech->size : rate;
-            ok = isfinite(rate);
-        }
-    }
-    return ok;
-}
-
-// Finds the coordinates that the pivots of the rates choose; returns how much larger their determinant is than that of
-// the present ones.
-static double choose(const YkSimulation *sim, double *rates, size_t *order, double *tau)
-{
-    size_t f = sim->free_count, n = sim->mech->coordinate_count;
-    double gain = 1;
-    for (size_t j = 0; j < f; j++) // the present coordinates have the unit matrix, up to their size
-        if (sim->mech->coordinates[sim->mech->inputs[sim->free_input[j]]].is_distance) gain *= sim->mech->size;
-    yk_qr_factor(f, n, rates, order, tau, 1e-12);
-    for (size_t j = 0; j < f; j++) gain *= fabs(rates[j * n + j]);
-    return gain;
-}
+// --- taking
 
 static void carry_over(YkSimulation *to, YkSimulation *from)
 {
@@ -299,29 +262,4 @@ bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_
     sim->summary.recoordinations++;
     *changed = true;
     return yk_simulation_stepper(sim);
-}
-
-bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed)
-{
-    enum { ENTRIES_MAX = 4000000 };
-    const double GAIN =
-        2.5; // equal links fold by half: their relative angle, twice as fast, is no better at a change point
-    size_t f = sim->free_count, n = sim->mech->coordinate_count;
-    *changed = false;
-    if (f == 0 || f * n > ENTRIES_MAX) return true;
-    double *rates = calloc(f * n + 2 * n + f, sizeof *rates);
-    size_t *order = calloc(n + 1, sizeof *order);
-    double *kept = calloc(3 * sim->mech->input_count + 1, sizeof *kept);
-    bool ok = rates && order && kept;
-    if (ok) {
-        memcpy(kept, sim->state->input, 3 * sim->mech->input_count * sizeof *kept);
-        bool found = find_rates(sim, rates) && choose(sim, rates, order, rates + f * n) > GAIN;
-        memcpy(sim->state->input, kept, 3 * sim->mech->input_count * sizeof *kept);
-        yk_state_solve(sim->state);
-        if (found) ok = yk_simulation_take(sim, order, changed);
-    }
-    free(rates);
-    free(order);
-    free(kept);
-    return ok;
 }

@@ -110,9 +110,10 @@ static bool is_in_contact(const YkSimulation *sim, const YkLoadItem *item)
 }
 
 // Returns the first time in the last step at which the event happens, by probes of the step; HUGE_VAL if it does not.
-static double first_time(const Event *e, bool *ok)
+// fa: its function at the step's beginning.
+static double first_time(const Event *e, double fa, bool *ok)
 {
-    double from = yk_ode_previous(e->sim->ode), to = yk_ode_time(e->sim->ode), a = from, fa = event_at(e, from, ok);
+    double from = yk_ode_previous(e->sim->ode), to = yk_ode_time(e->sim->ode), a = from;
     for (int k = 1; k <= PROBES && *ok; k++) {
         double t = k == PROBES ? to : from + (to - from) * k / PROBES, f = event_at(e, t, ok);
         if (f > 0 && fa <= 0) return locate(e, a, fa, t, f, ok);
@@ -201,7 +202,8 @@ static void look_at_items(YkSimulation *sim, bool *ok)
         YkLoadItem *item = &loads->items[k];
         bool is_stop = item->kind == YK_LOAD_STOP, slides = item->kind == YK_LOAD_COULOMB && item->direction != 0;
         if ((!is_stop && !slides) || is_in_contact(sim, item)) continue;
-        double t = first_time(&(Event){.sim = sim, .item = item}, ok);
+        Event e = {.sim = sim, .item = item};
+        double t = first_time(&e, event_at(&e, yk_ode_previous(sim->ode), ok), ok);
         if (t == HUGE_VAL || (sim->pending != YK_PENDING_NONE && t >= sim->pending_time)) continue;
         sim->pending = is_stop ? YK_PENDING_STOP : YK_PENDING_STICK;
         sim->pending_item = k;
@@ -265,8 +267,8 @@ static void look_at_cams(YkSimulation *sim, bool *ok)
     for (size_t k = 0; k < sim->model->cam_count && *ok; k++) {
         Event e = {.sim = sim, .cam = k, .is_landing = sim->open[k]};
         if (!e.is_landing && (!yk_simulation_is_loose(sim, k) || sim->flights[k].is_held)) continue;
-        double from = yk_ode_previous(sim->ode);
-        double t = event_at(&e, from, ok) > 0 ? from : first_time(&e, ok);
+        double from = yk_ode_previous(sim->ode), first = event_at(&e, from, ok);
+        double t = first > 0 ? from : first_time(&e, first, ok);
         if (!*ok || t == HUGE_VAL || (sim->pending != YK_PENDING_NONE && t >= sim->pending_time)) continue;
         sim->pending = e.is_landing ? YK_PENDING_LANDING : YK_PENDING_LIFT_OFF;
         sim->pending_item = k;

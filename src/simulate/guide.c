@@ -127,11 +127,29 @@ bool yk_simulation_moves_with_guide(YkSimulation *sim, double t, double *dydt, b
     return true;
 }
 
+// Returns whether the simulation stands so close to where the guide is, both far from singular positions, that it is on the
+// same branch: there, branches are further apart.
+static bool is_beside_guide(const YkSimulation *sim)
+{
+    const double BESIDE =
+        0.1; // of directions, and of distances over the machine's size; branches differ by sqrt(CLOSE)
+    const YkSpace *s = &sim->state->space, *guide = &sim->guide->space;
+    if (!(s->margin[0] >= CLOSE && guide->margin[0] >= CLOSE)) return false;
+    for (size_t k = 1; k < s->slots; k++) {
+        YkTurn one = yk_space_turn(s, (int32_t)k), other = yk_space_turn(guide, (int32_t)k);
+        if (!(fabs(*one.c - *other.c) + fabs(*one.s - *other.s) < BESIDE)) return false;
+    }
+    for (size_t k = 0; k < s->distances; k++)
+        if (!(fabs(*s->slide[k].d - *guide->slide[k].d) < BESIDE * sim->mech->size)) return false;
+    return true;
+}
+
 bool yk_simulation_agrees_with_guide(YkSimulation *sim)
 {
     YkState *s = sim->state, *guide = sim->guide;
     if (!guide || sim->commands) return true;
     bool is_near = sim->near_count > 0 || yk_simulation_margin(sim) < CLOSE;
+    if (!is_near && is_beside_guide(sim)) return true; // it follows once it is left behind
     if (!goes_to(sim, sim->time)) return false;
     double most = guide->has_rates ? SAME : SAME_PLACE;
     for (size_t k = 1; k < s->space.slots; k++) {

@@ -36,6 +36,8 @@ struct YkTreeBatch {
     YkArena *arena;
     YkVariant *variant;
     size_t parameter_count, link_count, input_count;
+    bool is_chain;    // a short one
+    YkAxis axis;      // of its links
     Link *link;       // parents before children
     YkTreeRows *rows; // of the links, as the kernel reads them
     YkTreeFound *found;
@@ -145,6 +147,21 @@ static void find_constant(const Part *part, double *row)
     for (size_t k = 0; k < LANES; k++) row[k] = part->sign * part->constant;
 }
 
+// Finds out whether the vectors of all links of a short chain lie along one axis of theirs.
+static YkAxis axis_of(const YkTreeBatch *b)
+{
+    bool has[2] = {false, false};
+    for (size_t k = 0; k < b->given_count; k++) {
+        int32_t row = b->given[k].row;
+        bool is_x = row == YK_GIVEN_AT_X || row == YK_GIVEN_CENTER_X || row == ROD_X;
+        bool is_y = row == YK_GIVEN_AT_Y || row == YK_GIVEN_CENTER_Y || row == ROD_Y;
+        bool counts = b->given[k].parts > 0 && (b->given[k].link > 0 || (row != YK_GIVEN_AT_X && row != YK_GIVEN_AT_Y));
+        has[0] |= is_x && counts;
+        has[1] |= is_y && counts;
+    }
+    return !has[1] ? YK_AXIS_X : !has[0] ? YK_AXIS_Y : YK_AXIS_NONE;
+}
+
 static bool give_all(YkTreeBatch *b)
 {
     const YkMechanism *mech = b->variant->mech;
@@ -163,6 +180,9 @@ static bool give_all(YkTreeBatch *b)
         rows->is_first = !b->rows[rows->parent].has_children;
         b->rows[rows->parent].has_children = true;
     }
+    b->is_chain = b->link_count <= YK_CHAIN_MOST;
+    for (size_t k = 0; k < b->link_count; k++) b->is_chain &= b->rows[k].parent == (int32_t)k - 1;
+    b->axis = axis_of(b);
     b->gravity_part[0] = part_of(b, &mech->model->gravity.x, 1);
     b->gravity_part[1] = part_of(b, &mech->model->gravity.y, 1);
     for (int c = 0; c < 2; c++) find_constant(&b->gravity_part[c], b->gravity[c]);
@@ -217,6 +237,7 @@ static bool allocate(YkTreeBatch *b, const YkState *state)
     for (size_t k = 0; b->link && k < bodies; k++)
         for (int r = 0; r < ROW_COUNT; r++) b->link[k].row[r] = row_of(b);
     if (yk_arena_failed(b->arena)) return false;
+    for (size_t k = 0; k < LANES; k++) b->ok[k] = 1; // and again after each block
     for (size_t i = 0; i < inputs; i++)
         for (size_t k = 0; k < LANES; k++) {
             b->own[(3 * i) * LANES + k] = state->input[3 * i];
@@ -348,9 +369,10 @@ static void point_links(YkTreeBatch *b, const YkMotionCase *asked, double *const
 
 static YkStatus run_block(YkTreeBatch *b, size_t from, size_t n, signed char *status)
 {
-    YkTreeLanes tree = {b->rows, b->found, b->link_count, {b->gravity[0], b->gravity[1]}, b->checked, b->checked_count};
+    YkTreeLanes tree = {b->rows,    b->found,         b->link_count, {b->gravity[0], b->gravity[1]},
+                        b->checked, b->checked_count, b->axis};
     bool well;
-    yk_lanes_tree(&well, &tree, b->ok, n);
+    (b->is_chain ? yk_lanes_chain : yk_lanes_tree)(&well, &tree, b->ok, n);
     if (well) {
         if (status) memset(status + from, YK_OK, n);
         return YK_OK;
@@ -358,6 +380,7 @@ static YkStatus run_block(YkTreeBatch *b, size_t from, size_t n, signed char *st
     YkStatus worst = YK_OK;
     for (size_t k = 0; k < n; k++) {
         YkStatus one = b->ok[k] > 0 ? YK_OK : b->ok[k] < 0 ? YK_BAD_MODEL : YK_SINGULAR;
+        b->ok[k] = 1;
         if (status) status[from + k] = (signed char)one;
         if (one < 0 || (worst == YK_OK && one > 0)) worst = one;
     }
@@ -370,7 +393,6 @@ YkStatus yk_tree_batch_run(YkTreeBatch *b, const YkMotionCase *asked, size_t fro
     YkStatus worst = YK_OK;
     for (size_t at = from; at < to; at += LANES) {
         size_t n = to - at < LANES ? to - at : LANES;
-        for (size_t k = 0; k < n; k++) b->ok[k] = 1;
         find_parameters(b, asked, at, n);
         find_links(b, n);
         point_links(b, asked, accelerations, at, n);

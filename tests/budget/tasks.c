@@ -9,6 +9,7 @@
 #include "derive/derive.h"
 #include "page/print.h"
 #include "prove/check.h"
+#include "simulate/simulation.h"
 
 enum { POSES = 1024, LOOPS = 200, LINKS = 500, DESIGNS = 50 };
 
@@ -88,6 +89,30 @@ static void run_hundredths(Machine *m)
     run_motion(m, 1e-10, 0.03);
 }
 
+// A machine that its drive alone moves, which is compared with what follows the drive as a sweep does.
+static void run_rows(Machine *m)
+{
+    YkSimulation *simulation = machine_simulate(m, 1e-8, 1);
+    for (int k = 1; k <= 100; k++)
+        if (yk_simulation_advance(simulation, 0.01 * k) != YK_OK) die("no motion");
+    yk_simulation_free(simulation);
+}
+
+// The choice of independent coordinates, whose cost may only grow with the number of loops that move by themselves.
+static void run_choice(Machine *m)
+{
+    YkSimulation *simulation = machine_simulate(m, 1e-8, 1);
+    bool changed = true;
+    if (!yk_simulation_recoordinate(simulation, &changed) || changed) die("no choice");
+    yk_simulation_free(simulation);
+}
+
+// A turn of a cam at 3000 revolutions a minute, whose follower could lift off at any time.
+static void run_turn(Machine *m)
+{
+    run_motion(m, 1e-8, 0.02);
+}
+
 static void run_study(Machine *m)
 {
     static const char *const names[] = {"a", "b"};
@@ -103,6 +128,26 @@ static void run_study(Machine *m)
     YkStudyCase asked = {parameters, DESIGNS, inputs, 360, false};
     if (!study || yk_study_reduce(study, &asked, extents, NULL, NULL) != YK_OK) die("no study");
     yk_study_free(study);
+}
+
+// Accelerations of states with parameters of their own.
+static void run_states(Machine *m)
+{
+    static const char *const names[] = {"l1", "lc2", "m1", "I2"};
+    static double rows[8][POSES], a[2][POSES];
+    const double *const parameters[] = {rows[0], rows[1], rows[2], rows[3]}, *const q[] = {rows[4], rows[5]};
+    const double *const v[] = {rows[6], rows[7]};
+    double *const accelerations[] = {a[0], a[1]};
+    YkMotionBatch *batch = yk_motion_batch_new(m->state, names, 4, 1, m->problems);
+    for (size_t p = 0; p < 8; p++)
+        for (size_t k = 0; k < POSES; k++)
+            rows[p][k] =
+                p < 4 ? yk_model_parameter(m->model, names[p]) * (1 + 1e-4 * (double)k) : 1e-3 * (double)(p * k);
+    YkMotionCase asked = {.parameters = parameters, .positions = q, .rates = v, .count = POSES};
+    if (!batch) die("no batch");
+    for (int k = 0; k < 50; k++)
+        if (yk_motion_batch_run(batch, &asked, accelerations, NULL) != YK_OK) die("no accelerations");
+    yk_motion_batch_free(batch);
 }
 
 static void run_derive(Machine *m)
@@ -147,6 +192,10 @@ static const Task tasks[] = {
     {"n-four-bar-motion", NULL, n_four_bar_text, LOOPS, run_second},
     {"double-pendulum-motion", "double-pendulum", NULL, 0, run_second},
     {"andrews-motion", "andrews", NULL, 0, run_hundredths},
+    {"valve-cam-motion", "valve-cam", NULL, 0, run_turn},
+    {"geared-five-bar-motion", "geared-five-bar", NULL, 0, run_rows},
+    {"separate-loops-choice", NULL, separate_loops_text, LOOPS, run_choice},
+    {"double-pendulum-states", "double-pendulum", NULL, 0, run_states},
     {"four-bar-study", "four-bar", NULL, 0, run_study},
     {"check-andrews", "andrews", NULL, 0, run_check},
     {"derive-double-pendulum", "double-pendulum", NULL, 0, run_derive},

@@ -329,9 +329,64 @@ static void a_motion_that_is_not_known_ends(void **unused)
     }
 }
 
+// Two four-bars that pass dead points of their cranks, beside a pendulum with a gear.
+#define FOUR_BAR_POINTS(i, x, end) "      O" i ": [" x ", 0]\n      C" i ": [" end ", 0]\n"
+#define FOUR_BAR_BODIES(i)                                                                                             \
+    "  crank" i ": {points: {O" i ": [0, 0], A" i ": [1.5, 0]}, mass: 1, rod: [O" i ", A" i "]}\n"                     \
+    "  coupler" i ": {points: {A" i ": [0, 0], B" i ": [1.8, 0]}, mass: 1, rod: [A" i ", B" i "]}\n"                   \
+    "  rocker" i ": {points: {C" i ": [0, 0], B" i ": [1.2, 0]}, mass: 1, rod: [C" i ", B" i "]}\n"
+#define FOUR_BAR_JOINTS(i)                                                                                             \
+    "  O" i ": {pin: [ground, crank" i "], angle: theta" i "}\n  A" i ": {pin: [crank" i ", coupler" i                 \
+    "], angle: phi" i "}\n  C" i ": {pin: [ground, rocker" i "], angle: psi" i "}\n  B" i ": {pin: [coupler" i         \
+    ", rocker" i "]}\n"
+#define FOUR_BAR_START(i, angle, rate)                                                                                 \
+    "theta" i ": " angle " deg, phi" i ": -50 deg, psi" i ": 100 deg, theta" i ".rate: " rate
+#define ALONE(i, x, end, angle, rate)                                                                                  \
+    "gravity: [0, -9.81]\nbodies:\n  ground:\n    points:\n" FOUR_BAR_POINTS(i, x, end)                                \
+        FOUR_BAR_BODIES(i) "joints:\n" FOUR_BAR_JOINTS(i) "start: {" FOUR_BAR_START(i, angle, rate) "}\n"
+
+static const char *const FIRST = ALONE("1", "0", "2", "60", "2"), *const SECOND = ALONE("2", "3", "5", "65", "2.6"),
+                         *const BESIDE = "gravity: [0, -9.81]\nbodies:\n  ground:\n    points:\n" FOUR_BAR_POINTS(
+                             "1", "0", "2")
+                             FOUR_BAR_POINTS("2", "3", "5") "      P: [8, 0]\n      Q: [9, 0]\n" FOUR_BAR_BODIES("1")
+                                 FOUR_BAR_BODIES(
+                                     "2") "  bob: {points: {P: [0, 0], T: [0.7, 0]}, mass: 1, rod: [P, T]}\n"
+                                          "  idle: {points: {Q: [0, 0]}}\n"
+                                          "joints:\n" FOUR_BAR_JOINTS("1") FOUR_BAR_JOINTS(
+                                              "2") "  P: {pin: [ground, bob], angle: swing}\n"
+                                                   "  Q: {pin: [ground, idle], angle: turn}\n"
+                                                   "gears: {pair: {mesh: [bob, idle], teeth: [20, 40], module: 1/30}}\n"
+                                                   "start: {" FOUR_BAR_START("1", "60", "2") ", " FOUR_BAR_START(
+                                                       "2", "65", "2.6") ", swing: 0.3}\n";
+
+static void test_separate_loops_change_their_coordinates_as_each_alone(void **unused)
+{
+    (void)unused;
+    Run both = run_of_text(BESIDE, run_options(1e-11)),
+        alone[] = {run_of_text(FIRST, run_options(1e-11)), run_of_text(SECOND, run_options(1e-11))};
+    static const char *const names[2][3] = {{"theta1", "phi1", "psi1"}, {"theta2", "phi2", "psi2"}};
+    double meshed = run_value(&both, "turn") + 0.5 * run_value(&both, "swing");
+    for (int k = 1; k <= 20; k++) {
+        assert_true(yk_simulation_advance(both.sim, 0.1 * k) >= 0);
+        for (int i = 0; i < 2; i++) {
+            assert_true(yk_simulation_advance(alone[i].sim, 0.1 * k) >= 0);
+            for (int c = 0; c < 3; c++)
+                CHECK_NEAR(run_value(&both, names[i][c]), run_value(&alone[i], names[i][c]), 1e-7);
+        }
+        CHECK_NEAR(run_value(&both, "turn") + 0.5 * run_value(&both, "swing"), meshed, 1e-9);
+    }
+    for (int i = 0; i < 2; i++) {
+        assert_true(yk_simulation_summary(alone[i].sim).recoordinations > 0);
+        run_free(&alone[i]);
+    }
+    assert_true(yk_simulation_summary(both.sim).recoordinations > 0);
+    run_free(&both);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_separate_loops_change_their_coordinates_as_each_alone),
         cmocka_unit_test(parallelograms_stay_parallelograms),
         cmocka_unit_test(dead_points_of_a_coordinate_are_passed),
         cmocka_unit_test(change_points_are_told),

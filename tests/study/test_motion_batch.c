@@ -111,6 +111,41 @@ static const char *const FORK =
     "  B: {pin: [trunk, right], angle: q3}\n"
     "efforts: {q2: 0.3 N*m}\n";
 
+// Short chains: straight ones along each axis, one with a rod, a reversed pin and vectors of any direction.
+static const char *const ALONG_X =
+    "parameters: {l: 0.4, m: 2, c: 0.3, e: 0.1, g: 9.81}\n"
+    "gravity: [1, -g]\n"
+    "bodies:\n"
+    "  ground: {points: {O: [e, 0.2]}}\n"
+    "  upper: {points: {O: [-c, 0], A: [l, 0]}, mass: m, center: [l/2, 0], inertia: 0.05}\n"
+    "  lower: {points: {A: [0, 0], P: [l + e, 0]}, mass: m/2, rod: [A, P]}\n"
+    "joints:\n"
+    "  O: {pin: [ground, upper], angle: q1}\n"
+    "  A: {pin: [lower, upper], angle: q2}\n"
+    "efforts: {q2: 0.3 N*m}\n";
+
+static const char *const SKEW = "parameters: {l: 0.4, m: 2, c: 0.3, e: 0.1, g: 9.81}\n"
+                                "gravity: [1, -g]\n"
+                                "bodies:\n"
+                                "  ground: {points: {O: [e, 0.2]}}\n"
+                                "  first: {points: {O: [c, e], A: [l, c]}, mass: m, center: [l/2, e], inertia: 0.1}\n"
+                                "  second: {points: {A: [0.1, -c], B: [e, l]}, mass: m/2, rod: [A, B]}\n"
+                                "  third: {points: {B: [e, 0]}, mass: 3, center: [c, -l], inertia: 0.5}\n"
+                                "joints:\n"
+                                "  O: {pin: [ground, first], angle: q1}\n"
+                                "  A: {pin: [second, first], angle: q2}\n"
+                                "  B: {pin: [second, third], angle: q3}\n"
+                                "efforts: {q2: 0.3 N*m}\n";
+
+static const char *const SINGLE = "parameters: {l: 0.4, m: 2, c: 0.3, e: 0.1, g: 9.81}\n"
+                                  "gravity: [1, -g]\n"
+                                  "bodies:\n"
+                                  "  ground: {points: {O: [e, 0.2]}}\n"
+                                  "  only: {points: {O: [c, e]}, mass: m, center: [l/2, e], inertia: 0.1}\n"
+                                  "joints:\n"
+                                  "  O: {pin: [only, ground], angle: q1}\n"
+                                  "efforts: {q1: 0.3 N*m}\n";
+
 static const char *const FOUR_BAR = "parameters: {r: 0.2, l: 0.6, m: 2, k: 5 N*m}\n"
                                     "gravity: [0, -9.81]\n"
                                     "bodies:\n"
@@ -132,6 +167,15 @@ static void test_trees_and_loops_are_the_file_with_these_values(void **unused)
     const char *const fork[] = {"l", "m", "c", "e", "g"}, *const bar[] = {"r", "l", "m", "k"};
     check_text(FORK, fork, 5, 1);
     check_text(FOUR_BAR, bar, 4, 0.1);
+}
+
+static void test_short_chains_are_the_file_with_these_values(void **unused)
+{
+    (void)unused;
+    const char *const names[] = {"l", "m", "c", "e", "g"};
+    check_text(SINGLE, names, 5, 1);
+    check_text(ALONG_X, names, 5, 1);
+    check_text(SKEW, names, 5, 1);
 }
 
 // A parallel drive of two freedoms, with a driven slide, a spring and a damper.
@@ -327,6 +371,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_double_pendulum_is_its_textbook_equation),
         cmocka_unit_test(test_trees_and_loops_are_the_file_with_these_values),
+        cmocka_unit_test(test_short_chains_are_the_file_with_these_values),
         cmocka_unit_test(test_loops_alone_are_solved_in_lanes),
         cmocka_unit_test(test_lanes_do_not_depend_on_their_number),
         cmocka_unit_test(test_what_has_no_answer_has_a_status_and_zeros),
