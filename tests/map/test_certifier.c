@@ -57,7 +57,7 @@ static YkMotionCertificate step_between(const YkState *from, const YkState *to)
     YkState *watched = yk_state_new(from->mech);
     assert_true(c && watched && yk_state_set_certifier(watched, c) == YK_OK);
     watched->witness->begin(watched->witness, from);
-    watched->witness->step(watched->witness, to);
+    watched->witness->step(watched->witness, to, YK_WITNESS_STEP);
     YkMotionCertificate found = yk_certifier_report(c);
     yk_state_free(watched);
     yk_certifier_free(c);
@@ -241,11 +241,11 @@ static void test_a_motion_from_nowhere_is_not_certified(void **unused)
     assert_int_equal(yk_state_set_certifier(m.state, c), YK_OK);
     YkWitness *witness = m.state->witness;
     witness->begin(witness, m.state);
-    witness->step(witness, next);
+    witness->step(witness, next, YK_WITNESS_STEP);
     assert_int_equal(yk_certifier_report(c).proved, 1);
     assert_false(fresh->has_pose);
     witness->begin(witness, fresh);
-    witness->step(witness, m.state);
+    witness->step(witness, m.state, YK_WITNESS_STEP);
     YkMotionCertificate found = yk_certifier_report(c);
     assert_true(found.steps == 2 && found.proved == 1 && !found.is_certified);
     yk_state_free(next);
