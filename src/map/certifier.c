@@ -25,7 +25,8 @@ struct YkCertifier {
     bool is_aside;
     YkMotionCertificate found, *kept;
     size_t kept_count;
-    bool has_failed; // out of memory
+    bool has_failed;        // out of memory
+    char outside_joint[80]; // because of which nothing can be proved
 };
 
 static bool is_outside(const YkCertifier *c)
@@ -135,9 +136,8 @@ static void note_gap(YkCertifier *c, const Place *a, const Place *b, const char 
 
 static void note_outside(const YkCertifier *c, YkMotionCertificate *found)
 {
-    size_t block = c->has_failed ? YK_NOT_FOUND : c->chain.outside_block;
     copy_words(found->why, sizeof found->why, c->has_failed ? "out of memory" : c->chain.outside);
-    copy_words(found->joint, sizeof found->joint, block != YK_NOT_FOUND ? c->chain.mech->blocks[block].label : NULL);
+    copy_words(found->joint, sizeof found->joint, c->outside_joint);
 }
 
 static const char *const no_start = "no interval encloses the pose from which the step starts",
@@ -164,7 +164,7 @@ static const char *prove(YkCertifier *c, const Place *from, YkVerdict *verdict)
     if (!from->stands) return no_start;
     if (!here->stands) return no_end;
     if (count == 1 && !moves) {
-        bool is_same = yk_chain_is_same(t, &from->pose, &here->pose, NEAR);
+        bool is_same = yk_chain_is_same(t, &from->pose, &here->pose, 0);
         *verdict = is_same ? YK_WAY_PROVED : YK_WAY_OPEN;
         return is_same ? NULL : not_same;
     }
@@ -182,7 +182,7 @@ static bool is_at(const YkCertifier *c, const Place *place)
 {
     for (size_t i = 0; i < c->chain.mech->input_count; i++)
         if (c->here.input[i] != place->input[i]) return false;
-    return place->stands && yk_chain_is_same(&c->chain, &place->pose, &c->here.pose, NEAR);
+    return place->stands && yk_chain_is_same(&c->chain, &place->pose, &c->here.pose, 0);
 }
 
 static bool step(YkWitness *witness, const YkState *s, YkWitnessed kind)
@@ -230,6 +230,8 @@ static bool make_chain(YkCertifier *c, const YkMechanism *mech)
     c->memory = NULL;
     c->last.stands = c->is_aside = false;
     if (!yk_chain_start(&c->chain, mech)) return false;
+    size_t block = c->chain.outside_block;
+    copy_words(c->outside_joint, sizeof c->outside_joint, block != YK_NOT_FOUND ? mech->blocks[block].label : NULL);
     size_t inputs = mech->input_count, pose = yk_chain_pose_size(&c->chain);
     double *next = c->memory = calloc(3 * (2 * inputs + pose) + 1, sizeof *next);
     if (!next) return false;
@@ -253,14 +255,16 @@ static bool is_same_pose(YkCertifier *c, const YkState *from, const YkState *to)
         if (isnan(off)) return false;
     }
     // Unknowns are angles between bodies, and so sums of coordinates, or distances.
-    return yk_chain_is_same(&c->chain, &c->last.pose, &c->last.pose,
-                            NEAR + most * (double)(mech->coordinate_count + 1));
+    return yk_chain_is_same(&c->chain, &c->last.pose, &c->last.pose, most * (double)(mech->coordinate_count + 1));
 }
 
 static void change(YkWitness *witness, const YkState *from, const YkState *to)
 {
     YkCertifier *c = (YkCertifier *)witness;
-    if (c->has_failed) return;
+    if (c->has_failed || !to) {
+        c->last.stands = false;
+        return;
+    }
     bool had_pose = from && !is_idle(c) && from->mech == c->chain.mech && c->last.stands;
     if (had_pose && !is_same_pose(c, from, to)) {
         c->found.steps++;
