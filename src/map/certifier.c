@@ -165,8 +165,9 @@ static const char *prove(YkCertifier *c, const Place *from, YkVerdict *verdict)
     if (!here->stands) return no_end;
     if (count == 1 && !moves) {
         bool is_same = yk_chain_is_same(t, &from->pose, &here->pose, 0);
-        *verdict = is_same ? YK_WAY_PROVED : YK_WAY_OPEN;
-        return is_same ? NULL : not_same;
+        bool is_other = !is_same && yk_chain_is_other(t, &from->pose, &here->pose);
+        *verdict = is_same ? YK_WAY_PROVED : is_other ? YK_WAY_REFUTED : YK_WAY_OPEN;
+        return is_same ? NULL : is_other ? other_end : not_same;
     }
     yk_chain_copy(t, &t->now, &from->pose);
     for (size_t k = 0; k < count; k++) {

@@ -167,6 +167,18 @@ bool yk_chain_is_same(const YkChain *t, const YkChainPose *pose, const YkChainPo
     return true;
 }
 
+bool yk_chain_is_other(const YkChain *t, const YkChainPose *pose, const YkChainPose *other)
+{
+    for (size_t level = 0; level < t->piece_count; level++)
+        for (size_t k = 0; k < t->pieces[level].shape.unknowns; k++) {
+            YkVec a = pose->x[t->first[level] + k], b = other->x[t->first[level] + k];
+            double size = fmax(1, fmax(yk_sum_norm(a), yk_sum_norm(b)));
+            double within = 2 * (pose->within[level] + other->within[level]) * size; // chords are shorter than angles
+            if (yk_sum_norm(yk_sub(a, b)) > within + 1e-13 * size) return true;
+        }
+    return false;
+}
+
 // --- tubes
 
 // Makes tubes from one place of the way to another, about the solution near `guess` in their middle. Returns false if they are

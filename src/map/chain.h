@@ -48,6 +48,8 @@ bool yk_chain_enclose(YkChain *chain, double at, YkChainPose *pose, double near)
 // Returns whether an enclosed pose is certainly the one that another one stands for at the same inputs, which are known to
 // `off` in every angle and distance.
 bool yk_chain_is_same(const YkChain *chain, const YkChainPose *pose, const YkChainPose *other, double off);
+// Returns whether two enclosed poses are certainly different.
+bool yk_chain_is_other(const YkChain *chain, const YkChainPose *pose, const YkChainPose *other);
 // Follows the configuration of `chain->now` along the way to the pose `there`; NULL: to the end of the way, where
 // chain->now stands then.
 YkVerdict yk_chain_follow(YkChain *chain, const YkChainPose *there);
