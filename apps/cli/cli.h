@@ -65,7 +65,7 @@ typedef struct YkRequest {
     YkAssignments pose, reach; // map
     const char *port;          // studio
     bool no_browser;           // studio
-    bool trust;                // solve, sweep
+    bool trust;                // solve, sweep, simulate, draw, report
     bool all, modes, sketch, quiet, help, version, no_labels, numbers, plain;
 } YkRequest;
 

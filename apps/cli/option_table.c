@@ -29,7 +29,7 @@ const YkOption yk_options[] = {
     {"solver", 0, YK_OPTION_WORD, FIELD(solver), "NAME", " solve ",
      "with --all: find the solutions of groups by elimination, by paths, or by both (default), whichever finds them "
      "all"},
-    {"trust", 0, YK_OPTION_SWITCH, FIELD(trust), NULL, " solve sweep ",
+    {"trust", 0, YK_OPTION_SWITCH, FIELD(trust), NULL, " solve sweep simulate draw report ",
      "do not prove that groups stay on their configuration between poses"},
     {"centers", 0, YK_OPTION_SWITCH, FIELD(centers), NULL, " solve draw ",
      "also the instant centres of all bodies, in the order in which Kennedy's theorem finds them"},

@@ -30,10 +30,17 @@ typedef struct YkMotionCertificate {
     int input;            // the input that moved most on the first step that is not proved; -1: there is none
     double from, to;      // its values before and after that step
     char message[200];    // one sentence
+    // Of the first step that is not proved:
+    char why[160];  // a clause, or "" if all is proved
+    char joint[80]; // a joint of the group, or of the dyad before it, that is not proved; "": not known, or all are
+    char coordinate[80];       // the name of `input`: a simulation may have other inputs than the machine it began with
+    double from_time, to_time; // equal if the motion is not one through time, s
 } YkMotionCertificate;
-// Tells what is proved of the motions so far. Between two verified poses, which are at most turn_max apart, all inputs are
-// taken to go straight. Ways round a limit that a move tries in vain count too. What a state does between two motions
-// (yk_state_solve, yk_state_assemble, other values of a variant) is not proved.
+// Tells what is proved of the motions so far. Between two verified poses, which in sweeps and moves are at most turn_max apart,
+// all inputs are taken to go straight; over time, where that is too far from cubics through their positions and rates at both
+// poses, along chords of these. A move that goes round a limit is proved along the way that it found; ways that it tried in
+// vain do not count. What a state does between two motions (yk_state_solve, yk_state_assemble, other values of a variant) is
+// not proved.
 YK_API YkMotionCertificate yk_certifier_report(const YkCertifier *certifier);
 
 #ifdef __cplusplus

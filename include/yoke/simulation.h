@@ -64,6 +64,14 @@ YK_API YkDynamics *yk_simulation_dynamics(YkSimulation *simulation); // forces a
 YK_API double yk_simulation_channel(YkSimulation *simulation, YkChannel channel);
 YK_API const YkReport *yk_simulation_report(const YkSimulation *simulation);
 
+// Lets a certifier (yoke/certificate.h) watch the motion from here on: the poses at the ends of steps, at events and wherever
+// the simulation is advanced to. It may have been made for any mechanism of the model, and may have watched the motion of
+// options.pose before; it must outlive the simulation, or the next call. A step that is proved to have gone over to another
+// configuration is taken back and repeated with shorter ones; if that does not help, the motion ends with
+// YK_NOT_CONVERGED. Otherwise the motion has the same bits as without. Clones have none. NULL ends this.
+typedef struct YkCertifier YkCertifier;
+YK_API void yk_simulation_set_certifier(YkSimulation *simulation, YkCertifier *certifier);
+
 // Advances by a span of time, s >= 0.
 YK_API YkStatus yk_simulation_step(YkSimulation *simulation, double span);
 

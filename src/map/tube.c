@@ -266,7 +266,9 @@ static bool find_radii(const Proof *p, const Bounds *bounds, YkTube *tube)
     double least = 1e-15;
     for (size_t k = 0; k < p->n; k++) least = fmax(least, bounds->miss[k] / p->size[k]);
     tube->radius = 0;
-    for (double r = 1.25 * least; r < 0.25 && r < 1e4 * least; r *= 1.6) {
+    bool is_point = p->half == 0; // alone in as large a ball as it takes to compare poses
+    for (double r = 1.25 * least; r < 0.25 && (r < 1e4 * least || is_point);
+         r *= is_point && tube->radius > 0 ? 16 : 1.6) {
         double image = image_of(p, bounds, r);
         if (!(image < 0.95 * r)) {
             if (tube->radius > 0) break;

@@ -115,6 +115,7 @@ YkReportPage *yk_report_new(YkState *state, const YkReportOptions *options, YkPr
         report->motion.coordinate = -1;
         report->motion_message = report->message = "";
         report->progress = state->progress;
+        report->witness = state->witness;
         yk_pace_begin(&report->pace, report->progress);
         report->start = yk_report_new_state(report);
         report->laws = yk_law_watch_new(report->model);

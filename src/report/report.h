@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "model/model.h"
 #include "picture/drawing/drawing.h"
+#include "solve/state.h"
 
 typedef enum YkReportMotionKind {
     YK_REPORT_STILL,     // nothing moves: no freedom, or no pose
@@ -93,6 +94,7 @@ struct YkReportPage {
     YkFinding *findings;
     size_t finding_count, finding_capacity;
     bool failed;         // out of memory
+    YkWitness *witness;  // of the state from which it is made, or NULL
     YkProgress progress; // of the state that was reported on
     YkPace pace;         // of the call that is running
     YkText html;

@@ -73,6 +73,7 @@ static YkSweep *sweep(YkReportPage *report, double from, double to, size_t steps
         options.visit = pose;
         options.context = report;
     }
+    if (state && poses) state->witness = report->witness;
     if (state && yk_state_copy(state, report->start) >= 0)
         result = yk_sweep_run(state, &options, channels, count, problems);
     yk_state_free(state);
@@ -142,6 +143,7 @@ static bool simulate(YkReportPage *report)
     options.context = report;
     report->simulation = problems ? yk_simulation_new(report->model, &options, problems) : NULL;
     yk_report_note_problems(report, problems);
+    if (report->simulation) yk_simulation_set_certifier(report->simulation, (YkCertifier *)report->witness);
     if (!report->simulation) {
         report->motion_status = YK_NOT_CONVERGED;
         say(report, problems && yk_problems_count(problems) > 0 ? yk_problems_get(problems, 0)->message : "");
@@ -179,6 +181,7 @@ static void forget_rows(YkReportPage *report)
 {
     yk_simulation_free(report->simulation);
     report->simulation = NULL;
+    if (report->witness) report->witness->recall(report->witness, 0);
     report->row_count = report->posed = 0;
     if (report->drawing) report->drawing->pose_count = report->drawing->trace_count = 0;
 }
@@ -186,6 +189,7 @@ static void forget_rows(YkReportPage *report)
 // Halves a chosen duration while the machine turns too fast for its rows.
 static void run_simulation(YkReportPage *report)
 {
+    if (report->witness) report->witness->keep(report->witness, 0);
     while (simulate(report) && !report->pace.is_stopped && report->options.duration == 0 && is_coarse(report) &&
            report->motion.duration > duration_least) {
         forget_rows(report);

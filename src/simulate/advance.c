@@ -107,6 +107,7 @@ static bool start_moving(YkSimulation *sim)
 {
     sim->has_begun = true;
     sim->has_acted = false;
+    yk_simulation_tell_start(sim, sim->options.pose);
     yk_simulation_contacts_start(sim);
     yk_simulation_look_near(sim, sim->time);
     if (!settle_contacts(sim) || !stand(sim, sim->time, sim->y)) return false;
@@ -180,7 +181,8 @@ static bool take_pending(YkSimulation *sim)
     memcpy(sim->y, sim->dense, all * sizeof *sim->y);
     YkPendingKind kind = sim->pending;
     sim->pending = YK_PENDING_NONE;
-    if (!yk_simulation_pose(sim, sim->pending_time, sim->y) || !change(sim, kind)) return false;
+    if (!yk_simulation_pose(sim, sim->pending_time, sim->y) || !yk_simulation_tell(sim, YK_WITNESS_STEP)) return false;
+    if (!change(sim, kind)) return false;
     sim->near_count = 0; // its rates have changed
     sim->first_rate = 0;
     return restart(sim) && stand(sim, sim->time, sim->y) && look_round(sim);
@@ -229,7 +231,7 @@ static bool look_ahead(YkSimulation *sim)
     size_t before = sim->contact_count;
     sim->is_new_step = false;
     if (sim->is_lean) return true;
-    if (!return_to_end(sim, t)) return false;
+    if (!return_to_end(sim, t) || !yk_simulation_tell(sim, YK_WITNESS_STEP)) return false;
     if (yk_simulation_look_dead(sim)) {
         sim->is_elsewhere = true;
         if (!return_to_end(sim, t)) return false;
@@ -255,6 +257,7 @@ static void set_end(YkSimulation *sim, double to)
     double end = sim->options.horizon >= to ? sim->options.horizon : to, t = yk_ode_time(sim->ode);
     end = fmin(end, fmax(yk_simulation_next_sample(sim), t));
     bool may_cross = !sim->is_lean && sim->options.integrator != YK_INTEGRATOR_RK4 && sim->mech->block_count > 0;
+    if (t < sim->redo_until) end = fmin(end, t + sim->redo_step);
     if (may_cross) end = fmin(end, fmax(t + yk_simulation_reach(sim), t + 1e-9 * fabs(t)));
     yk_ode_set_end(sim->ode, end);
 }
@@ -303,7 +306,8 @@ static bool take_acts(YkSimulation *sim)
     if (yk_ode_dense(sim->ode, t, sim->dense) != YK_ODE_OK) return false;
     memcpy(sim->y, sim->dense, (2 * sim->free_count + sim->work_count) * sizeof *sim->y);
     forget_future(sim);
-    if (!yk_simulation_pose(sim, t, sim->y) || !restart_with(sim, true)) return false;
+    if (!yk_simulation_pose(sim, t, sim->y) || !yk_simulation_tell(sim, YK_WITNESS_STEP)) return false;
+    if (!restart_with(sim, true)) return false;
     if (!stand(sim, t, sim->y) || !look_round(sim)) return false;
     yk_simulation_watch_start(sim);
     return true;
@@ -346,6 +350,10 @@ static YkStatus go_to(YkSimulation *sim, double to)
             if (!begin_again(sim, yk_ode_previous(sim->ode))) return fail(sim, YK_ODE_FAILED);
             continue;
         }
+        if (yk_simulation_has_jumped(sim)) {
+            if (!yk_simulation_go_home(sim) || !restart(sim) || !look_round(sim)) return fail(sim, YK_ODE_FAILED);
+            continue;
+        }
         sim->report.message[0] = 0;
         sim->is_new_step = true;
         look_back(sim);
@@ -354,7 +362,8 @@ static YkStatus go_to(YkSimulation *sim, double to)
         if (sim->options.goes_on && !sim->options.goes_on(sim->options.context, reached)) to = fmin(to, reached);
     }
     if (yk_ode_dense(sim->ode, to, sim->dense) != YK_ODE_OK) return fail(sim, YK_ODE_FAILED);
-    return stand(sim, to, sim->dense) && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
+    bool stands = stand(sim, to, sim->dense) && yk_simulation_tell(sim, YK_WITNESS_ASIDE);
+    return stands && !has_run_out(sim) ? YK_OK : fail(sim, YK_ODE_FAILED);
 }
 
 // Calls the control where its sample is due. Returns false if the control ends the advance.

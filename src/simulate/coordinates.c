@@ -129,6 +129,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     yk_dynamics_free(sim->dynamics);
     yk_state_free(sim->state);
     yk_state_free(sim->guide);
+    yk_state_free(sim->home);
     yk_mechanism_free(sim->mech);
     free(sim->chosen);
     free(sim->free_input);
@@ -142,7 +143,7 @@ void yk_simulation_unbuild(YkSimulation *sim)
     free(sim->pose_sum);
     sim->ode = NULL;
     sim->dynamics = NULL;
-    sim->state = sim->guide = NULL;
+    sim->state = sim->guide = sim->home = NULL;
     sim->mech = NULL;
     sim->chosen = NULL;
     sim->free_input = NULL;
@@ -244,7 +245,7 @@ bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_
     next.near = next.near_next = next.near_memory = NULL;
     next.searches = NULL;
     next.pose_sum = NULL;
-    next.guide = NULL;
+    next.guide = next.home = NULL;
     next.near_count = 0;
     YkProblems *quiet = yk_problems_new();
     bool is_built = yk_simulation_build(&next, &(YkCompileOptions){.inputs = names, .input_count = count}, quiet);
@@ -256,6 +257,7 @@ bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_
         yk_simulation_unbuild(&next);
         return has_memory; // keep the present coordinates
     }
+    if (sim->witness && sim->has_begun) yk_simulation_tell_start(&next, sim->state);
     yk_simulation_unbuild(sim);
     next.counts = sim->counts;
     *sim = next;

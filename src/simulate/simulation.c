@@ -169,6 +169,7 @@ YkSimulation *yk_simulation_new(const YkModel *model, const YkSimulationOptions 
 
 static void end(YkSimulation *sim)
 {
+    if (sim->witness) sim->witness->change(sim->witness, NULL, NULL);
     yk_simulation_unbuild(sim);
     yk_arena_free(sim->arena);
     yk_law_watch_free(sim->laws);
@@ -190,10 +191,12 @@ void yk_simulation_free(YkSimulation *sim)
 
 void yk_simulation_replace(YkSimulation *sim, YkSimulation *by)
 {
+    by->witness = sim->witness;
     end(sim);
     *sim = *by;
     free(by);
     if (sim->ode) yk_ode_set_context(sim->ode, sim);
+    if (sim->has_begun) yk_simulation_tell_start(sim, NULL);
 }
 
 YkStatus yk_simulation_reset(YkSimulation *sim)

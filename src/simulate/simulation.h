@@ -7,6 +7,7 @@
 #include "dynamics/law_uses.h"
 #include "num/bounded.h"
 #include "num/ode/ode.h"
+#include "solve/state.h"
 
 // A block near a singular position: the last known angle between its two columns, and how it continues.
 typedef struct YkNear {
@@ -138,7 +139,23 @@ struct YkSimulation {
     YkOdeCounts counts; // of steppers that were replaced
     YkReport report;
     YkStatus status;
+    // Certificates (witness.c):
+    YkWitness *witness; // or NULL
+    YkState *home;      // the last pose that it was told as a step; NULL: none yet, or no groups
+    double redo_until, redo_step;
+    int redone; // times in succession that a step was taken back
 };
+
+// witness.c: tells the witness that the motion begins at the state, which has the pose of `from`, a state of another mechanism;
+// NULL: it begins anywhere.
+void yk_simulation_tell_start(YkSimulation *sim, const YkState *from);
+// Tells it of the pose that stands. Returns false, with a report, if the motion is proved to be on another configuration there.
+bool yk_simulation_tell(YkSimulation *sim, YkWitnessed kind);
+// Returns whether the step that the integrator has just made is proved to end on another configuration.
+bool yk_simulation_has_jumped(YkSimulation *sim);
+// Takes that step back: the state stands at its beginning, and the next ones will be shorter. Returns false if that has not
+// helped before.
+bool yk_simulation_go_home(YkSimulation *sim);
 
 // simulation.c: makes a simulation without a pose, with the efforts, watches and control of another one (NULL: none).
 YkSimulation *yk_simulation_blank(const YkModel *model, const YkSimulationOptions *options, const YkSimulation *like);

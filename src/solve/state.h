@@ -12,10 +12,22 @@ typedef struct YkPhase { // of an input that has made many turns: stands for `an
     double value, angle;
 } YkPhase;
 
-// Who is told of the motions of a state.
+// Who is told of the motions of a state, or of a simulation. A YkCertifier begins with one.
+typedef enum YkWitnessed {
+    YK_WITNESS_STEP, // the next verified pose of the motion
+    YK_WITNESS_TRY,  // the same, but if the way to it is refuted it has not been told
+    YK_WITNESS_ASIDE // a pose between the last two steps: a row, after other such poses. The next step goes on from the last one
+} YkWitnessed;
 typedef struct YkWitness {
     void (*begin)(struct YkWitness *witness, const YkState *state); // where a motion begins
-    void (*step)(struct YkWitness *witness, const YkState *state);  // at the next verified pose of the motion
+    // At a pose of the motion. Returns false if it is proved that the motion cannot have come there.
+    bool (*step)(struct YkWitness *witness, const YkState *state, YkWitnessed kind);
+    // The motion goes on with a state of another mechanism of the same model, at the same pose. `from` is the state before it;
+    // NULL: it begins there. `to` NULL: that mechanism is gone.
+    void (*change)(struct YkWitness *witness, const YkState *from, const YkState *to);
+    // Remembers what has been told so far, under a number; and goes back to it, for another try.
+    void (*keep)(struct YkWitness *witness, size_t number);
+    void (*recall)(struct YkWitness *witness, size_t number);
 } YkWitness;
 
 struct YkState {

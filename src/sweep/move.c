@@ -139,10 +139,10 @@ static void choose_target(Tree *tree, const double *from, const double *goal)
     }
 }
 
-static const YkState *nearest_node(const Tree *tree)
+static size_t nearest_node(const Tree *tree)
 {
     const YkMechanism *mech = tree->nodes[0]->mech;
-    const YkState *nearest = NULL;
+    size_t nearest = 0;
     double least = INFINITY;
     for (size_t k = 0; k < tree->count; k++) {
         double sum = 0;
@@ -150,23 +150,37 @@ static const YkState *nearest_node(const Tree *tree)
             double off = (tree->nodes[k]->valid_input[3 * i] - tree->target[3 * i]) / input_size(mech, i);
             sum += off * off;
         }
-        if (sum < least) nearest = tree->nodes[k];
+        if (sum < least) nearest = k;
         least = fmin(least, sum);
     }
     return nearest;
 }
 
+// Lets the witness remember what it has been told on the way to a node; one more than all nodes stands for the straight way.
+static void remember(const Mover *m, size_t node)
+{
+    if (m->state->witness) m->state->witness->keep(m->state->witness, node);
+}
+
+// Stands at a node again, and lets the witness forget what it has been told since.
+static void go_back(const Mover *m, const YkState *node, size_t number)
+{
+    yk_state_take(m->state, node);
+    if (m->state->witness) m->state->witness->recall(m->state->witness, number);
+}
+
 // Grows the tree from its nearest pose towards the target, up to a little before a limit.
 static YkStatus grow(Mover *m, Tree *tree)
 {
-    const YkState *node = nearest_node(tree);
-    yk_state_take(m->state, node);
+    size_t from = nearest_node(tree);
+    const YkState *node = tree->nodes[from];
+    go_back(m, node, from);
     YkStatus status = move_straight(m, tree->target);
     double part = BACK_OFF * m->move->part;
     if (status != YK_LIMIT || part < WORTH_IT) return status;
     for (size_t i = 0; i < node->mech->input_count; i++)
         tree->target[3 * i] = node->valid_input[3 * i] + part * (tree->target[3 * i] - node->valid_input[3 * i]);
-    yk_state_take(m->state, node);
+    go_back(m, node, from);
     return move_straight(m, tree->target);
 }
 
@@ -185,7 +199,9 @@ static YkStatus search(Mover *m, Tree *tree, const YkState *home, const double *
     for (size_t k = 0; k < m->options->detours && status == YK_LIMIT; k++) {
         choose_target(tree, home->valid_input, goal);
         status = grow(m, tree);
-        if (status >= 0) status = add_node(tree, m->state) ? move_straight(m, goal) : YK_NO_MEMORY;
+        if (status < 0) continue;
+        remember(m, tree->count);
+        status = add_node(tree, m->state) ? move_straight(m, goal) : YK_NO_MEMORY;
     }
     return status;
 }
@@ -200,13 +216,14 @@ static YkStatus move_round(Mover *m, const YkState *home, const double *goal)
     YkStatus status = YK_NO_MEMORY;
     if (end && tree.nodes && tree.target) {
         yk_state_take(end, s);
+        remember(m, m->options->detours + 1);
         status = search(m, &tree, home, goal);
         *m->move = straight;
         if (status >= 0) {
             m->move->is_detour = true;
             m->move->pass_count = 0;
         } else if (status == YK_LIMIT) {
-            yk_state_take(s, end);
+            go_back(m, end, m->options->detours + 1);
         }
     }
     for (size_t k = 0; k < tree.count; k++) yk_state_free(tree.nodes[k]);
@@ -235,7 +252,10 @@ static YkStatus move_to(Mover *m, const double *goal)
     bool may_go_round = s->mech->input_count > 1 && m->options->detours > 0;
     YkState *home = may_go_round ? yk_state_new(s->mech) : NULL;
     if (may_go_round && !home) return YK_NO_MEMORY;
-    if (home) yk_state_take(home, s);
+    if (home) {
+        yk_state_take(home, s);
+        remember(m, 0);
+    }
     YkStatus status = move_straight(m, goal);
     if (home && status == YK_LIMIT) status = move_round(m, home, goal);
     yk_state_free(home);

@@ -431,7 +431,7 @@ bool yk_walk_go(YkWalk *w, double a, double b)
         yk_walk_read_margins(w, margins);
         yk_walk_flip_at(w, last, margins);
         if (!advance(w, last, next, 0) || yk_walk_is_stopped(w)) return false;
-        if (witness) witness->step(witness, w->path.state);
+        if (witness) witness->step(witness, w->path.state, YK_WITNESS_STEP);
         if (w->arrived && !w->arrived(w->context, next)) {
             w->status = YK_STOPPED;
             return false;

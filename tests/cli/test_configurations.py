@@ -1,5 +1,6 @@
 """`yoke solve --all`: every configuration, whether there are others, and what is told where that is not known."""
 import os
+import re
 import unittest
 
 from harness import ROOT, Case, Run
@@ -84,7 +85,49 @@ class Configurations(Case):
         self.assertRegex(run.err, r"first between theta = 0\.029.* and 0 rad")
         over = ("sweep", file, "--over", "theta=60:10deg", "--format", "json")
         self.assertIs(Run(*over).json()["certified"], True)
-        self.assertIs(Run("sweep", file, "--over", "theta=60:-30deg", "--format", "json").json()["certified"], False)
+        answer = Run("sweep", file, "--over", "theta=60:-30deg", "--steps", "9", "--format", "json").json()
+        self.assertIs(answer["certified"], False)
+        why = answer["not_certified"]
+        self.assertEqual((why["steps"], why["proved"], why["refuted"], why["joint"], why["coordinate"]), (54, 52, False, "C", "theta"))
+        self.assertIn("two solutions", why["why"])
+        self.assertTrue(0 < why["from"] < 0.04 and why["to"] == 0, why)
+        self.assertNotIn("not_certified", Run(*over).json())
+        why = Run("sweep", example("geared-five-bar"), "--over", "t=0:1s", "--steps", "4", "--format", "json").json()["not_certified"]
+        self.assertEqual((why["proved"], why["coordinate"], why["from"]), (0, None, None))
+        self.assertIn("gears", why["why"])
+
+    def test_simulations_drawings_and_reports_are_certified(self):
+        text = re.sub(r"(\n  (?!ground)\w+: +\{points: \{[^}]*\})\}", r"\1, mass: 1, inertia: 0.2, center: [0.5, 0.3]}", TRIAD_ON_PARALLELOGRAM)
+        text = text.replace("drives: {theta: 60 deg}\n", "").replace("start: {", "start: {theta: 60 deg, ")
+        file = self.write("triad.yaml", "gravity: [0, -9.81]\n" + text)
+        good = Run("simulate", file, "--to", "0.5s", "--steps", "20", "--format", "json").json()
+        self.assertIs(good["certified"], True)
+        trusted = Run("simulate", file, "--to", "0.5s", "--steps", "20", "--trust", "--format", "json").json()
+        self.assertIsNone(trusted["certified"])
+        self.assertEqual(trusted["rows"], good["rows"])
+        passes = Run("simulate", file, "--to", "1s", "--steps", "20", "--format", "json").json()
+        self.assertIs(passes["certified"], False)
+        why = passes["not_certified"]
+        passage = next(e["time"] for e in passes["events"] if e["kind"] == "change-point")
+        self.assertTrue(why["from_time"] < passage and why["joint"] == "C", (why, passage))
+        run = Run("simulate", file, "--to", "1s", "--steps", "20")
+        self.assertRegex(run.err, r"simulate: not certified: \d+ of \d+ steps")
+        self.assertRegex(run.err, r"W0616")
+        self.assertRegex(run.err, r"first between t = .* at joint `C`")
+        self.assertIn("simulate: certified: proved to stay", Run("simulate", file, "--to", "0.5s", "--steps", "20").err)
+        self.assertNotIn("certified", Run("simulate", self.four_bar_with_mass(), "--to", "0.1s").err)
+        driven = self.write("driven.yaml", TRIAD_ON_PARALLELOGRAM)
+        for words in (("draw", driven, "--poses", "5"), ("report", driven)):
+            over = Run(*words, "--over", "theta=60:-30deg")
+            self.assertIn("W0616", over.err, words)
+            self.assertEqual(over.code, 0)
+            self.assertNotIn("W0616", Run(*words, "--over", "theta=60:10deg").err)
+            self.assertNotIn("W0616", Run(*words, "--over", "theta=60:-30deg", "--trust").err)
+        self.assertIn("W0616", Run("report", file, "--to", "1s").err)
+        self.assertNotIn("W0616", Run("report", file, "--to", "0.5s").err)
+
+    def four_bar_with_mass(self):
+        return example("four-bar-at-rest")
 
     def test_dyads_are_complete_in_closed_form(self):
         answer = Run("solve", self.four_bar, "--all", "--format", "json").json()

@@ -13,6 +13,7 @@ enum { TRUSS_PINS_MAX = 40, TRUSS_LINKS_MAX = 16 };
 typedef struct Truss {
     const char *links;
     double x[TRUSS_PINS_MAX], y[TRUSS_PINS_MAX];
+    double mass; // of each link, at its first pin, with as much inertia
 } Truss;
 
 static inline void truss_scatter(Truss *truss, uint64_t seed)
@@ -35,6 +36,7 @@ static inline void truss_make_similar(Truss *t)
 static inline Machine truss_machine(const Truss *truss)
 {
     YkBuilder *b = yk_builder_new("truss");
+    if (truss->mass > 0) yk_builder_gravity(b, 0, -9.81);
     const char *first[TRUSS_PINS_MAX] = {0};
     static const char *const names[TRUSS_LINKS_MAX] = {"ground", "L1", "L2",  "L3",  "L4",  "L5",  "L6",  "L7",
                                                        "L8",     "L9", "L10", "L11", "L12", "L13", "L14", "L15"};
@@ -42,6 +44,7 @@ static inline Machine truss_machine(const Truss *truss)
     assert_non_null(b);
     for (const char *c = truss->links; *c; link++) {
         if (link > 0) yk_builder_body(b, names[link]);
+        size_t own = (size_t)(*c >= 'a' ? *c - 'a' : *c - 'A' + 26);
         for (; *c && *c != ' '; c++) {
             char pin[2] = {*c, 0}, name[8];
             size_t k = (size_t)(*c >= 'a' ? *c - 'a' : *c - 'A' + 26);
@@ -52,6 +55,8 @@ static inline Machine truss_machine(const Truss *truss)
             else
                 first[k] = names[link];
         }
+        if (link > 0 && truss->mass > 0)
+            yk_builder_mass(b, names[link], truss->mass, truss->x[own], truss->y[own], truss->mass);
         while (*c == ' ') c++;
     }
     Machine m = {.problems = yk_problems_new()};

@@ -57,7 +57,7 @@ static YkMotionCertificate step_between(const YkState *from, const YkState *to)
     YkState *watched = yk_state_new(from->mech);
     assert_true(c && watched && yk_state_set_certifier(watched, c) == YK_OK);
     watched->witness->begin(watched->witness, from);
-    watched->witness->step(watched->witness, to);
+    watched->witness->step(watched->witness, to, YK_WITNESS_STEP);
     YkMotionCertificate found = yk_certifier_report(c);
     yk_state_free(watched);
     yk_certifier_free(c);
@@ -193,6 +193,56 @@ static void test_large_steps_are_proved_or_refused(void **unused)
     assert_true(gone > check_cases(RANDOM_TRIES) / 2 && proved > check_cases(RANDOM_TRIES) / 2);
 }
 
+// --- ways round a limit
+
+// Two cranks and the ground carry a triad. A move that goes round a limit is proved along the way that it found, however many it
+// has tried; ways with finer checks lead to the same pose.
+static void check_detour(uint64_t seed, size_t *detours, size_t *certified)
+{
+    Truss truss = {.links = "hgc ha gb ad be cf def"};
+    truss_scatter(&truss, seed);
+    Machine m = truss_machine(&truss);
+    const char *names[] = {"h3.angle", "g5.angle"};
+    YkMechanism *mech = yk_mechanism_compile(m.model, &(YkCompileOptions){names, 2}, m.problems);
+    assert_true(mech && mech->has_groups && yk_input_count(mech) == 2);
+    YkState *s = yk_state_new(mech), *fine = yk_state_new(mech);
+    YkCertifier *c = yk_certifier_new(mech);
+    assert_true(s && fine && c && yk_state_assemble(s) >= 0 && yk_state_copy(fine, s) == YK_OK);
+    assert_int_equal(yk_state_set_certifier(s, c), YK_OK);
+    YkMotion goal[2] = {{0}};
+    for (size_t i = 0; i < 2; i++) goal[i].position = yk_state_input(s, i).position + check_uniform(&seed, -2, 2);
+    YkMoveOptions options = yk_default_move_options();
+    options.detours = 25;
+    YkMove move;
+    YkStatus status = yk_state_move_to(s, goal, &options, &move);
+    YkMotionCertificate found = yk_certifier_report(c);
+    assert_false(found.is_refuted);
+    if (status >= 0 && move.is_detour) {
+        *detours += 1;
+        *certified += found.is_certified;
+        assert_true(found.steps > 1);
+        options.turn_max *= 0.25;
+        if (found.is_certified && yk_state_move_to(fine, goal, &options, &move) >= 0 && move.is_detour)
+            assert_true(apart(s, fine) < 1e-9);
+    } else if (status == YK_LIMIT) {
+        assert_true(found.steps == 0 || found.input >= 0 || found.is_certified); // the straight way alone
+    }
+    yk_state_free(s);
+    yk_state_free(fine);
+    yk_mechanism_free(mech);
+    yk_certifier_free(c);
+    machine_free(&m);
+}
+
+static void test_ways_round_a_limit_are_certified(void **unused)
+{
+    (void)unused;
+    size_t detours = 0, certified = 0;
+    for (uint64_t seed = 1; seed <= 2 * check_cases(RANDOM_TRIES); seed++) check_detour(seed, &detours, &certified);
+    print_message("%zu of %zu ways round are certified\n", certified, detours);
+    assert_true(detours > 0 && certified * 10 >= detours * 8);
+}
+
 // --- examples and the door
 
 static void test_dyads_need_no_certificate(void **unused)
@@ -241,11 +291,11 @@ static void test_a_motion_from_nowhere_is_not_certified(void **unused)
     assert_int_equal(yk_state_set_certifier(m.state, c), YK_OK);
     YkWitness *witness = m.state->witness;
     witness->begin(witness, m.state);
-    witness->step(witness, next);
+    witness->step(witness, next, YK_WITNESS_STEP);
     assert_int_equal(yk_certifier_report(c).proved, 1);
     assert_false(fresh->has_pose);
     witness->begin(witness, fresh);
-    witness->step(witness, m.state);
+    witness->step(witness, m.state, YK_WITNESS_STEP);
     YkMotionCertificate found = yk_certifier_report(c);
     assert_true(found.steps == 2 && found.proved == 1 && !found.is_certified);
     yk_state_free(next);
@@ -276,6 +326,7 @@ int main(void)
         cmocka_unit_test(test_sweeps_of_random_groups_are_certified),
         cmocka_unit_test(test_a_jump_to_another_configuration_is_refused),
         cmocka_unit_test(test_large_steps_are_proved_or_refused),
+        cmocka_unit_test(test_ways_round_a_limit_are_certified),
         cmocka_unit_test(test_dyads_need_no_certificate),
         cmocka_unit_test(test_moves_of_many_turns_are_certified),
         cmocka_unit_test(test_a_motion_from_nowhere_is_not_certified),

@@ -24,6 +24,18 @@ void yk_certify_watch(YkSession *session)
     (void)session;
 }
 
+void yk_certify_state(YkSession *session, YkState *state)
+{
+    (void)session;
+    (void)state;
+}
+
+void yk_certify_simulation(YkSession *session, YkSimulation *simulation)
+{
+    (void)session;
+    (void)simulation;
+}
+
 void yk_certify_warn(YkSession *session)
 {
     (void)session;

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
+#include "certify.h"
 #include "picture/convert.h"
 #include "picture/movie.h"
 #include "range.h"
@@ -131,6 +132,7 @@ static YkStatus gather(Drawer *drawer)
         YkState *moving = yk_session_new_state(session, session->mech);
         if (!moving) return YK_NO_MEMORY;
         status = yk_state_copy(moving, session->state);
+        yk_certify_state(session, moving);
         if (status >= 0) status = walk_range(drawer, moving);
         yk_state_free(moving);
     }
@@ -269,6 +271,7 @@ static int animate(Drawer *drawer)
     YkReportPage *motion = yk_report_new(session->state, &options, session->problems);
     YkStatus status = motion ? yk_report_status(motion) : YK_NO_MEMORY;
     if (motion) yk_tell_status(session, status, yk_report_message(motion));
+    yk_certify_warn(session);
     if (status >= 0) exit_code = write_movie(drawer, motion, kind) ? YK_EXIT_DONE : YK_EXIT_WRONG;
     if (status < 0 && motion) exit_code = yk_status_exit(status);
     yk_report_free(motion);
@@ -303,7 +306,7 @@ static bool prepare(Drawer *drawer)
     if (request->over && !yk_over_split(session, request->over, &drawer->over)) return false;
     if (!yk_session_count(session, "--poses", request->poses, POSES_MAX, 0, &drawer->poses)) return false;
     const char *swept = request->over && strcmp(drawer->over.name, "t") != 0 ? drawer->over.name : NULL;
-    if (!yk_session_load(session, swept) || !yk_session_inputs(session)) return false;
+    if (!yk_session_load(session, swept) || !yk_session_inputs(session) || !yk_certify_begin(session)) return false;
     if (request->centrodes && !find_bodies(session, drawer->centrodes)) return false;
     if (yk_wants_force_polygons(session) && (!yk_session_forces(session, false) || !yk_session_has_forces(session)))
         return false;
@@ -323,6 +326,7 @@ int yk_run_draw(YkSession *session)
         yk_reach_tell(session, status);
         exit_code = yk_status_exit(status);
         bool is_drawn = status >= 0 && draw(&drawer, kind);
+        yk_certify_warn(session);
         if (is_drawn) exit_code = yk_session_finish(session, exit_code);
         if (status >= 0 && !is_drawn) exit_code = yk_lacks_construction(session) ? YK_EXIT_NO_ANSWER : YK_EXIT_WRONG;
     }

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"
+#include "certify.h"
 #include "range.h"
 #include "reach.h"
 #include "write/pdf.h"
@@ -84,7 +85,7 @@ static bool prepare(Reporter *reporter)
     if (!read_format(reporter)) return false;
     if (over && !yk_over_split(session, over, &reporter->over)) return false;
     const char *swept = over && strcmp(reporter->over.name, "t") != 0 ? reporter->over.name : NULL;
-    if (!yk_session_load(session, swept) || !yk_session_inputs(session)) return false;
+    if (!yk_session_load(session, swept) || !yk_session_inputs(session) || !yk_certify_begin(session)) return false;
     if (over && !yk_over_read(session, &reporter->over)) return false;
     reporter->options.has_range = over != NULL;
     reporter->options.coordinate = over ? reporter->over.coordinate : -1;
@@ -104,6 +105,7 @@ static int write_report(Reporter *reporter, YkReportPage *report)
     const char *html = yk_report_html(report, session->problems);
     if (!html) return YK_EXIT_WRONG;
     yk_tell_status(session, status, yk_report_message(report));
+    yk_certify_warn(session);
     if (reporter->as_pdf) {
         if (!yk_print_pdf(html, &session->out, session->problems)) return YK_EXIT_WRONG;
     } else {

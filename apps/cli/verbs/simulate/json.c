@@ -1,4 +1,5 @@
 // `yoke simulate --format json`.
+#include "certify.h"
 #include "laws_left.h"
 #include "verbs/simulate/simulate.h"
 
@@ -81,6 +82,7 @@ void yk_simulate_json(const YkSimulationAnswer *answer, const char *message, con
     add_rows(answer, &json);
     add_events(answer->simulation, &json);
     yk_add_laws_json(&json, answer->laws, true);
+    yk_certify_json(session, &json);
     add_works(answer->simulation, &json);
     if (answer->simulation) add_summary(answer->simulation, &json);
     yk_json_end(&json);

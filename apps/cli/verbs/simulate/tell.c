@@ -1,5 +1,6 @@
 // Reports on a simulation besides its rows: events, the work of each load, the cost and the errors.
 #include "base/number.h"
+#include "certify.h"
 #include "verbs/simulate/simulate.h"
 
 enum { LINES_MAX = 50, TIME_DIGITS = 10, ERROR_DIGITS = 2 };
@@ -54,6 +55,7 @@ void yk_simulate_tell(const YkSimulationAnswer *answer, YkText *text)
     if (!answer->session->request->quiet) {
         add_events(answer, text);
         add_works(answer, text);
+        yk_certify_text(answer->session, "simulate: ", text);
     }
     yk_text_puts(text, "simulate: ");
     if (answer->is_interrupted) {

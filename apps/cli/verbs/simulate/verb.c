@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "base/number.h"
 #include "base/problems.h"
+#include "certify.h"
 #include "laws_left.h"
 #include "reach.h"
 #include "stop.h"
@@ -146,6 +147,7 @@ static int finish(YkSimulationAnswer *answer, bool good)
     YkText words = {0}, summary = {0};
     const char *plot = session->request->plot, *message = explain_stop(answer, &words);
     yk_simulate_tell(answer, &summary);
+    yk_certify_warn(session);
     yk_note_status(session, answer->status);
     good = close_rows(answer, &summary) && good;
     int exit_code = !good ? YK_EXIT_WRONG : message ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
@@ -196,7 +198,7 @@ static int refuse_pose(YkSimulationAnswer *answer)
 static YkStatus reach(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
-    if (!yk_session_inputs(session)) return YK_BAD_ARGUMENT;
+    if (!yk_session_inputs(session) || !yk_certify_begin(session)) return YK_BAD_ARGUMENT;
     session->time = answer->from;
     answer->status = yk_session_reach(session, NULL);
     answer->options.pose = session->state;
@@ -219,6 +221,7 @@ static int simulate(YkSimulationAnswer *answer)
     if (session->file_problems) yk_tell_problems(session, session->file_problems);
     if (!good) return YK_EXIT_WRONG;
     if (!answer->simulation) return refuse(answer);
+    yk_certify_simulation(session, answer->simulation);
     answer->laws = yk_session_watch_laws(session);
     if (!answer->laws || !yk_simulate_prepare(answer)) return YK_EXIT_WRONG;
     return finish(answer, run(answer, &watch));
