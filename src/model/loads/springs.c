@@ -154,14 +154,15 @@ void yk_load_springs(YkLoader *loader)
     }
 }
 
-static void refuse_negative(YkLoader *loader, const YkSpring *spring, const YkExpr *expr, double value, YkCode code,
-                            const char *noun, YkDimension dimension)
+static void tell_negative(YkLoader *loader, const YkSpring *spring, const YkExpr *expr, double value, YkCode code,
+                          const char *noun, YkDimension dimension)
 {
     if (!expr || !(value < 0)) return;
     YkText unit = {0};
     yk_units_name(&loader->model->units, dimension, &unit);
-    yk_problem(loader->problems, code, expr->place, "the %s of spring %q is %e %s; it cannot be negative", noun,
-               spring->name, value / yk_units_size(&loader->model->units, dimension), yk_text_get(&unit));
+    yk_problem(loader->problems, code, expr->place, "the %s of spring %q is %e %s; it %s", noun, spring->name,
+               value / yk_units_size(&loader->model->units, dimension), yk_text_get(&unit),
+               code == YK_CODE_NEGATIVE_STIFFNESS ? "pushes away from its free length" : "cannot be negative");
     loader->failed |= unit.failed;
     yk_text_free(&unit);
 }
@@ -175,12 +176,12 @@ void yk_load_finish_springs(YkLoader *loader)
             if (spring->point[k] != YK_NONE) spring->at[k] = model->points[spring->point[k]].at;
         }
         bool turns = spring->coordinate != YK_NONE && !model->coordinates[spring->coordinate].is_distance;
-        refuse_negative(loader, spring, spring->stiffness_expr, spring->stiffness, YK_CODE_BAD_STIFFNESS, "stiffness",
-                        turns ? YK_DIM_TURN_STIFFNESS : YK_DIM_STIFFNESS);
-        refuse_negative(loader, spring, spring->damping_expr, spring->damping, YK_CODE_BAD_DAMPING, "damping",
-                        turns ? YK_DIM_TURN_DAMPING : YK_DIM_DAMPING);
+        tell_negative(loader, spring, spring->stiffness_expr, spring->stiffness, YK_CODE_NEGATIVE_STIFFNESS,
+                      "stiffness", turns ? YK_DIM_TURN_STIFFNESS : YK_DIM_STIFFNESS);
+        tell_negative(loader, spring, spring->damping_expr, spring->damping, YK_CODE_BAD_DAMPING, "damping",
+                      turns ? YK_DIM_TURN_DAMPING : YK_DIM_DAMPING);
         if (spring->coordinate != YK_NONE) continue;
-        refuse_negative(loader, spring, spring->length_expr, spring->length, YK_CODE_BAD_LENGTH, "free length",
-                        YK_DIM_LENGTH);
+        tell_negative(loader, spring, spring->length_expr, spring->length, YK_CODE_BAD_LENGTH, "free length",
+                      YK_DIM_LENGTH);
     }
 }
