@@ -17,11 +17,12 @@ typedef struct Task {
     void (*by_hand)(const double *, const double *, const double *, double *const *, size_t);
 } Task;
 
+// Rows are apart by no multiple of 4096 bytes, which would compete for the same cache lines.
 typedef struct Bench {
     const Task *task;
     Machine machine;
     YkBatch *batch;
-    double crank[CHUNK * CHUNKS], rate[CHUNK], accel[CHUNK], by_hand[MOST][CHUNK], ours[MOST][CHUNK];
+    double crank[CHUNK * CHUNKS], rate[CHUNK], accel[CHUNK], by_hand[MOST][CHUNK + 8], ours[MOST][CHUNK + 8];
 } Bench;
 
 static void start(Bench *b, const Task *task)

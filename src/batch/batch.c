@@ -114,6 +114,7 @@ void yk_batch_free(YkBatch *b)
     free(b->row);
     free(b->plain);
     free(b->rates_alone);
+    free(b->idle);
     free(b->constant);
     free(b->lanes_of);
     free(b->point_lanes);
@@ -214,7 +215,8 @@ static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, d
 
 static YkRun run_of(const YkBatch *b)
 {
-    return (YkRun){b->mech, NULL, b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference, b->rates_alone};
+    return (YkRun){b->mech,        NULL,   b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference,
+                   b->rates_alone, b->idle};
 }
 
 // Runs one pose that is well: nothing to mask or settle, no block of lanes. Returns false if it may not be; the outputs

@@ -65,9 +65,13 @@ void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, s
 size_t yk_batch_finite_lanes(const YkBatch *b, double *const *outputs, size_t at, size_t n)
 {
     size_t lane = 0;
+    YkPoseForces *f = b->forces;
+    size_t seen = 0;
     bool finite;
-    if (n == 1) return yk_pose_forces_are_finite(b->forces, outputs, at) ? 1 : 0;
-    yk_lanes_finite(&finite, b->forces->out, b->forces->count, n);
+    if (n == 1) return yk_pose_forces_are_finite(f, outputs, at) ? 1 : 0;
+    for (size_t k = 0; k < f->count; k++)
+        if (!yk_lane_forces_is_constant(f->lanes, k)) f->seen[seen++] = f->out[k];
+    yk_lanes_finite(&finite, f->seen, seen, n);
     if (finite) return n;
     while (lane < n && yk_pose_forces_are_finite(b->forces, outputs, at + lane)) lane++;
     return lane;

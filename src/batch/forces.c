@@ -33,7 +33,7 @@ static YkRefVec two_leaves(YkLaneForces *f, YkGraph *g, YkLeafKind kind, size_t 
 static size_t count_leaves(const YkMechanism *mech, size_t weights)
 {
     return 4 * (mech->slot_count + 1) + 3 * (mech->distance_count + 1) + 6 * (mech->node_count + 1) +
-           mech->coordinate_count + 2 * mech->input_count + mech->relation_count + mech->derived_count +
+           mech->coordinate_count + 3 * mech->input_count + mech->relation_count + mech->derived_count +
            mech->model->parameter_count + weights + 2;
 }
 
@@ -99,6 +99,69 @@ static void place_pose(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
         if (mech->relations[k].law) p->slope[2 * k] = yk_lane_forces_leaf(f, g, YK_LEAF_OF_GAIN, k, 0);
 }
 
+static void place_inputs(YkLaneForces *f, YkProgram *p)
+{
+    for (size_t k = 0; k < p->mech->input_count; k++) {
+        YkRef *motion[] = {&p->input[k].position, &p->input[k].velocity, &p->input[k].acceleration};
+        for (int32_t part = 0; part < 3; part++)
+            *motion[part] = yk_lane_forces_leaf(f, &p->graph, YK_LEAF_OF_INPUT, k, part);
+    }
+}
+
+static bool is_zero(const YkProgram *p, YkRef value)
+{
+    return yk_graph_is_number(&p->graph, value, 0);
+}
+
+// Returns an orientation that is read and turns at a fixed ratio to this input alone; 0 if there is none. by[input]: the
+// rates for rate 1 of one input.
+static size_t find_base(const YkProgram *p, const YkRates *by, size_t input)
+{
+    for (size_t k = p->mech->term_count; k-- > 0;) {
+        size_t slot = (size_t)p->mech->terms[k].slot;
+        bool is_alone = !is_zero(p, by[input].turn[slot]);
+        for (size_t i = 0; i < p->mech->input_count; i++) is_alone &= i == input || is_zero(p, by[i].turn[slot]);
+        if (is_alone) return slot;
+    }
+    return 0;
+}
+
+// Returns an input's rate as a multiple of that of its base.
+static YkRef rate_by(YkProgram *p, const YkRates *by, size_t input, size_t base, const YkRates *rates, YkRef otherwise)
+{
+    if (base == 0) return otherwise;
+    double ratio = p->graph.values[by[input].turn[base]].number;
+    return yk_graph_multiply(&p->graph, yk_graph_number(&p->graph, 1 / ratio), rates->turn[base]);
+}
+
+// What turns at a fixed ratio to an input has rates that are multiples of one rate, so that terms of all of it join. In a
+// variant the ratios may vary.
+static void place_linear_rates(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
+{
+    size_t n = p->mech->input_count;
+    YkRates *by = YK_NEW(p->arena, YkRates, n + 1);
+    YkRef *rate = YK_NEW(p->arena, YkRef, n + 1), *accel = YK_NEW(p->arena, YkRef, n + 1);
+    size_t *base = YK_NEW(p->arena, size_t, n + 1);
+    if (f->variant || f->roots_of || yk_arena_failed(p->arena)) return;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < n; k++) rate[k] = yk_graph_number(&p->graph, k == i ? 1 : 0);
+        by[i] = yk_program_new_rates(p);
+        yk_program_linear_rates(p, rate, &by[i]);
+    }
+    if (p->failed) return;
+    for (size_t i = 0; i < n; i++) base[i] = find_base(p, by, i);
+    for (size_t i = 0; i < n; i++) {
+        rate[i] = rate_by(p, by, i, base[i], r, p->input[i].velocity);
+        accel[i] = rate_by(p, by, i, base[i], s, p->input[i].acceleration);
+    }
+    YkRef *w = YK_NEW(p->arena, YkRef, n + 1), *a = YK_NEW(p->arena, YkRef, n + 1);
+    if (yk_arena_failed(p->arena)) return;
+    for (size_t i = 0; i < n; i++) w[i] = r->turn[base[i]], a[i] = s->turn[base[i]];
+    yk_program_linear_rates(p, rate, r);
+    yk_program_linear_rates(p, accel, s);
+    for (size_t i = 0; i < n; i++) r->turn[base[i]] = w[i], s->turn[base[i]] = a[i];
+}
+
 static void place_coordinates(YkLaneForces *f, YkForces *forces, const YkRates *r)
 {
     YkProgram *p = forces->program;
@@ -106,8 +169,7 @@ static void place_coordinates(YkLaneForces *f, YkForces *forces, const YkRates *
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
         YkMotionRef *m = &forces->motion[k];
         if (c->input != YK_NONE) {
-            m->position = yk_lane_forces_leaf(f, &p->graph, YK_LEAF_OF_INPUT, (size_t)c->input, 0);
-            m->velocity = yk_lane_forces_leaf(f, &p->graph, YK_LEAF_OF_INPUT, (size_t)c->input, 1);
+            *m = p->input[c->input];
             continue;
         }
         m->position =
@@ -168,7 +230,9 @@ static YkRef *make_roots(YkLaneForces *f, YkProgram *p, const YkChannel *channel
     f->sources[f->leaf_count++] = (YkLeafSource){.kind = YK_LEAF_OF_TIME};
     if (!roots || p->failed || !yk_forces_start(&forces, p)) return NULL;
     find_parameters(f, p);
+    place_inputs(f, p);
     place_pose(f, p, &r, &s);
+    place_linear_rates(f, p, &r, &s);
     forces.velocities = r;
     place_coordinates(f, &forces, &r);
     bool has_loads = yk_forces_loads(&forces);
@@ -241,6 +305,12 @@ size_t yk_lane_forces_length(const YkLaneForces *f)
     return yk_tape_length(f->tape);
 }
 
+bool yk_lane_forces_is_constant(const YkLaneForces *f, size_t channel)
+{
+    const double *number = yk_tape_constant(f->tape, channel);
+    return number && *number - *number == 0;
+}
+
 bool yk_lane_forces_needs(const YkLaneForces *f, size_t coordinate)
 {
     return f->needs[coordinate];
@@ -254,5 +324,12 @@ bool yk_lane_forces_need_direction(const YkLaneForces *f, int32_t slot)
         YkJointAngle angle = f->mech->coordinates[s->index].angle;
         if (angle.a == slot || angle.b == slot) return true;
     }
+    return false;
+}
+
+bool yk_lane_forces_need_rates(const YkLaneForces *f, int32_t slot)
+{
+    for (const YkLeafSource *s = f->needed; s < f->needed + f->needed_count; s++)
+        if (s->kind == YK_LEAF_OF_TURN && s->index == slot && s->part >= 2) return true;
     return false;
 }

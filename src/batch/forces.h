@@ -13,6 +13,8 @@ YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *chann
                                  bool *fits);
 void yk_lane_forces_free(YkLaneForces *forces);
 size_t yk_lane_forces_length(const YkLaneForces *forces); // operations a pose
+// Returns whether a channel is the same finite number at all poses.
+bool yk_lane_forces_is_constant(const YkLaneForces *forces, size_t channel);
 // Takes new values of the variant's parameters.
 void yk_lane_forces_redesign(YkLaneForces *forces);
 
@@ -28,6 +30,8 @@ typedef struct YkLanePose {
 bool yk_lane_forces_needs(const YkLaneForces *forces, size_t coordinate);
 // Returns whether they read the direction of an orientation.
 bool yk_lane_forces_need_direction(const YkLaneForces *forces, int32_t slot);
+// Returns whether they read its rate or its acceleration.
+bool yk_lane_forces_need_rates(const YkLaneForces *forces, int32_t slot);
 // Computes out[channel][0 .. n) for n lanes of a pose. Forces of poses at dead points are not finite, or meaningless.
 void yk_lane_forces_run(YkLaneForces *forces, const YkLanePose *pose, double *const *out, size_t n);
 // Does the same for one pose in a space of one lane, with the same bits. Returns where the channels' numbers stand until

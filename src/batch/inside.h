@@ -22,6 +22,7 @@ struct YkBatch {
     size_t *plain; // the channels that need no forces
     size_t plain_count;
     bool *rates_alone;       // [slot]: no step and no channel needs its direction; NULL: all may be needed
+    bool *idle;              // [slot]: none needs anything of it; NULL: all may be needed
     bool needs_state;        // every pose is solved by a state
     double *constant;        // [3 * input + k][lane]: for NULL arrays
     const double **lanes_of; // the runner's view of the inputs of this block
@@ -36,7 +37,7 @@ struct YkBatch {
     YkPoseForces *forces; // of the channels that need them; NULL if none does
 };
 
-// needed.c: finds the orientations whose directions nobody reads. Returns false when out of memory.
+// needed.c: finds the orientations of which nobody reads the direction, or anything. Returns false when out of memory.
 bool yk_batch_find_rates_alone(YkBatch *batch);
 // channels.c: prepares the angles of a channel, and finds the lanes that already hold it.
 void yk_batch_prepare_angle(YkBatch *batch, size_t channel);

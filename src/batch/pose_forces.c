@@ -9,7 +9,8 @@ static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t cou
     f->channels = calloc(count + 1, sizeof *f->channels);
     f->place = calloc(count + 1, sizeof *f->place);
     f->out = calloc(count + 1, sizeof *f->out);
-    if (!f->channels || !f->place || !f->out) return false;
+    f->seen = calloc(count + 1, sizeof *f->seen);
+    if (!f->channels || !f->place || !f->out || !f->seen) return false;
     for (size_t k = 0; k < count; k++) {
         if (!yk_channel_needs_forces(channels[k])) continue;
         f->channels[f->count] = channels[k];
@@ -70,6 +71,7 @@ void yk_pose_forces_free(YkPoseForces *f)
     free(f->channels);
     free(f->place);
     free(f->out);
+    free(f->seen);
     free(f->position);
     free(f->position_lanes);
     free(f->which);

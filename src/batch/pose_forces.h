@@ -18,6 +18,7 @@ typedef struct YkPoseForces {
     double **position; // [coordinate]: lanes of a position that the loads depend on, or NULL
     double *position_lanes;
     double **out;   // [k]: of the channels that need forces
+    double **seen;  // those of them that may not be finite
     size_t *which;  // the lanes asked for, when they are not all,
     double *packed; // [k][lanes]: and their forces
     size_t lane_count;

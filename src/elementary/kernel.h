@@ -30,6 +30,13 @@
 #define YK_EACH_LANE
 #endif
 
+// YK_UNROLL: behind that, for loops of so few operations that counting costs as much.
+#if defined(__GNUC__) && !defined(__clang__)
+#define YK_UNROLL _Pragma("GCC unroll 4")
+#else
+#define YK_UNROLL
+#endif
+
 // YK_KERNEL(name, parameters, arguments) defines the public function `name` from the body name##_body; the last
 // parameter is the count n, which the arguments leave out. One lane takes a copy without a loop; few lanes take the
 // plain copy, since for them the call costs more than the width gains.

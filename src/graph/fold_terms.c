@@ -257,11 +257,30 @@ YkRef yk_graph_cancel(YkGraph *g, YkRef value, YkRef quotient)
     return yk_graph_multiply(g, left, rest);
 }
 
+// Returns whether a value is a number, or a multiple of something.
+static bool is_multiple(const YkGraph *g, YkRef value)
+{
+    const YkValue *v = at(g, value);
+    return v->op == YK_VALUE_NUMBER ||
+           (v->op == YK_VALUE_MULTIPLY && (at(g, v->a)->op == YK_VALUE_NUMBER || at(g, v->b)->op == YK_VALUE_NUMBER));
+}
+
+// A number times p x + q is (number p) x + number q: as many operations, and other such sums may join it.
+static YkRef multiply_out(YkGraph *g, YkRef number, YkRef sum)
+{
+    YkValue v = *at(g, sum);
+    if (!is_sum(g, sum) || !is_multiple(g, v.a) || !is_multiple(g, v.b)) return YK_NONE;
+    if (at(g, v.a)->op != YK_VALUE_NUMBER && at(g, v.b)->op != YK_VALUE_NUMBER) return YK_NONE;
+    YkRef a = yk_graph_multiply(g, number, v.a), b = yk_graph_multiply(g, number, v.b);
+    return v.op == YK_VALUE_ADD ? yk_graph_add(g, a, b) : yk_graph_subtract(g, a, b);
+}
+
 // A product of two numbers that ought to be 1 is rounded to it.
 YkRef yk_graph_join_numbers(YkGraph *g, YkRef number, YkRef product)
 {
     const YkValue *v = at(g, product);
-    if (!g->joins_terms || v->op != YK_VALUE_MULTIPLY) return YK_NONE;
+    if (!g->joins_terms) return YK_NONE;
+    if (v->op != YK_VALUE_MULTIPLY) return multiply_out(g, number, product);
     bool is_second = at(g, v->b)->op == YK_VALUE_NUMBER;
     if (!is_second && at(g, v->a)->op != YK_VALUE_NUMBER) return YK_NONE;
     YkRef rest = is_second ? v->a : v->b;

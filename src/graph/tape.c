@@ -191,6 +191,11 @@ bool yk_tape_needs(const YkTape *t, size_t leaf)
     return t->own_row[leaf] != NULL;
 }
 
+const double *yk_tape_constant(const YkTape *t, size_t root)
+{
+    return t->constant[root];
+}
+
 void yk_tape_set_lanes(YkTape *t, size_t leaf, const double *lanes)
 {
     t->row[leaf] = (double *)(uintptr_t)lanes; // only read

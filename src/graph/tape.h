@@ -26,6 +26,8 @@ size_t yk_tape_length(const YkTape *tape); // operations a pose
 
 // Returns whether the roots depend on a leaf.
 bool yk_tape_needs(const YkTape *tape, size_t leaf);
+// Returns the number of a root that is the same in all lanes; NULL if it varies.
+const double *yk_tape_constant(const YkTape *tape, size_t root);
 // Gives a leaf of a pose its lanes, which must stay until the tape has run.
 void yk_tape_set_lanes(YkTape *tape, size_t leaf, const double *lanes);
 // Gives a leaf the lanes which[0 .. n) of these, one after the other; they are copied.

@@ -177,18 +177,28 @@ static void fill_numbers(const Placer *p)
     }
 }
 
+// Roots that are copied from one number are the same in all lanes.
+static void find_constants(YkTape *t)
+{
+    for (size_t k = t->prelude_count; k < t->step_count; k++)
+        if (t->steps[k].op == YK_TAPE_COPY && t->steps[k].scalars)
+            t->constant[(size_t)t->steps[k].out - t->leaf_count] = t->row[t->steps[k].in[0]];
+}
+
 static bool make_rows(Placer *p, const bool *is_needed)
 {
     YkTape *t = p->tape;
     t->row_count = t->leaf_count + t->root_count + p->own_count;
     t->row = YK_NEW(t->arena, double *, t->row_count + 1);
     t->own_row = YK_NEW(t->arena, double *, t->leaf_count + 1);
+    t->constant = YK_NEW(t->arena, const double *, t->root_count + 1);
     t->wide = YK_NEW(t->arena, int32_t, t->row_count + 1);
     bool *is_single = YK_NEW(t->arena, bool, t->row_count + 1);
     if (yk_arena_failed(t->arena)) return false;
     find_single(p, is_single);
     if (!make_memory(p, is_needed, is_single)) return false;
     for (size_t k = 0; k < t->leaf_count; k++) t->own_row[k] = t->row[k];
+    find_constants(t);
     fill_numbers(p);
     return true;
 }

@@ -9,8 +9,7 @@
 // One operation over lanes. The row of the result is none of the operands'.
 #define EACH(expression)                                                                                               \
     {                                                                                                                  \
-        YK_EACH_LANE                                                                                                   \
-        for (size_t i = 0; i < n; i++) out[i] = (expression);                                                          \
+        YK_EACH_LANE YK_UNROLL for (size_t i = 0; i < n; i++) out[i] = (expression);                                   \
         break;                                                                                                         \
     }
 

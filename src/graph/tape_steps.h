@@ -56,9 +56,10 @@ struct YkTape {
     YkArena *arena;
     YkTapeLaws laws;
     size_t lanes;
-    double **row;       // rows of the leaves, then those of the roots, then the tape's own
-    double **own_row;   // [leaf]: what yk_tape_set fills; NULL for a leaf that nothing depends on
-    bool *is_parameter; // [leaf]: it depends on parameters alone
+    double **row;            // rows of the leaves, then those of the roots, then the tape's own
+    double **own_row;        // [leaf]: what yk_tape_set fills; NULL for a leaf that nothing depends on
+    const double **constant; // [root]: its number, if it is the same in all lanes
+    bool *is_parameter;      // [leaf]: it depends on parameters alone
     size_t leaf_count, root_count, row_count;
     int32_t *wide; // rows of parameters that some step reads lane by lane; all others have one number
     size_t wide_count;

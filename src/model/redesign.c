@@ -449,7 +449,7 @@ static bool finish_loads(YkModel *model)
         for (int e = 0; spring->coordinate == YK_NONE && e < 2; e++)
             if (spring->point[e] != YK_NONE) spring->at[e] = model->points[spring->point[e]].at;
         bool has_length = spring->coordinate == YK_NONE; // along a coordinate it may be any value
-        good = good && spring->stiffness >= 0 && spring->damping >= 0 && !(has_length && spring->length < 0);
+        good = good && spring->damping >= 0 && !(has_length && spring->length < 0);
     }
     for (size_t k = 0; k < model->force_count; k++) {
         YkForce *force = &model->forces[k];

@@ -130,6 +130,8 @@ YkRates yk_program_new_rates(YkProgram *program);
 // Return first derivatives from those of the inputs; second ones from those and the first.
 YkRates yk_program_velocities(YkProgram *program, const YkRef *input_rates);
 YkRates yk_program_accelerations(YkProgram *program, const YkRates *velocities, const YkRef *input_accelerations);
+// Replaces those rates that are sums of the inputs' own: of what drives, gears, racks and belts alone move.
+void yk_program_linear_rates(YkProgram *program, const YkRef *input_rates, YkRates *rates);
 // Returns the rate of a relation's value, without a group's own columns; accelerations NULL: the first derivative.
 YkRef yk_program_relation_rate(YkProgram *program, size_t relation, const YkRates *velocities,
                                const YkRates *accelerations);

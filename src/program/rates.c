@@ -206,6 +206,49 @@ static void run_step(YkProgram *p, const YkStep *step, const YkRef *input, YkRat
     name_rates(p, step, s, r ? "a" : "w");
 }
 
+// Returns whether all sources of a relation are sums of inputs: of turns, then of slides.
+static bool are_linear(const YkMechanism *mech, const YkRelation *r, const bool *turns, const bool *slides)
+{
+    for (uint32_t k = r->first_source; k < r->first_source + r->source_count; k++) {
+        const YkRelationSource *s = &mech->sources[k];
+        bool is_known = s->kind == YK_SOURCE_INPUT || (s->kind == YK_SOURCE_SLOT && turns[s->index]) ||
+                        (s->kind == YK_SOURCE_DISTANCE && slides[s->index]);
+        if (!is_known) return false;
+    }
+    return !r->law;
+}
+
+// Returns where a step notes that its rates are sums of those of the inputs; NULL if they are not.
+static bool *linear_place(const YkMechanism *mech, const YkStep *step, bool *turns, bool *slides)
+{
+    if (step->kind == YK_STEP_TURN) return turns[step->parent] ? &turns[step->target] : NULL;
+    if (step->kind == YK_STEP_COMPOSE) return turns[step->parent] && turns[step->other] ? &turns[step->target] : NULL;
+    if (step->kind == YK_STEP_DISTANCE) return &slides[step->target];
+    if (step->kind != YK_STEP_RELATION) return NULL;
+    const YkRelation *r = &mech->relations[step->target];
+    if (!are_linear(mech, r, turns, slides)) return NULL;
+    return r->target.is_distance ? &slides[r->target.index] : &turns[r->target.index];
+}
+
+void yk_program_linear_rates(YkProgram *p, const YkRef *input_rates, YkRates *s)
+{
+    const YkMechanism *mech = p->mech;
+    bool *turns = YK_NEW(p->arena, bool, mech->slot_count + mech->distance_count + 2), *slides;
+    if (!turns) {
+        p->failed = true;
+        return;
+    }
+    slides = turns + mech->slot_count + 1;
+    turns[0] = true;
+    p->input_rates = input_rates;
+    for (size_t k = 0; k < mech->step_count; k++) {
+        bool *place = linear_place(mech, &mech->steps[k], turns, slides);
+        if (!place) continue;
+        *place = true;
+        run_step(p, &mech->steps[k], input_rates, NULL, s);
+    }
+}
+
 YkRates yk_program_velocities(YkProgram *p, const YkRef *input_rates)
 {
     YkRates r = yk_program_new_rates(p);

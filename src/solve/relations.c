@@ -74,6 +74,7 @@ void yk_run_relation(const YkRun *run, size_t index)
         evaluate(run, index, (YkScalar){target.d, target.v, target.a});
         return;
     }
+    if (yk_run_is_idle(run, to.index)) return;
     YkTurn target = yk_run_turn(run, to.index);
     double *angle = yk_space_scratch(run->space, YK_SCRATCH_KNOWN).x;
     evaluate(run, index, (YkScalar){angle, target.w, target.a});

@@ -213,6 +213,7 @@ void yk_run_lanes(const YkRun *run, const YkStep *step)
     switch (step->kind) {
     case YK_STEP_TURN: {
         const double *const *in = run->inputs + 3 * step->input;
+        if (yk_run_is_idle(run, step->target)) break;
         yk_lanes_turn(yk_run_turn(run, step->target), yk_space_turn(s, step->parent), in[0], in[1], in[2], step->offset,
                       step->sign, run->lanes);
         break;

@@ -13,6 +13,7 @@ typedef struct YkRun {
     size_t lanes;
     const double *references; // [mech->reference_count]: references of the angles from which relations start
     const bool *rates_alone;  // [slot]: nobody reads its direction, so that lanes need not turn it; or NULL
+    const bool *idle;         // [slot]: nobody reads anything of it; or NULL
 } YkRun;
 
 // Returns where an input or a relation turns an orientation: without its direction if nobody reads that.
@@ -21,6 +22,12 @@ static inline YkTurn yk_run_turn(const YkRun *run, int32_t slot)
     YkTurn turn = yk_space_turn(run->space, slot);
     if (run->rates_alone && run->rates_alone[slot]) turn.c = turn.s = NULL;
     return turn;
+}
+
+// Returns whether nobody reads what an input or a relation turns.
+static inline bool yk_run_is_idle(const YkRun *run, int32_t slot)
+{
+    return run->idle && run->idle[slot];
 }
 
 // Runs steps [from, to). Margins and gaps continue from their present values: call yk_run_begin before step 0.

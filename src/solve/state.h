@@ -96,8 +96,8 @@ void yk_state_place_phases(YkState *state);
 static inline YkRun yk_state_run(YkState *state, YkSpace *space)
 {
     if (state->has_phases) yk_state_place_phases(state);
-    return (YkRun){state->mech,    space, state->input_lanes,    state->branch,
-                   &state->groups, 1,     state->slot_reference, NULL};
+    return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1, state->slot_reference,
+                   NULL,        NULL};
 }
 
 // Tolerances, in one place.

@@ -125,6 +125,15 @@ static void terms_are_joined(void **state)
     YkRef unequal = yk_graph_add(g, yk_graph_multiply(g, c, c),
                                  yk_graph_multiply(g, yk_graph_number(g, 2), yk_graph_multiply(g, s, s)));
     assert_true(g->values[unequal].op == YK_VALUE_ADD);
+    // 10 (3 x + 2) + 5 x is one multiple of x and a number.
+    YkRef line = yk_graph_add(g, yk_graph_multiply(g, yk_graph_number(g, 3), t->x), yk_graph_number(g, 2));
+    YkRef steep = yk_graph_add(g, yk_graph_multiply(g, yk_graph_number(g, 10), line),
+                               yk_graph_multiply(g, yk_graph_number(g, 5), t->x));
+    YkRef parts[] = {g->values[steep].a, g->values[steep].b};
+    CHECK_NEAR(value(t, steep, 7, 2), 265, 0);
+    assert_true(yk_graph_is_number(g, parts[0], 20) || yk_graph_is_number(g, parts[1], 20));
+    YkRef product = yk_graph_multiply(g, yk_graph_number(g, 10), yk_graph_add(g, t->x, t->y));
+    assert_true(g->values[product].op == YK_VALUE_MULTIPLY);
     // A force of 7 along a normal, from its part across: the length of the normal cancels.
     YkRef per = yk_graph_inverse(g, yk_graph_vec_length(g, other));
     YkRefVec normal = yk_graph_vec_scale(g, per, other);

@@ -136,11 +136,27 @@ static void mistakes_in_the_force_of_a_spring_are_refused(void **state)
 static void negative_values_are_refused_where_they_stand(void **state)
 {
     (void)state;
-    refused("springs: {k: {along: phi, stiffness: -3}}", YK_CODE_BAD_STIFFNESS, 38, "stiffness of spring `k` is -3");
     refused("springs: {k: {along: phi, damping: 1 - 3}}", YK_CODE_BAD_DAMPING, 36, "damping of spring `k` is -2");
     refused("springs: {k: {between: [ground.P, ram.C], stiffness: k, length: L - 1}}", YK_CODE_BAD_LENGTH, 65, "-0.5");
     YkModel *model = fixture_load(MACHINE "springs: {k: {along: s, stiffness: 0, damping: 0, length: -1}}\n");
     yk_model_free(model);
+}
+
+static void negative_stiffness_is_allowed_with_a_note(void **state)
+{
+    (void)state;
+    static const char text[] = MACHINE "springs: {k: {along: phi, stiffness: -3}}\n";
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_parse(text, strlen(text), "test.yaml", NULL, problems);
+    const YkProblem *problem = fixture_problem(problems, YK_CODE_NEGATIVE_STIFFNESS);
+    assert_non_null(model);
+    assert_true(fixture_spring(model, "k")->stiffness == -3);
+    assert_non_null(problem);
+    assert_int_equal(problem->severity, YK_SEVERITY_NOTE);
+    assert_int_equal(problem->place.column, 38);
+    assert_non_null(strstr(problem->message, "stiffness of spring `k` is -3 "));
+    yk_model_free(model);
+    yk_problems_free(problems);
 }
 
 static void its_values_are_constants_of_their_dimension(void **state)
@@ -165,6 +181,7 @@ int main(void)
         cmocka_unit_test(the_force_of_a_spring_depends_on_its_own_length_and_rate),
         cmocka_unit_test(mistakes_in_the_force_of_a_spring_are_refused),
         cmocka_unit_test(negative_values_are_refused_where_they_stand),
+        cmocka_unit_test(negative_stiffness_is_allowed_with_a_note),
         cmocka_unit_test(its_values_are_constants_of_their_dimension),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -148,8 +148,10 @@ static void values_that_cannot_be_are_told_in_the_files_units(void **state)
     } cases[] = {
         {YK_CODE_BAD_MASS, "mass: -5", "", "mass of `rod` is -5 g;"},
         {YK_CODE_BAD_INERTIA, "mass: 5, inertia: -7", "", "inertia of `rod` is -7 g*mm^2;"},
-        {YK_CODE_BAD_STIFFNESS, "mass: 5", "springs: {k: {along: phi, stiffness: -2 N*mm/deg}}\n", "is -2 N*mm/deg;"},
-        {YK_CODE_BAD_STIFFNESS, "mass: 5", "springs: {k: {between: [ground.P, rod.C], stiffness: -3}}\n",
+        {YK_CODE_BAD_DAMPING, "mass: 5", "springs: {k: {along: phi, damping: -2 N*mm*s/deg}}\n", "is -2 N*mm*s/deg;"},
+        {YK_CODE_NEGATIVE_STIFFNESS, "mass: 5", "springs: {k: {along: phi, stiffness: -2 N*mm/deg}}\n",
+         "is -2 N*mm/deg;"},
+        {YK_CODE_NEGATIVE_STIFFNESS, "mass: 5", "springs: {k: {between: [ground.P, rod.C], stiffness: -3}}\n",
          "is -3 N/mm;"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
@@ -160,8 +162,10 @@ static void values_that_cannot_be_are_told_in_the_files_units(void **state)
                  "joints: {O: {pin: [ground, rod], angle: phi}}\n%s",
                  cases[k].body, cases[k].springs);
         YkProblems *problems = yk_problems_new();
-        assert_null(yk_model_parse(text, strlen(text), "test.yaml", NULL, problems));
+        YkModel *model = yk_model_parse(text, strlen(text), "test.yaml", NULL, problems);
         const YkProblem *problem = fixture_problem(problems, cases[k].code);
+        assert_true((model != NULL) == (cases[k].code == YK_CODE_NEGATIVE_STIFFNESS));
+        yk_model_free(model);
         if (!problem || !strstr(problem->message, cases[k].part)) print_error("%s", yk_problems_text(problems, 0));
         assert_non_null(problem);
         assert_non_null(strstr(problem->message, cases[k].part));

@@ -154,12 +154,15 @@ void yk_load_springs(YkLoader *loader)
     }
 }
 
-static void refuse_negative(YkLoader *loader, const YkSpring *spring, const YkExpr *expr, double value, YkCode code,
-                            const char *noun, YkDimension dimension)
+static void tell_negative(YkLoader *loader, const YkSpring *spring, const YkExpr *expr, double value, YkCode code,
+                          const char *noun, YkDimension dimension)
 {
-    if (expr && value < 0)
-        yk_load_refuse_amount(loader, code, expr, value, dimension,
-                              "the %s of spring %q is %e %s; it cannot be negative", noun, spring->name);
+    if (!expr || !(value < 0)) return;
+    yk_load_refuse_amount(loader, code, expr, value, dimension,
+                          code == YK_CODE_NEGATIVE_STIFFNESS
+                              ? "the %s of spring %q is %e %s; it pushes away from its free length"
+                              : "the %s of spring %q is %e %s; it cannot be negative",
+                          noun, spring->name);
 }
 
 void yk_load_finish_springs(YkLoader *loader)
@@ -171,12 +174,12 @@ void yk_load_finish_springs(YkLoader *loader)
             if (spring->point[k] != YK_NONE) spring->at[k] = model->points[spring->point[k]].at;
         }
         bool turns = spring->coordinate != YK_NONE && !model->coordinates[spring->coordinate].is_distance;
-        refuse_negative(loader, spring, spring->stiffness_expr, spring->stiffness, YK_CODE_BAD_STIFFNESS, "stiffness",
-                        turns ? YK_DIM_TURN_STIFFNESS : YK_DIM_STIFFNESS);
-        refuse_negative(loader, spring, spring->damping_expr, spring->damping, YK_CODE_BAD_DAMPING, "damping",
-                        turns ? YK_DIM_TURN_DAMPING : YK_DIM_DAMPING);
+        tell_negative(loader, spring, spring->stiffness_expr, spring->stiffness, YK_CODE_NEGATIVE_STIFFNESS,
+                      "stiffness", turns ? YK_DIM_TURN_STIFFNESS : YK_DIM_STIFFNESS);
+        tell_negative(loader, spring, spring->damping_expr, spring->damping, YK_CODE_BAD_DAMPING, "damping",
+                      turns ? YK_DIM_TURN_DAMPING : YK_DIM_DAMPING);
         if (spring->coordinate != YK_NONE) continue;
-        refuse_negative(loader, spring, spring->length_expr, spring->length, YK_CODE_BAD_LENGTH, "free length",
-                        YK_DIM_LENGTH);
+        tell_negative(loader, spring, spring->length_expr, spring->length, YK_CODE_BAD_LENGTH, "free length",
+                      YK_DIM_LENGTH);
     }
 }
