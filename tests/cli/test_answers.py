@@ -1,11 +1,12 @@
 """The answers of check, solve, sweep and draw: shapes, columns, units, exit codes. Values are checked against a closed form."""
 import cmath
 import math
+import os
 import re
 import shutil
 import unittest
 
-from harness import Case, FOUR_BAR, Run
+from harness import Case, FOUR_BAR, ROOT, Run
 
 DEG = math.pi / 180
 
@@ -107,6 +108,11 @@ class Solve(Case):
 
     def test_no_assembly_is_exit_1_with_message_and_code(self):
         self.check_refusal("no-assembly", "--at", "theta1=180deg", "--assembly", "nearest")
+
+    def test_the_code_of_a_warning_is_that_of_its_message(self):
+        run = self.good("solve", os.path.join(ROOT, "examples", "three-crank-parallelogram.yaml"), "--format", "json")
+        self.assertEqual((run.json()["status"], run.json()["code"]), ("redundant", "W0605"))
+        self.assertIn("[W0605]", run.err)
 
     def check_refusal(self, status, *words):
         run = Run("solve", self.rocker, *words, "--format", "json")

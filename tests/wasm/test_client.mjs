@@ -164,7 +164,7 @@ const tests = {
     assert.equal(await page(moving), await page(moving), "it is loaded once");
     assert.doesNotMatch(await page(core), /<script>/);
     const lacking = start({ report: "data:nothing" });
-    assert.equal(await outcome(lacking.run(["report", "m.yaml"], files)), "TypeError", "a script that cannot be loaded is told");
+    await assert.rejects(lacking.run(["report", "m.yaml"], files), /TypeError/, "a script that cannot be loaded is told");
     assert.equal((await lacking.run(["check", "m.yaml"], files)).exit, 0);
     for (const one of [moving, lacking]) one.close();
     assert.match((await core.run(["new", "four-bar"], {})).out, /^# A four-bar linkage/);
