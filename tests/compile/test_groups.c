@@ -113,9 +113,47 @@ static void machines_of_dyads_have_no_groups(void **state)
     }
 }
 
+// Machines side by side are solved each for itself, by a group as large as that of one alone.
+static void groups_side_by_side_stay_apart(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"1", "2", "3"}, *const ends[] = {"D1", "D2", "D3"},
+                             *const outputs[] = {"output1", "output2", "output3"};
+    char text[6000];
+    bool is_seen[3] = {false, false, false};
+    size_t n = (size_t)snprintf(text, sizeof text, "bodies:\n  ground: {points: {Z: [0, 0]");
+    for (int k = 1; k <= 3; k++)
+        n += (size_t)snprintf(text + n, sizeof text - n, ", O%d: [6, 2.5], P%d: [0, 0], Q%d: [4, 0]", k, k, k);
+    n += (size_t)snprintf(text + n, sizeof text - n, "}}\n");
+    for (int k = 1; k <= 3; k++)
+        n += (size_t)snprintf(text + n, sizeof text - n, "  output%d: {points: {O%d: [0, 0], D%d: [2.5, 0]}}\n", k, k,
+                              k);
+    for (int k = 0; k < 3; k++) n += add_bodies(text + n, sizeof text - n, names[k], ends[k]);
+    n += (size_t)snprintf(text + n, sizeof text - n, "joints:\n");
+    for (int k = 0; k < 3; k++) {
+        n += (size_t)snprintf(text + n, sizeof text - n, "  O%d: {pin: [ground, output%d], angle: w%d}\n", k + 1, k + 1,
+                              k + 1);
+        n += add_joints(text + n, sizeof text - n, names[k], outputs[k], ends[k]);
+    }
+    snprintf(text + n, sizeof text - n, "drives: {w1: 120 deg, w2: 121 deg, w3: 122 deg}\n");
+    Machine m = machine(text);
+    assert_int_equal(yk_block_count(m.mech), 3);
+    for (size_t b = 0; b < 3; b++) {
+        YkBlockInfo info = yk_block_info(m.mech, b);
+        assert_int_equal(info.kind, YK_BLOCK_GROUP);
+        assert_int_equal(info.unknowns, 4);
+        assert_int_equal(info.equations, 4);
+        assert_int_equal(info.assur_class, 3);
+        is_seen[info.label[1] - '1'] = true;
+    }
+    assert_true(is_seen[0] && is_seen[1] && is_seen[2]);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(groups_side_by_side_stay_apart),
         cmocka_unit_test(groups_that_feed_each_other_are_solved_in_order),
         cmocka_unit_test(three_loops_that_hang_together_are_one_group),
         cmocka_unit_test(each_unknown_of_a_group_is_listed_once),

@@ -3,7 +3,7 @@
 #include "fixture.h"
 
 #define GEARS                                                                                                          \
-    "bodies: {sun: {}, ring: {}, arm: {points: {P: [0.3, 0]}}, planet: {points: {P: [0, 0]}}, bar: {}}\n"                                 \
+    "bodies: {sun: {}, ring: {}, arm: {points: {P: [0.3, 0]}}, planet: {points: {P: [0, 0]}}, bar: {}}\n"              \
     "joints: {S: {pin: [ground, sun], angle: s}, R: {pin: [ground, ring]}, C: {pin: [ground, arm], angle: c},\n"       \
     "  P: {pin: [arm, planet]}, B: {slide: [ground, bar], along: x, distance: d}, E: {slide: [arm, bar], along: y}}\n"
 

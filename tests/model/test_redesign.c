@@ -167,7 +167,8 @@ static void what_cannot_follow_is_said_where_it_stands(void **unused)
     (void)unused;
     static const char *const text =
         "parameters: {r: 30 mm, a: 20 deg, l: 1 m, twice: 2*l}\n"
-        "bodies: {wheel: {}, other: {points: {Q: [0, 0], F: [twice, 0]}}, bar: {}, ground: {points: {Q: [0.1, 0], G: [0, -30 "
+        "bodies: {wheel: {}, other: {points: {Q: [0, 0], F: [twice, 0]}}, bar: {}, ground: {points: {Q: [0.1, 0], G: "
+        "[0, -30 "
         "mm]}}}\n"
         "joints:\n  O: {pin: [ground, wheel], angle: q}\n  Q: {pin: [ground, other], at: Q}\n"
         "  S: {slide: [other, bar], along: x, turned: a}\n"
@@ -197,7 +198,8 @@ static void what_cannot_follow_is_said_where_it_stands(void **unused)
     const double half = 0.5;
     assert_int_equal(yk_redesign_set(good, &half), YK_OK);
     for (size_t p = 0; p < model->point_count; p++)
-        if (model->points[p].body == 2) CHECK_NEAR(yk_redesign_model(good)->points[p].at.x, model->points[p].at.x / 2, 1e-16);
+        if (model->points[p].body == 2)
+            CHECK_NEAR(yk_redesign_model(good)->points[p].at.x, model->points[p].at.x / 2, 1e-16);
     yk_redesign_free(good);
     assert_null(yk_redesign_new(model, &stranger, 1, NULL));
     yk_model_free(model);

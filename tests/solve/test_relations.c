@@ -105,6 +105,22 @@ static void laws_follow_what_they_are_of(void **unused)
     machine_free(&m);
 }
 
+// Wheels whose start gives them phases miss nothing either, at any time.
+static void phases_are_no_miss(void **unused)
+{
+    (void)unused;
+    char text[4000];
+    snprintf(text, sizeof text, "%sstart: {b: 1.1, c: -0.7, d: 0.4, e: 2.3, p: 0.9, r: 0.37}\n", wheels);
+    Machine m = machine_parse(text, true);
+    for (int k = -20; k <= 20; k++) {
+        assert_int_equal(yk_state_set_time(m.state, 0.6 * k, m.problems), YK_OK);
+        assert_true(yk_state_solve(m.state) >= 0);
+        CHECK_NEAR(yk_state_residuals(m.state).position, 0, 1e-12);
+        CHECK_NEAR(yk_state_residuals(m.state).velocity, 0, 1e-12);
+    }
+    machine_free(&m);
+}
+
 // What is moved away by hand misses its relation, in position, rate and acceleration.
 static void residuals_tell_a_miss(void **unused)
 {
@@ -313,6 +329,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wheels_turn_by_their_ratios),
         cmocka_unit_test(laws_follow_what_they_are_of),
+        cmocka_unit_test(phases_are_no_miss),
         cmocka_unit_test(residuals_tell_a_miss),
         cmocka_unit_test(a_start_that_is_turns_away_counts_its_turns),
         cmocka_unit_test(rates_are_differences_of_positions),
