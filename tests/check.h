@@ -20,10 +20,10 @@
 #endif
 
 // Returns how many of a test's random cases to run: all, or a tenth under the sanitizers, which look for faults of memory and of
-// arithmetic, not of answers, and find them in the first cases or not at all.
+// arithmetic, not of answers, and find them in the first cases or not at all, and where branches are counted.
 static inline uint64_t check_cases(uint64_t all)
 {
-#ifdef IS_SANITIZED
+#if defined(IS_SANITIZED) || defined(YOKE_COVERAGE)
     return (all + 9) / 10;
 #else
     return all;

@@ -56,6 +56,32 @@ static void efforts_of_drives_come_from_the_rows_as_well(void **unused)
     }
 }
 
+// Where one input is driven and the others are free, its row has the accelerations of these as well.
+static void efforts_of_one_drive_beside_free_inputs_come_from_its_row(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 12;
+    size_t compared = 0;
+    for (size_t k = 0; k < RIG_EXAMPLES; k++) {
+        Rig rig = rig_of_example(rig_examples[k]);
+        size_t n = rig.mech->input_count;
+        for (size_t driven = 0; n > 1 && driven < n; driven++) {
+            double a[64];
+            for (size_t i = 0; i < n; i++) yk_dynamics_prescribe(rig.dynamics, i, i == driven);
+            if (!rig_shake(&rig, &seed)) continue;
+            if (yk_dynamics_solve(rig.dynamics, rig.state, YK_METHOD_NEWTON_EULER) != YK_OK) continue;
+            double due = rig.dynamics->drive[driven];
+            double force = fmax(1, rig.dynamics->largest_force * rig.mech->size);
+            assert_true(yk_dynamics_reduce(rig.dynamics, rig.state) >= 0);
+            yk_reduced_solve(rig.dynamics->reduced, a, true);
+            CHECK_NEAR(yk_reduced_effort(rig.dynamics->reduced, driven), due, 1e-10 * force);
+            compared++;
+        }
+        rig_free(&rig);
+    }
+    assert_true(compared > 8);
+}
+
 // Machines with few free inputs: their accelerations by influence coefficients, moving and at rest, against the
 // elimination.
 static void influence_coefficients_equal_the_elimination(void **unused)
@@ -137,6 +163,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reduced_equations_equal_the_free_bodies),
         cmocka_unit_test(efforts_of_drives_come_from_the_rows_as_well),
+        cmocka_unit_test(efforts_of_one_drive_beside_free_inputs_come_from_its_row),
         cmocka_unit_test(influence_coefficients_equal_the_elimination),
         cmocka_unit_test(responses_are_symmetric),
         cmocka_unit_test(the_published_double_pendulum),

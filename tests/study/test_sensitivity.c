@@ -81,11 +81,93 @@ static void test_both_ways_agree_on_the_examples(void **unused)
     assert_true(checked > 60);
 }
 
+// Of every kind of position: angles of bodies and joints, distances, points, and time, which nothing moves.
+static void check_positions(const char *file)
+{
+    enum { CHANNELS = 40, PARAMETERS = 6 };
+    YkChannel channels[CHANNELS] = {{.kind = YK_CHANNEL_TIME}};
+    const char *names[PARAMETERS];
+    double by[2][CHANNELS * PARAMETERS];
+    size_t count = 1, parameters = 0, moved = 0;
+    Machine m = machine_load(file);
+    for (size_t p = 0; p < m.model->parameter_count && parameters < PARAMETERS; p++) {
+        YkVariant *v = yk_variant_new(m.mech, &m.model->parameters[p].name, 1, NULL);
+        if (v) names[parameters++] = m.model->parameters[p].name;
+        yk_variant_free(v);
+    }
+    for (size_t b = 1; b < m.model->body_count && count < 12; b++)
+        channels[count++] = (YkChannel){.kind = YK_CHANNEL_BODY, .index = (int)b};
+    for (size_t j = 0; j < m.model->joint_count && count < 24; j++) {
+        YkPartKind kind = m.model->joints[j].kind;
+        if (kind == YK_PIN || kind == YK_PIN_SLOT)
+            channels[count++] = (YkChannel){.kind = YK_CHANNEL_JOINT_ANGLE, .index = (int)j};
+        if (m.mech->joint_distance[j] != YK_NONE)
+            channels[count++] = (YkChannel){.kind = YK_CHANNEL_JOINT_DISTANCE, .index = (int)j};
+    }
+    for (size_t k = 0; k < m.model->point_count && count + 1 < CHANNELS; k++) {
+        channels[count++] = (YkChannel){.kind = YK_CHANNEL_POINT_X, .index = (int)k};
+        channels[count++] = (YkChannel){.kind = YK_CHANNEL_POINT_Y, .index = (int)k};
+    }
+    assert_true(parameters > 0);
+    YkStudyOptions options = {
+        .parameters = names, .parameter_count = parameters, .channels = channels, .channel_count = count};
+    YkStudy *study = yk_study_new(m.state, &options, m.problems);
+    assert_non_null(study);
+    assert_true(yk_study_sensitivities(study, NULL, by[0], by[1]) >= 0);
+    for (size_t k = 0; k < count * parameters; k++) {
+        double size = fabs(by[1][k]), allowed = 1e-7 * (1 + size);
+        if (!(fabs(by[0][k] - by[1][k]) <= allowed))
+            print_error("%s: channel kind %d index %d by %s: %.12g, by difference %.12g\n", file,
+                        channels[k / parameters].kind, channels[k / parameters].index, names[k % parameters], by[0][k],
+                        by[1][k]);
+        CHECK_NEAR(by[0][k], by[1][k], allowed);
+        moved += size > 1e-3;
+    }
+    for (size_t p = 0; p < parameters; p++) assert_true(by[0][p] == 0);
+    assert_true(moved > parameters);
+    yk_study_free(study);
+    machine_free(&m);
+}
+
+static void test_both_ways_agree_on_every_kind_of_position(void **unused)
+{
+    (void)unused;
+    static const char *const files[] = {"four-bar",    "quick-return",        "inverted-slider-crank",
+                                        "scotch-yoke", "offset-slider-crank", "five-bar"};
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) check_positions(files[k]);
+}
+
+// The rod just reaches the block's line; with a crank shorter by a hundredth it does not, which is told.
+static void test_a_neighbour_that_does_not_close_is_told(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("parameters: {a: 1, b: 1.001}\n"
+                              "bodies:\n"
+                              "  ground: {points: {O: [0, 0], Q: [2, 0]}}\n"
+                              "  crank: {points: {O: [0, 0], A: [a, 0]}}\n"
+                              "  rod: {points: {A: [0, 0], B: [b, 0]}}\n"
+                              "  block: {points: {B: [0, 0]}}\n"
+                              "joints:\n"
+                              "  O: {pin: [ground, crank], angle: q}\n"
+                              "  A: {pin: [crank, rod], angle: p}\n"
+                              "  B: {pin: [rod, block]}\n"
+                              "  S: {slide: [ground, block], along: y, from: Q, to: B, distance: y}\n"
+                              "drives: {q: 1 rad/s * t}\nstart: {p: 3 deg, y: 0.04}\n",
+                              true);
+    const char *name = "a", *of = "y";
+    YkStudy *study = study_of(&m, &name, 1, &of, 1, 1);
+    assert_int_equal(yk_study_sensitivities(study, NULL, derivative, difference), YK_NO_ASSEMBLY);
+    yk_study_free(study);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_derivatives_of_a_slider_crank_are_the_closed_form),
         cmocka_unit_test(test_both_ways_agree_on_the_examples),
+        cmocka_unit_test(test_both_ways_agree_on_every_kind_of_position),
+        cmocka_unit_test(test_a_neighbour_that_does_not_close_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -481,6 +481,53 @@ static void test_groups_start_at_the_inputs_of_the_start(void **unused)
     machine_free(&m);
 }
 
+// A piston driven over its full stroke turns back just at its limits and takes its crank round, if it is moved in time.
+static void test_a_drive_that_turns_back_at_limits_is_followed_in_time(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 60 };
+    Machine m = machine_parse("parameters: {m: 1 kg}\n"
+                              "bodies:\n"
+                              "  ground: {points: {O: [0, 0]}}\n"
+                              "  crank: {points: {O: [0, 0], A: [30 mm, 0]}, mass: m}\n"
+                              "  coupler: {points: {A: [0, 0], B: [80 mm, 0]}}\n"
+                              "  piston: {points: {B: [0, 0]}, mass: 0.3 kg}\n"
+                              "joints:\n"
+                              "  O: {pin: [ground, crank], angle: theta}\n"
+                              "  A: {pin: [crank, coupler]}\n"
+                              "  B: {pin: [coupler, piston]}\n"
+                              "  S: {slide: [ground, piston], along: x, from: O, to: B, distance: s}\n"
+                              "drives: {s: 80 mm + 30 mm * cos(1 rad/s * t + 1 rad)}\n"
+                              "start: {theta: 60 deg, A.angle: -90 deg}\n",
+                              true);
+    const char *name = "m";
+    double masses[] = {0.5, 2}, time[COUNT], motion[3][COUNT], *outputs[] = {out[0], out[1]};
+    for (int k = 0; k < COUNT; k++) {
+        time[k] = 0.31 * k;
+        motion[0][k] = 0.08 + 0.03 * cos(time[k] + 1);
+        motion[1][k] = -0.03 * sin(time[k] + 1);
+        motion[2][k] = -0.03 * cos(time[k] + 1);
+    }
+    YkChannel channels[] = {machine_channel(&m, "theta"), machine_channel(&m, "theta.rate")};
+    YkStudyOptions options = {
+        .parameters = &name, .parameter_count = 1, .channels = channels, .channel_count = 2, .follows_time = true};
+    YkStudy *study = yk_study_new(m.state, &options, m.problems);
+    assert_non_null(study);
+    const double *parameters[] = {masses}, *inputs[] = {motion[0], motion[1], motion[2]};
+    YkStudyCase asked = {parameters, 2, inputs, COUNT, false, time};
+    assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_OK);
+    for (int k = 0; k < 2 * COUNT; k++) {
+        double phase = time[k % COUNT] + 1, turns = floor(phase / (2 * YK_PI)), s = 0.08 + 0.03 * cos(phase);
+        double half = acos((s * s + 0.03 * 0.03 - 0.08 * 0.08) / (2 * 0.03 * s));
+        double theta = 2 * YK_PI * turns + (sin(phase) > 0 ? half : 2 * YK_PI - half);
+        double x = 0.03 * cos(theta), y = 0.03 * sin(theta), rate = -0.03 * sin(phase) / (-y - x * y / (s - x));
+        CHECK_NEAR(out[0][k], theta, 1e-9);
+        CHECK_NEAR(out[1][k], rate, 1e-7);
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -497,6 +544,7 @@ int main(void)
         cmocka_unit_test(test_a_machine_with_a_group_is_assembled_for_every_design),
         cmocka_unit_test(test_designs_start_at_the_inputs_of_the_start),
         cmocka_unit_test(test_groups_start_at_the_inputs_of_the_start),
+        cmocka_unit_test(test_a_drive_that_turns_back_at_limits_is_followed_in_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
