@@ -166,7 +166,7 @@ static bool compare_pendulum(void)
     machine_end(&machine);
     free(first);
     return row("double pendulum, 1e5 states, each with its own parameters", median(ns[0], ROUNDS),
-               median(ns[1], ROUNDS), "ns", 3, worst / largest);
+               median(ns[1], ROUNDS), "ns", 2.5, worst / largest);
 }
 
 // --- Monte Carlo

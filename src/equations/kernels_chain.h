@@ -159,7 +159,7 @@ YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axi
         bool resists = chain_eliminate(link, links);
         resists &= chain_solve(link, links, rows, i);
         ok[i] = is_possible ? (resists ? 1 : 0) : -1;
-        wrong |= is_possible & resists ? 0u : 1u;
+        wrong |= (is_possible & resists) ? 0u : 1u;
     }
     *bad = wrong != 0;
     return far;

@@ -12,6 +12,13 @@ static double norm(const YkRest *rest, const double *a)
     return sqrt(sum);
 }
 
+// Returns whether a pose from which the search goes no further is an equilibrium. Forces may be small only because the
+// largest seen, such as those beside a dead point, are huge: the next step must be small too.
+static bool is_at_rest(const YkRest *rest, double size, double step)
+{
+    return size <= 1e-9 * rest->force_scale && step <= 1e-4;
+}
+
 // Newton's method, with a line search on the magnitude of the accelerations.
 bool yk_rest_descend(YkRest *rest)
 {
@@ -24,6 +31,7 @@ bool yk_rest_descend(YkRest *rest)
     rest->has_inertia = true;
     double size = norm(rest, a);
     rest->force_scale = fmax(rest->force_scale, size);
+    double longest = 0; // rad, or machine sizes
     for (int k = 0; k < STEPS_MAX; k++) {
         if (!yk_pace_spend(rest->pace, f * f * f)) return false;
         if (size <= 1e-13 * rest->force_scale) return true;
@@ -32,7 +40,8 @@ bool yk_rest_descend(YkRest *rest)
         for (size_t i = 0; i < f; i++) step[i] = -a[i];
         if (yk_lu_factor(f, J, rest->pivot, rest->trial) == 0) return false;
         yk_lu_solve(f, J, rest->pivot, step);
-        double longest = 0, most = 0.7; // rad, or machine sizes
+        const double most = 0.7;
+        longest = 0;
         for (size_t i = 0; i < f; i++) longest = fmax(longest, fabs(step[i]) / rest->scale[i]);
         if (!isfinite(longest)) return false;
         double way = longest > most ? most / longest : 1, next = HUGE_VAL;
@@ -43,12 +52,12 @@ bool yk_rest_descend(YkRest *rest)
             next = yk_rest_accelerations(rest, trial, NULL, there) ? norm(rest, there) : HUGE_VAL;
             if (next < size) break;
         }
-        if (!(next < size)) return size <= 1e-9 * rest->force_scale;
+        if (!(next < size)) return is_at_rest(rest, size, longest);
         memcpy(q, trial, f * sizeof *q);
         memcpy(a, there, f * sizeof *a);
         size = next;
     }
-    return size <= 1e-9 * rest->force_scale;
+    return is_at_rest(rest, size, longest);
 }
 
 // Returns whether the pose was found before. Angles modulo a turn.

@@ -46,6 +46,31 @@ static void a_double_pendulum_rests_in_four_places(void **unused)
     yk_model_free(model);
 }
 
+// A block that x^2 + 1 pushes from 1e5 m away: nowhere at rest, though the least force is 1e-10 of the largest; that
+// x^2 - 1 pushes: at -1, stable, and at 1.
+#define PUSHED(constant)                                                                                               \
+    "bodies:\n  ground: {points: {O: [0, 0]}}\n  block: {points: {P: [0, 0]}, mass: 1}\n"                              \
+    "joints: {S: {slide: [ground, block], along: x, distance: x}}\n"                                                   \
+    "efforts: {x: " constant " N + x^2 * 1 N/m^2}\nstart: {x: 1e5}\n"
+
+static void the_least_force_is_no_equilibrium(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest = rest_of(PUSHED("1"), &model);
+    assert_int_equal(yk_rest_count(rest), 0);
+    yk_rest_free(rest);
+    yk_model_free(model);
+    rest = rest_of(PUSHED("-1"), &model);
+    assert_true(yk_rest_count(rest) > 0);
+    for (size_t k = 0; k < yk_rest_count(rest); k++) {
+        bool is_stable = yk_rest_equilibrium(rest, k).stability == YK_STABILITY_STABLE;
+        CHECK_NEAR(yk_rest_stiffness(rest, k)[0], is_stable ? 2 : -2, 1e-3); // by differences of 1e-9 of 1e5 m
+    }
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
 // A plate on two springs: sideways a pendulum of their length, up and down, and about its centre.
 static void a_floating_plate_has_three_small_motions(void **unused)
 {
@@ -248,6 +273,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_double_pendulum_rests_in_four_places),
+        cmocka_unit_test(the_least_force_is_no_equilibrium),
         cmocka_unit_test(a_toggle_beside_its_limit_has_the_frequency_of_its_closed_form),
         cmocka_unit_test(a_floating_plate_has_three_small_motions),
         cmocka_unit_test(every_equilibrium_keeps_its_mesh),
