@@ -291,7 +291,7 @@ static void tell_continua(const YkConfigurationsReport *r, bool has_settled, YkT
     if (r->continua == 0) return;
     if (r->continua == 1) yk_text_format(text, "one of them stands for a continuum of dimension %z", c->dimension);
     if (r->continua > 1)
-        yk_text_format(text, "%z of them stand for continua, of dimension %z at most", r->continua, c->dimension);
+        yk_text_format(text, "%z of them stand for continua (largest dimension: %z)", r->continua, c->dimension);
     bool is_bounded = c->at_most == c->dimension;
     if (r->continua == 1 && is_bounded && c->at_least == c->dimension) yk_text_puts(text, ", proved");
     if (r->continua == 1 && is_bounded && c->at_least < c->dimension)
