@@ -277,7 +277,12 @@ static bool show(void *context, YkState *state)
 {
     YkConfigurations *all = context;
     if (!is_of_its_own(all, state)) return true;
-    all->report.count++;
+    if (++all->report.count > YK_CONFIGURATIONS_SHOWN) {
+        // groups ask while they are solved; dyads alone are asked about here
+        bool goes_on = !all->enough.progress.goes_on || yk_pace_spend(&all->enough, 100 * all->mech->step_count);
+        all->is_cut_short |= !goes_on;
+        return goes_on;
+    }
     if (!all->visit || all->visit(all->context, state)) return true;
     all->is_left = true;
     return false;
@@ -312,7 +317,7 @@ static void tell(YkConfigurations *all, bool whole, const YkLister *lister)
                                    : YK_COMPLETE_BY_COUNT;
     const char *label = r->block < 0 ? "" : all->mech->blocks[r->block].label;
     tell_continua(r, lister->settled > 0, &text);
-    if (r->block < 0 && whole)
+    if (r->block < 0 && whole && !all->is_cut_short)
         yk_text_puts(&text, "every dyad is solved in closed form");
     else if (r->complete && all->is_excluded)
         yk_text_format(&text, "all other angles of the group of joint `%s` are proved not to close it%s", label,
@@ -320,7 +325,7 @@ static void tell(YkConfigurations *all, bool whole, const YkLister *lister)
     else if (r->complete)
         yk_text_format(&text, "all %z complex solutions of the group of joint `%s` are proved%s", r->expected, label,
                        r->count == 0 ? ", and none closes the machine" : "");
-    else if (!whole)
+    else if (!whole || (all->is_cut_short && r->block < 0))
         yk_text_puts(&text, "not all combinations of branches were visited");
     else if (all->is_cut_short)
         yk_text_format(

@@ -128,6 +128,7 @@ static void write_report(Writer *writer, const YkConfigurationsReport *report)
     bool is_known = report->reason != YK_INCOMPLETE;
     yk_json_bool(json, "complete", report->complete);
     yk_json_string(json, "reason", is_known ? yk_complete_reason_name(report->reason) : NULL);
+    if (report->count > writer->count) yk_json_number(json, "count", (double)report->count);
     yk_json_string(json, "because", report->message);
     if (report->continua > 0) yk_json_number(json, "continua", (double)report->continua);
     if (report->block < 0 || (report->expected == 0 && report->reason == YK_COMPLETE_BY_EXCLUSION)) return;
@@ -150,8 +151,9 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
         yk_json_end(&writer->json);
     } else if (session->request->format == YK_FORMAT_TEXT && all) {
         bool is_told = report->reason != YK_COMPLETE_BY_CLOSED_FORM;
-        yk_text_format(&session->out, "\n%z configuration%s; there %s%s%s\n", writer->count,
-                       writer->count == 1 ? "" : "s",
+        yk_text_format(&session->out, "\n%z configuration%s; ", report->count, report->count == 1 ? "" : "s");
+        if (report->count > writer->count) yk_text_format(&session->out, "the first %z are shown; ", writer->count);
+        yk_text_format(&session->out, "there %s%s%s\n",
                        report->complete       ? "are no others"
                        : report->continua > 0 ? "are others"
                                               : "may be others",
