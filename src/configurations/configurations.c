@@ -277,12 +277,13 @@ static bool show(void *context, YkState *state)
 {
     YkConfigurations *all = context;
     if (!is_of_its_own(all, state)) return true;
-    if (++all->report.count > YK_CONFIGURATIONS_SHOWN) {
-        // groups ask while they are solved; dyads alone are asked about here
-        bool goes_on = !all->enough.progress.goes_on || yk_pace_spend(&all->enough, 100 * all->mech->step_count);
-        all->is_cut_short |= !goes_on;
-        return goes_on;
+    // Groups ask whether to go on while they are solved; for dyads it is asked here.
+    bool goes_on = !all->enough.progress.goes_on || yk_pace_spend(&all->enough, 100 * all->mech->step_count);
+    if (!goes_on && all->report.block < 0) {
+        all->is_cut_short = true;
+        return false;
     }
+    if (++all->report.count > YK_CONFIGURATIONS_SHOWN) return true;
     if (!all->visit || all->visit(all->context, state)) return true;
     all->is_left = true;
     return false;

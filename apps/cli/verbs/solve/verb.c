@@ -98,6 +98,7 @@ static YkStatus write_all(Writer *writer, YkStatus status, YkConfigurationsRepor
         writer->own = session->state;
         session->state = NULL;
     }
+    session->keeps_what_is_done = !yk_stop_is_asked();
     YkStatus each =
         yk_reach_ask(session) < 0 ? YK_NO_MEMORY : yk_session_each(session, session->state, visit, writer, report);
     yk_note_status(session, each);
@@ -195,7 +196,9 @@ static int solve(Writer *writer)
     yk_warn_of_stops(writer->stops, NULL, YK_QUANTITY_TIME);
     int exit_code = yk_status_exit(status < 0 ? status : written);
     if (exit_code == YK_EXIT_DONE && yk_lacks_construction(session)) exit_code = YK_EXIT_NO_ANSWER;
-    return yk_session_finish(session, exit_code);
+    exit_code = yk_session_finish(session, exit_code);
+    if (session->request->all) yk_stop_is_due(); // what was found is written, and main says that it was stopped
+    return exit_code;
 }
 
 // Reads --of; forces among the columns need a machine that has some.
