@@ -10,7 +10,7 @@ static bool is_within(void *context, double part)
 {
     const struct YkRolls *rolls = context;
     (void)part;
-    return yk_stop_now() < rolls->deadline && !yk_stop_is_asked();
+    return (rolls->deadline == 0 || yk_stop_now() < rolls->deadline) && !yk_stop_is_asked();
 }
 
 bool yk_roll_within(YkSession *session, double *seconds)
@@ -58,7 +58,8 @@ static YkConfigurationsOptions options_of(YkSession *session)
     YkConfigurationsOptions options = yk_default_configurations_options();
     options.in_search_order = options.with_names = true;
     yk_roll_solver(session, &options.solver);
-    if (session->rolls->deadline > 0) options.enough = (YkProgress){is_within, session->rolls};
+    if (session->rolls->deadline > 0 || session->keeps_what_is_done)
+        options.enough = (YkProgress){is_within, session->rolls};
     return options;
 }
 
@@ -81,7 +82,10 @@ YkStatus yk_session_each(YkSession *session, YkState *state, bool (*visit)(void 
     if (report) *report = (YkConfigurationsReport){.block = -1};
     if (!make_rolls(session)) return YK_NO_MEMORY;
     YkConfigurationsOptions options = options_of(session);
+    // Where what is done is kept Ctrl-C ends the solving of groups, not the whole call.
+    if (session->keeps_what_is_done) yk_state_set_progress(state, (YkProgress){0});
     YkStatus status = yk_configurations_each(session->rolls->configurations, state, &options, visit, context, report);
+    if (session->keeps_what_is_done) yk_state_set_progress(state, yk_stop_progress(session));
     if (status == YK_NO_MEMORY) yk_session_run_out(session);
     return status;
 }

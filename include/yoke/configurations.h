@@ -40,10 +40,12 @@ typedef struct YkContinuum {
     double miss;  // by which their loops miss at most, over the machine's size
 } YkContinuum;
 
+enum { YK_CONFIGURATIONS_SHOWN = 10000 };
+
 typedef struct YkConfigurationsReport {
     bool complete; // there are no configurations but those visited
     YkCompleteReason reason;
-    size_t count; // configurations visited
+    size_t count; // configurations found; those beyond the first YK_CONFIGURATIONS_SHOWN are not visited
     // Of the group that lacks most, or the largest: its block, or -1 if there is no group; how many distinct complex
     // solutions were proved, and how many it has; expected is 0 if they were not counted.
     int block;
@@ -74,9 +76,10 @@ typedef struct YkConfigurationsOptions {
 } YkConfigurationsOptions;
 YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 
-// Visits every configuration at the state's inputs, each as its pose. visit (may be NULL) returns false to stop; the
-// state returns to the configuration it had. options may be NULL. For groups with up to three gears, belts, racks, cams or
-// laws and six unknowns, the space of all angles and distances is divided until each box is proved to hold one pose or none.
+// Visits every configuration at the state's inputs, the first YK_CONFIGURATIONS_SHOWN of them, each as its pose. visit
+// (may be NULL) returns false to stop; the state returns to the configuration it had. options may be NULL. For groups with up
+// to three gears, belts, racks, cams or laws and six unknowns, the space of all angles and distances is divided until each box
+// is proved to hold one pose or none.
 // Other groups (with more of these, with laws that are not smooth, with constraints that repeat others,
 // or of more than 7 loops) are searched as yk_state_each does, and the report is not complete. Returns YK_OK,
 // YK_NO_ASSEMBLY (with report->complete: proved), YK_STOPPED, or YK_NO_MEMORY.

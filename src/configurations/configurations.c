@@ -277,7 +277,13 @@ static bool show(void *context, YkState *state)
 {
     YkConfigurations *all = context;
     if (!is_of_its_own(all, state)) return true;
-    all->report.count++;
+    // Groups ask whether to go on while they are solved; for dyads it is asked here.
+    bool goes_on = !all->enough.progress.goes_on || yk_pace_spend(&all->enough, 100 * all->mech->step_count);
+    if (!goes_on && all->report.block < 0) {
+        all->is_cut_short = true;
+        return false;
+    }
+    if (++all->report.count > YK_CONFIGURATIONS_SHOWN) return true;
     if (!all->visit || all->visit(all->context, state)) return true;
     all->is_left = true;
     return false;
@@ -291,7 +297,7 @@ static void tell_continua(const YkConfigurationsReport *r, bool has_settled, YkT
     if (r->continua == 0) return;
     if (r->continua == 1) yk_text_format(text, "one of them stands for a continuum of dimension %z", c->dimension);
     if (r->continua > 1)
-        yk_text_format(text, "%z of them stand for continua, of dimension %z at most", r->continua, c->dimension);
+        yk_text_format(text, "%z of them stand for continua (largest dimension: %z)", r->continua, c->dimension);
     bool is_bounded = c->at_most == c->dimension;
     if (r->continua == 1 && is_bounded && c->at_least == c->dimension) yk_text_puts(text, ", proved");
     if (r->continua == 1 && is_bounded && c->at_least < c->dimension)
@@ -312,7 +318,7 @@ static void tell(YkConfigurations *all, bool whole, const YkLister *lister)
                                    : YK_COMPLETE_BY_COUNT;
     const char *label = r->block < 0 ? "" : all->mech->blocks[r->block].label;
     tell_continua(r, lister->settled > 0, &text);
-    if (r->block < 0 && whole)
+    if (r->block < 0 && whole && !all->is_cut_short)
         yk_text_puts(&text, "every dyad is solved in closed form");
     else if (r->complete && all->is_excluded)
         yk_text_format(&text, "all other angles of the group of joint `%s` are proved not to close it%s", label,
@@ -320,7 +326,7 @@ static void tell(YkConfigurations *all, bool whole, const YkLister *lister)
     else if (r->complete)
         yk_text_format(&text, "all %z complex solutions of the group of joint `%s` are proved%s", r->expected, label,
                        r->count == 0 ? ", and none closes the machine" : "");
-    else if (!whole)
+    else if (!whole || (all->is_cut_short && r->block < 0))
         yk_text_puts(&text, "not all combinations of branches were visited");
     else if (all->is_cut_short)
         yk_text_format(

@@ -28,7 +28,8 @@ bool yk_continua_start(YkContinua *c, const YkMechanism *mech)
     c->columns = n;
     c->x0 = calloc(rows * n + 3 * rows + 5 * n + n * n + YK_CONTINUUM_SAMPLES * n, sizeof(double));
     c->order = calloc(2 * n + 1, sizeof *c->order);
-    if (!c->x0 || !c->order) return false;
+    if (!c->x0 || !c->order) yk_continua_end(c);
+    if (!c->x0) return false;
     c->A = c->x0 + n;
     c->F = c->A + rows * n;
     c->b = c->F + rows;
@@ -255,11 +256,13 @@ bool yk_continuum_at(YkContinua *c, const YkState *state, YkContinuum *found, bo
     double x[UNKNOWNS_MAX];
     *found = (YkContinuum){0};
     *is_new = true;
+    c->failed = false;
     if (c->columns == 0) return true;
     read_pose(c, state);
     find_dimension(c, x, found);
     if (found->dimension == 0) return true;
     yk_continuum_bound(c, x, found);
+    if (c->failed) return false;
     for (size_t k = 0; k < c->kept && *is_new; k++)
         *is_new = c->dimension[k] != found->dimension ||
                   !yk_continuum_joins(c, c->x0, c->poses + k * c->columns, found->dimension);

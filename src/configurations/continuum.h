@@ -16,6 +16,7 @@ typedef struct YkContinua {
     size_t rows, columns, rank, kept, kept_capacity;
     double *x0, *F, *A, *tau, *b, *step, *kernel, *samples; // of the pose in question
     size_t *order, *body, sample_count;
+    bool failed;   // memory ran out
     double *poses; // [kept][columns]: one pose of each continuum
     size_t *dimension;
 } YkContinua;

@@ -9,11 +9,12 @@
 
 // Proves that A[m][n] has a rank of at least r, at all poses within 1e-10 of this one: some r columns have a left inverse Y,
 // with |I - Y A| < 1 in every row. Returns r, or 0 where that is not proved.
-static size_t prove_rank(size_t m, size_t n, const double *A)
+static size_t prove_rank(YkContinua *c, size_t m, size_t n, const double *A)
 {
     size_t count = m * n + m + 2 * n + m * n;
     double *Q = calloc(count + 1, sizeof *Q), least = 0;
     size_t *order = calloc(n + 1, sizeof *order), rank = 0;
+    c->failed |= !Q || !order;
     if (Q && order) {
         double *tau = Q + m * n, *b = tau + 2 * n, *Y = b + m;
         memcpy(Q, A, m * n * sizeof *Q);
@@ -68,7 +69,7 @@ static size_t find_classes(YkContinua *c)
 
 // Returns how many of the loops are left, as complex rows, where orientations of one class turn together; SIZE_MAX where that
 // is not clear or memory ran out.
-static size_t count_loops(const YkContinua *c, const double *x, size_t classes)
+static size_t count_loops(YkContinua *c, const double *x, size_t classes)
 {
     const YkMechanism *mech = c->mech;
     // columns: the constant and the classes; a distance along each of them
@@ -88,6 +89,7 @@ static size_t count_loops(const YkContinua *c, const double *x, size_t classes)
             *to = yk_add(*to, yk_scale(t.distance == YK_NONE ? 1 / mech->size : 1, v));
         }
     }
+    c->failed |= !rows || !kernel || !again || !order;
     if (rows && kernel && again && order) {
         rows[count * width - 1] = yk_vec(1, 0);
         memcpy(again, rows, count * width * sizeof *rows);
@@ -122,6 +124,7 @@ static size_t bound_below(YkContinua *c, const double *x)
     size_t others = c->mech->relation_count + c->mech->input_count, rows = c->rows > width ? c->rows : width;
     double *B = calloc(rows * width + 1, sizeof *B), *Q = calloc(rows * width + 2 * width + 1, sizeof *Q);
     size_t *order = calloc(width + 1, sizeof *order);
+    c->failed |= !B || !Q || !order;
     if (B && Q && order) {
         yk_continuum_evaluate(c, x);
         reduce_columns(c, classes, B);
@@ -130,7 +133,8 @@ static size_t bound_below(YkContinua *c, const double *x)
         // Gears and inputs are linear: those that repeat each other here do so everywhere.
         size_t linear = others == 0 ? 0 : yk_qr_factor(rows, width, Q, order, Q + rows * width, 1e-9);
         size_t equations = 2 * left + linear;
-        if (equations < width && (equations == 0 || prove_rank(rows, width, B) == equations)) least = width - equations;
+        if (equations < width && (equations == 0 || prove_rank(c, rows, width, B) == equations))
+            least = width - equations;
     }
     free(B);
     free(Q);
@@ -142,7 +146,7 @@ void yk_continuum_bound(YkContinua *c, const double *x, YkContinuum *found)
 {
     found->at_least = bound_below(c, x);
     yk_continuum_evaluate(c, x);
-    found->at_most = c->columns - prove_rank(c->rows, c->columns, c->A);
+    found->at_most = c->columns - prove_rank(c, c->rows, c->columns, c->A);
 }
 
 // --- ways along it

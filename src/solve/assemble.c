@@ -10,7 +10,7 @@
 
 // Limits of the search: configurations seen; blocks opened before the first configuration was found, and after it
 // (besides one for each block).
-enum { LEAVES_MAX = 1 << 14, EACH_MAX = 4096, OPENED_BEFORE = 1 << 20, OPENED_AFTER = 1 << 16 };
+enum { LEAVES_MAX = 1 << 14, EACH_MAX = 4096, LISTED_MAX = 1 << 20, OPENED_BEFORE = 1 << 20, OPENED_AFTER = 1 << 16 };
 
 // --- preparation
 
@@ -283,7 +283,7 @@ static bool search(YkState *s, bool nearest, const double *bound, Leaf leaf, voi
         run_option(s, level, level->room.order[next]);
         if (yk_state_is_stopped(s)) return false; // it was not run
         if (depth + 1 < q->level_count) {
-            if (++opened > q->level_count + (leaves > 0 ? OPENED_AFTER : OPENED_BEFORE)) {
+            if (++opened > q->level_count + (leaves > 0 && cap < LISTED_MAX ? OPENED_AFTER : OPENED_BEFORE)) {
                 q->gave_up_at = level->block;
                 return false;
             }
@@ -432,7 +432,7 @@ YkStatus yk_search_each(YkState *s, YkLister *lister, bool (*visit)(void *, YkSt
     memcpy(s->search->best_branch, s->branch, s->mech->block_count);
     if (bytes > 0) memcpy(s->search->best_x, s->groups.x, bytes);
     s->search->lister = lister;
-    bool whole = search(s, false, NULL, show, &each, EACH_MAX);
+    bool whole = search(s, false, NULL, show, &each, lister && lister->list ? LISTED_MAX : EACH_MAX);
     s->search->lister = NULL;
     memcpy(s->branch, s->search->best_branch, s->mech->block_count);
     memcpy(s->valid_input, s->search->wanted, inputs);

@@ -183,6 +183,35 @@ class Configurations(Case):
             self.assertIn(reason, run.err)
             self.assertEqual(run.out, "")
 
+    def side_by_side(self, count):
+        """A file with so many dyads side by side on the ground: two to the power of that many configurations."""
+        ground = ", ".join("A%d: [%d, 0], B%d: [%d, 0]" % (k, 3 * k, k, 3 * k + 1) for k in range(count))
+        bodies, joints = ["  ground: {points: {%s}}" % ground], []
+        for k in range(count):
+            bodies.append("  a%d: {points: {A%d: [0, 0], C: [0.9, 0]}}" % (k, k))
+            bodies.append("  b%d: {points: {B%d: [0, 0], C: [0.8, 0]}}" % (k, k))
+            joints += ["  A%d: {pin: [ground, a%d]}" % (k, k), "  B%d: {pin: [ground, b%d]}" % (k, k),
+                       "  C%d: {pin: [a%d, b%d], at: C}" % (k, k, k)]
+        return self.write("side%d.yaml" % count, "\n".join(["bodies:"] + bodies + ["joints:"] + joints) + "\n")
+
+    def test_beyond_ten_thousand_they_are_counted_and_the_first_shown(self):
+        text = Run("solve", self.side_by_side(12), "--all", "--of", "a0.angle").out
+        self.assertEqual(text.splitlines()[-1], "4096 configurations; there are no others")
+        run = Run("solve", self.side_by_side(14), "--all", "--of", "a0.angle", "--format", "json")
+        answer = run.json()
+        self.assertEqual((len(answer["configurations"]), answer["count"], answer["complete"]), (10000, 16384, True))
+        text = Run("solve", self.side_by_side(22), "--all", "--of", "a0.angle", "--within", "1e-6 s").out
+        self.assertRegex(text.splitlines()[-1], "there may be others: not all combinations of branches were visited$")
+
+    def test_a_continuum_is_told(self):
+        answer = Run("solve", example("peaucellier"), "--all", "--format", "json").json()
+        told = {c["label"]: c["continuum"]["dimension"] for c in answer["configurations"] if "continuum" in c}
+        self.assertEqual(told, {"B+ C+ Q+": 1, "B- C- Q+": 1})  # B and C in one place: Q turns about it
+        self.assertEqual((answer["continua"], answer["complete"], answer["reason"]), (2, False, None))
+        text = Run("solve", example("peaucellier"), "--all").out
+        self.assertIn("one of a continuum of dimension 1", text)
+        self.assertIn("6 configurations; there are others: 2 of them stand for continua (largest dimension: 1)", text)
+
     def test_bad_times_are_refused(self):
         for words, code in ((("--all", "--within", "0s"), "E0"), (("--all", "--within", "-1s"), "E0"),
                             (("--all", "--within", "2mm"), "E0"), (("--all", "--within", "soon"), "E0"),

@@ -110,6 +110,15 @@ class Interrupts(Case):
         with open(self.path("out.csv")) as file:
             self.assertEqual(file.read(), "old\n")
 
+    def test_all_configurations_come_out_as_far_as_they_were_found(self):
+        ground = ", ".join("A%d: [%d, 0], B%d: [%d, 0]" % (k, 3 * k, k, 3 * k + 1) for k in range(30))
+        text = "bodies:\n  ground: {points: {%s}}\n" % ground + "".join(
+            "  a%d: {points: {A%d: [0, 0], C: [0.9, 0]}}\n  b%d: {points: {B%d: [0, 0], C: [0.8, 0]}}\n" % (k, k, k, k) for k in range(30))
+        text += "joints:\n" + "".join(
+            "  A%d: {pin: [ground, a%d]}\n  B%d: {pin: [ground, b%d]}\n  C%d: {pin: [a%d, b%d], at: C}\n" % (k, k, k, k, k, k, k) for k in range(30))
+        out, err = self.stop("solve", self.machine("side.yaml", text), "--all", "--of", "a0.angle", after=0.1)
+        self.assertRegex(out.splitlines()[-1], r"^\d+ configurations; .*there may be others: not all combinations")
+
     def test_sigterm_ends_it_as_well(self):
         self.stop("sweep", self.four_bar, "--over", "theta2=0:360deg", "--steps", "9000000", "--of", "theta4", number=signal.SIGTERM)
 

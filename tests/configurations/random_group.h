@@ -5,7 +5,7 @@
 #include "compile/mechanism.h"
 #include "solve/machine.h"
 
-enum { RANDOM_GROUP_BODIES_MAX = 7 };
+enum { RANDOM_GROUP_BODIES_MAX = 9 };
 
 // Adds a joint of a kind ('R', 'P' or 'S') at a random place of two bodies.
 static inline void random_group_join(YkBuilder *b, const char *name, char kind, const char *first, const char *second,
@@ -27,7 +27,7 @@ static inline void random_group_join(YkBuilder *b, const char *name, char kind, 
 // Makes a machine with the given number of loops. Pins and slides take two freedoms, slots take one.
 static inline Machine random_group_machine(size_t loops, uint64_t seed)
 {
-    static const char *const names[] = {"ground", "b1", "b2", "b3", "b4", "b5", "b6"};
+    static const char *const names[] = {"ground", "b1", "b2", "b3", "b4", "b5", "b6", "b7", "b8"};
     bool joined[RANDOM_GROUP_BODIES_MAX][RANDOM_GROUP_BODIES_MAX] = {{false}};
     // 3 bodies = 2 joints + slots, and joints + slots = bodies + loops: bodies + slots = 2 loops.
     size_t slots = (size_t)(check_uniform(&seed, 0, 1) * (double)(loops + 1)), bodies = 2 * loops - slots;

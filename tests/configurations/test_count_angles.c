@@ -1,6 +1,7 @@
 // The count against published numbers, against a second way to it, and against what monodromy finds.
 #include "configurations/count.h"
 #include "configurations/generic.h"
+#include "configurations/random_group.h"
 #include "configurations/truss.h"
 #include "solve/state.h"
 
@@ -135,6 +136,36 @@ static void test_monodromy_finds_as_many_as_are_counted(void **unused)
     }
 }
 
+// Groups of up to four loops with slides and slots: monodromy, which is not told how many there are, finds as many as the cones
+// count.
+static void test_groups_with_slides_have_as_many_as_monodromy_finds(void **unused)
+{
+    (void)unused;
+    size_t wanted = check_cases(8), found[5] = {0};
+    for (uint64_t seed = 1; found[4] < wanted; seed++) {
+        size_t loops = 2 + seed % 3;
+        Machine m = random_group_machine(loops, 104729 * seed);
+        if (found[loops] < wanted && random_group_is_one(&m, loops)) {
+            Group g = group_of(&m);
+            YkMatroid matroid;
+            YkGeneric generic;
+            size_t count;
+            if (g.shape.angles < g.shape.unknowns) {
+                assert_int_equal(yk_matroid_make(&matroid, &g.shape, g.coefficients), YK_MATROID_MADE);
+                assert_int_equal(yk_count_cones(&matroid, &g.shape, NULL, &count), YK_COUNTED);
+                yk_generic_make(&generic, &g.shape, g.coefficients, 0, NULL);
+                if (generic.count != count) print_error("seed %d\n", (int)seed);
+                assert_int_equal(generic.count, count);
+                yk_matroid_free(&matroid);
+                yk_generic_free(&generic);
+                found[loops]++;
+            }
+        }
+        machine_free(&m);
+    }
+    assert_true(found[2] > 0 && found[3] > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -143,6 +174,7 @@ int main(void)
         cmocka_unit_test(test_two_ways_of_counting_agree),
         cmocka_unit_test(test_special_dimensions_count_less),
         cmocka_unit_test(test_monodromy_finds_as_many_as_are_counted),
+        cmocka_unit_test(test_groups_with_slides_have_as_many_as_monodromy_finds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,7 +3,7 @@
 #include "interposed.h"
 #include <yoke/yoke.h>
 
-static void check_each_failure(const char *file, YkGroupSolver solver, size_t count)
+static void check_each_failure(const char *file, YkGroupSolver solver, size_t count, size_t continua)
 {
     YkProblems *problems = yk_problems_new();
     YkModel *model = yk_model_load(file, NULL, problems);
@@ -20,7 +20,7 @@ static void check_each_failure(const char *file, YkGroupSolver solver, size_t co
         YkStatus status = all ? yk_configurations_each(all, state, &options, NULL, NULL, &r) : YK_NO_MEMORY;
         countdown = -1;
         if (!has_failed) {
-            assert_true(status == YK_OK && r.complete && r.count == count);
+            assert_true(status == YK_OK && r.complete == (continua == 0) && r.count == count && r.continua == continua);
             yk_configurations_free(all);
             break;
         }
@@ -29,7 +29,7 @@ static void check_each_failure(const char *file, YkGroupSolver solver, size_t co
         assert_false(r.complete);
         if (all) {
             assert_int_equal(yk_configurations_each(all, state, &options, NULL, NULL, &r), YK_OK);
-            assert_true(r.complete && r.count == count);
+            assert_true(r.complete == (continua == 0) && r.count == count && r.continua == continua);
         }
         yk_configurations_free(all);
         assert_int_equal(live, blocks);
@@ -46,9 +46,10 @@ static void test_each_failure_is_told(void **unused)
 {
     (void)unused;
     skip_unless_interposed();
-    check_each_failure(YOKE_ROOT "/examples/stephenson-awkward.yaml", YK_SOLVER_ELIMINATION, 2);
-    check_each_failure(YOKE_ROOT "/examples/stephenson-awkward.yaml", YK_SOLVER_PATHS, 2);
-    check_each_failure(YOKE_ROOT "/examples/geared-five-bar.yaml", YK_SOLVER_BOTH, 10);
+    check_each_failure(YOKE_ROOT "/examples/stephenson-awkward.yaml", YK_SOLVER_ELIMINATION, 2, 0);
+    check_each_failure(YOKE_ROOT "/examples/stephenson-awkward.yaml", YK_SOLVER_PATHS, 2, 0);
+    check_each_failure(YOKE_ROOT "/examples/geared-five-bar.yaml", YK_SOLVER_BOTH, 10, 0);
+    check_each_failure(YOKE_ROOT "/examples/peaucellier.yaml", YK_SOLVER_BOTH, 6, 2);
 }
 
 int main(void)

@@ -98,6 +98,7 @@ static YkStatus write_all(Writer *writer, YkStatus status, YkConfigurationsRepor
         writer->own = session->state;
         session->state = NULL;
     }
+    session->keeps_what_is_done = !yk_stop_is_asked();
     YkStatus each =
         yk_reach_ask(session) < 0 ? YK_NO_MEMORY : yk_session_each(session, session->state, visit, writer, report);
     yk_note_status(session, each);
@@ -128,6 +129,7 @@ static void write_report(Writer *writer, const YkConfigurationsReport *report)
     bool is_known = report->reason != YK_INCOMPLETE;
     yk_json_bool(json, "complete", report->complete);
     yk_json_string(json, "reason", is_known ? yk_complete_reason_name(report->reason) : NULL);
+    if (report->count > writer->count) yk_json_number(json, "count", (double)report->count);
     yk_json_string(json, "because", report->message);
     if (report->continua > 0) yk_json_number(json, "continua", (double)report->continua);
     if (report->block < 0 || (report->expected == 0 && report->reason == YK_COMPLETE_BY_EXCLUSION)) return;
@@ -150,8 +152,9 @@ static void end(Writer *writer, const YkConfigurationsReport *report)
         yk_json_end(&writer->json);
     } else if (session->request->format == YK_FORMAT_TEXT && all) {
         bool is_told = report->reason != YK_COMPLETE_BY_CLOSED_FORM;
-        yk_text_format(&session->out, "\n%z configuration%s; there %s%s%s\n", writer->count,
-                       writer->count == 1 ? "" : "s",
+        yk_text_format(&session->out, "\n%z configuration%s; ", report->count, report->count == 1 ? "" : "s");
+        if (report->count > writer->count) yk_text_format(&session->out, "the first %z are shown; ", writer->count);
+        yk_text_format(&session->out, "there %s%s%s\n",
                        report->complete       ? "are no others"
                        : report->continua > 0 ? "are others"
                                               : "may be others",
@@ -193,7 +196,9 @@ static int solve(Writer *writer)
     yk_warn_of_stops(writer->stops, NULL, YK_QUANTITY_TIME);
     int exit_code = yk_status_exit(status < 0 ? status : written);
     if (exit_code == YK_EXIT_DONE && yk_lacks_construction(session)) exit_code = YK_EXIT_NO_ANSWER;
-    return yk_session_finish(session, exit_code);
+    exit_code = yk_session_finish(session, exit_code);
+    if (session->request->all) yk_stop_is_due(); // what was found is written, and main says that it was stopped
+    return exit_code;
 }
 
 // Reads --of; forces among the columns need a machine that has some.
