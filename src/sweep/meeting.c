@@ -189,11 +189,15 @@ static double slope_along(const Search *f, size_t input)
     return before < 0 || here < 0 || after < 0 ? 0 : fmax(fabs(after - here), fabs(before - here)) / H;
 }
 
+// Returns the number of steps that lead to a block and solve it; 0 if a group is among them, which has no closed form.
 static size_t steps_up_to(const YkMechanism *mech, size_t block)
 {
-    size_t k = 0;
-    while (mech->steps[k].kind != YK_STEP_BLOCK || (size_t)mech->steps[k].target != block) k++;
-    return k + 1;
+    for (size_t k = 0; k < mech->step_count; k++) {
+        if (mech->steps[k].kind != YK_STEP_BLOCK) continue;
+        if (mech->blocks[mech->steps[k].target].kind == YK_BLOCK_GROUP) return 0;
+        if ((size_t)mech->steps[k].target == block) return k + 1;
+    }
+    return 0;
 }
 
 // Finds the change point along the input that leads there fastest, with the others as they are here: on the path they all move.
@@ -203,7 +207,8 @@ static bool find_by_several(Search *f)
     const double CLEARLY = 1.01; // else the first: blocks that are alike take the same one
     double most = 0;
     f->meeting.input = YK_NONE;
-    if (s->mech->has_groups || yk_path_set(&f->walk->path, f->place, true) < 0) return false;
+    f->meeting.step_count = steps_up_to(s->mech, f->block);
+    if (f->meeting.step_count == 0 || yk_path_set(&f->walk->path, f->place, true) < 0) return false;
     for (size_t i = 0; i < s->mech->input_count; i++) {
         double slope = slope_along(f, i);
         if (slope <= CLEARLY * most) continue;
@@ -216,7 +221,6 @@ static bool find_by_several(Search *f)
     if (!find_value(f, &f->meeting.at)) return false;
     double step = f->h * f->meeting.unit;
     f->meeting.slope = (sine_at(f, f->meeting.at + step) + sine_at(f, f->meeting.at - step)) / (2 * f->h);
-    f->meeting.step_count = steps_up_to(s->mech, f->block);
     for (int k = 0; k < YK_MEETING_SEEN; k++) f->meeting.seen_at[k] = NAN;
     return f->meeting.is_shared = f->meeting.slope > 0;
 }
