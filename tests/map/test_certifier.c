@@ -238,9 +238,9 @@ static void test_ways_round_a_limit_are_certified(void **unused)
 {
     (void)unused;
     size_t detours = 0, certified = 0;
-    for (uint64_t seed = 1; seed <= 2 * check_cases(RANDOM_TRIES); seed++) check_detour(seed, &detours, &certified);
+    for (uint64_t seed = 1; seed <= 3 * RANDOM_TRIES; seed++) check_detour(seed, &detours, &certified);
     print_message("%zu of %zu ways round are certified\n", certified, detours);
-    assert_true(detours > 0 && certified * 10 >= detours * 8);
+    assert_true(detours > 1 && certified * 10 >= detours * 8);
 }
 
 // --- examples and the door
