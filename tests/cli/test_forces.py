@@ -142,6 +142,18 @@ start: {p: 0, q: 0}
             self.assertEqual(run.code, 1)
             self.assertIn("no inertia resists `q`: give mass or inertia to body `bare`", run.err)
 
+    def test_a_load_without_a_finite_value_is_told(self):
+        file = self.write("infinite.yaml", "bodies: {ground: {}, block: {mass: 2 kg}}\n"
+                          "joints: {S: {slide: [ground, block], along: x, distance: x}}\n"
+                          "forces: {push: {body: block, value: [1 N*m / x, 0]}}\ndrives: {x: 0.1 m/s * t}\n")
+        sweep = self.good("sweep", file, "--over", "t=0s:1s", "--steps", "4", "--of", "x.effort", "--format", "json")
+        self.assertIsNone(sweep.json()["rows"][0][1])
+        self.assertAlmostEqual(sweep.json()["rows"][2][1], -1 / 0.05, places=12)
+        self.assertIn("warning: no forces at t = 0 s: the load `push` has no finite value at this pose and time [W0861]", sweep.err)
+        away = self.good("sweep", file, "--over", "t=0.1s:1s", "--of", "x.effort")
+        self.assertNotIn("W0861", away.err)
+        self.assertNotIn("W0861", self.good("sweep", file, "--over", "t=0s:1s", "--of", "x").err)  # asks for no forces
+
     def test_a_law_whose_range_is_left_is_told(self):
         file = self.write("press.yaml", PRESS)
         stroke = lambda angle: 50 * math.cos(angle) + math.sqrt(180 ** 2 - (50 * math.sin(angle)) ** 2)

@@ -34,6 +34,9 @@ typedef struct YkSweepAnswer {
     YkLawWatch *laws;             // that the rows have left
     YkStopWatch *stops;           // that they have passed
     YkHeldColumn *held;           // [column]
+    size_t forceless;             // rows in which a load has no finite value,
+    double forceless_at;          // the first of them,
+    YkReport why;                 // and the reason there
 } YkSweepAnswer;
 
 // Returns a value of the table; NaN if it is undefined (rates at a dead point).

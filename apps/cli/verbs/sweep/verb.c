@@ -116,6 +116,29 @@ static double least_sine(const YkMechanism *mech, const YkState *state)
     return least;
 }
 
+// Notes where a load has no finite value.
+static void look_at_loads(YkSweepAnswer *answer, const YkState *state)
+{
+    const YkDynamics *dynamics = answer->session->dynamics;
+    if (!dynamics || !yk_state_has_rates(state)) return;
+    const YkReport *report = yk_dynamics_report(dynamics);
+    if (report->status != YK_NOT_CONVERGED || answer->forceless++ > 0) return;
+    answer->forceless_at = yk_sweep_place(answer, state);
+    answer->why = *report;
+}
+
+static void warn_of_loads(const YkSweepAnswer *answer)
+{
+    YkSession *session = answer->session;
+    YkText at = {0};
+    if (answer->forceless == 0) return;
+    yk_add_value(session, &at, answer->forceless_at, answer->over.quantity, YK_DIGITS);
+    yk_problem(session->problems, YK_CODE_LOAD_INFINITE, (YkPlace){0}, "no forces at %s = %s%s: %s", answer->over.name,
+               yk_text_get(&at), answer->forceless > 1 ? " and at later poses" : "", answer->why.message);
+    session->out.failed |= at.failed;
+    yk_text_free(&at);
+}
+
 // At the pose of every row.
 static void look(void *context, const YkState *state)
 {
@@ -123,6 +146,7 @@ static void look(void *context, const YkState *state)
     size_t row = answer->visited++;
     if (row < answer->row_capacity) answer->sines[row] = (float)least_sine(answer->session->mech, state);
     yk_sweep_look_at_friction(answer, state);
+    look_at_loads(answer, state);
     yk_law_watch_look(answer->laws, state, answer->session->dynamics, yk_sweep_place(answer, state));
     yk_stop_watch_look(answer->stops, state, yk_sweep_place(answer, state));
 }
@@ -205,6 +229,7 @@ static int answer_sweep(YkSweepAnswer *answer, size_t steps)
     tell(answer);
     yk_certify_warn(session);
     yk_sweep_warn_of_friction(answer);
+    warn_of_loads(answer);
     yk_warn_of_laws(answer->session, answer->laws, answer->over.name, answer->over.quantity);
     yk_warn_of_stops(answer->stops, answer->over.name, answer->over.quantity);
     return write_answer(answer);
