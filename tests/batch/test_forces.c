@@ -259,31 +259,32 @@ static void test_poses_without_forces(void **unused)
     assert_int_equal(machines_in_lanes, 1);
     for (size_t k = 0; k < sizeof near / sizeof *near; k++) assert_int_equal(status[17 * k + 3], YK_SINGULAR);
     assert_true(poses_compared > POSES / 2);
-    // All that turns in a gear train at a fixed ratio to its input has rates that are multiples of one rate: the torque and the
-    // couple on the ring are such a multiple and a number, one operation each, and what does not vary is copied.
-    static void test_ratios_are_joined(void **unused)
-    {
-        (void)unused;
-        bool fits;
-        Machine m = machine_load("planetary-gear");
-        static const char *const names[] = {"theta.effort", "R.moment", "S.force.x", "S.force.y"};
-        for (channel_count = 0; channel_count < 4; channel_count++)
-            assert_int_equal(yk_channel_parse(m.mech, names[channel_count], &channels[channel_count], m.problems),
-                             YK_OK);
-        YkLaneForces *forces = yk_lane_forces_new(m.mech, channels, channel_count, 8, &fits);
-        assert_non_null(forces);
-        assert_int_equal(yk_lane_forces_length(forces), 4);
-        for (size_t c = 0; c < 4; c++) assert_int_equal(yk_lane_forces_is_constant(forces, c), c >= 2);
-        yk_lane_forces_free(forces);
-        machine_free(&m);
-    }
+}
 
-    int main(void)
-    {
-        const struct CMUnitTest tests[] = {
-            cmocka_unit_test(test_examples),          cmocka_unit_test(test_random_machines),
-            cmocka_unit_test(test_forces_of_meshes),  cmocka_unit_test(test_poses_without_forces),
-            cmocka_unit_test(test_ratios_are_joined),
-        };
-        return cmocka_run_group_tests(tests, NULL, NULL);
-    }
+// All that turns in a gear train at a fixed ratio to its input has rates that are multiples of one rate: the torque and the
+// couple on the ring are such a multiple and a number, one operation each, and what does not vary is copied.
+static void test_ratios_are_joined(void **unused)
+{
+    (void)unused;
+    bool fits;
+    Machine m = machine_load("planetary-gear");
+    static const char *const names[] = {"theta.effort", "R.moment", "S.force.x", "S.force.y"};
+    for (channel_count = 0; channel_count < 4; channel_count++)
+        assert_int_equal(yk_channel_parse(m.mech, names[channel_count], &channels[channel_count], m.problems), YK_OK);
+    YkLaneForces *forces = yk_lane_forces_new(m.mech, channels, channel_count, 8, &fits);
+    assert_non_null(forces);
+    assert_int_equal(yk_lane_forces_length(forces), 4);
+    for (size_t c = 0; c < 4; c++) assert_int_equal(yk_lane_forces_is_constant(forces, c), c >= 2);
+    yk_lane_forces_free(forces);
+    machine_free(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_examples),          cmocka_unit_test(test_random_machines),
+        cmocka_unit_test(test_forces_of_meshes),  cmocka_unit_test(test_poses_without_forces),
+        cmocka_unit_test(test_ratios_are_joined),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
