@@ -50,6 +50,7 @@ void yk_certify_warn(YkSession *session)
 {
     if (!session->certifier) return;
     YkMotionCertificate found = yk_certifier_report(session->certifier);
+    session->out.failed |= found.has_run_out;
     if (found.input < 0) return; // all is proved, or nothing can be
     YkText place = {0};
     add_place(session, &found, &place);

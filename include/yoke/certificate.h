@@ -35,6 +35,7 @@ typedef struct YkMotionCertificate {
     char joint[80]; // a joint of the group, or of the dyad before it, that is not proved; "": not known, or all are
     char coordinate[80];       // the name of `input`: a simulation may have other inputs than the machine it began with
     double from_time, to_time; // equal if the motion is not one through time, s
+    bool has_run_out;          // of memory, on the way: nothing is proved
 } YkMotionCertificate;
 // Tells what is proved of the motions so far. Between two verified poses, which in sweeps and moves are at most turn_max apart,
 // all inputs are taken to go straight; over time, where that is too far from cubics through their positions and rates at both

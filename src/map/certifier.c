@@ -341,6 +341,7 @@ YkMotionCertificate yk_certifier_report(const YkCertifier *c)
 {
     YkMotionCertificate found = c->found;
     YkText text = {0};
+    found.has_run_out = c->has_failed;
     found.is_needed = is_outside(c) || c->chain.piece_count > 0 || found.steps > 0;
     found.is_certified = !is_outside(c) && found.steps == found.proved;
     if (is_outside(c) && !found.why[0]) note_outside(c, &found);

@@ -149,7 +149,7 @@ static int finish(YkSimulationAnswer *answer, bool good)
     yk_simulate_tell(answer, &summary);
     yk_certify_warn(session);
     yk_note_status(session, answer->status);
-    good = close_rows(answer, &summary) && good;
+    good = close_rows(answer, &summary) && good && !session->out.failed;
     int exit_code = !good ? YK_EXIT_WRONG : message ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
     if (session->request->format == YK_FORMAT_JSON && good) {
         yk_simulate_json(answer, message, !message ? NULL : answer->is_interrupted ? "E0821" : "E0820");
