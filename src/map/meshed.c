@@ -62,15 +62,16 @@ static bool read_gear(YkPiece *piece, const YkMechanism *mech)
     return true;
 }
 
-bool yk_meshed_read(YkPiece *piece, const YkState *start, size_t step)
+bool yk_meshed_read(YkPiece *piece, const YkState *start, size_t step, bool *out_of_memory)
 {
     const YkStep *own = &start->mech->steps[step];
     bool is_gear = own->kind == YK_STEP_RELATION;
-    if (!is_gear && own->kind != YK_STEP_BLOCK) return false;
+    if (!is_gear && (own->kind != YK_STEP_BLOCK || start->mech->blocks[own->target].relation_count == 0)) return false;
     *piece = (YkPiece){.block = is_gear ? 0 : (size_t)own->target,
                        .step = step,
                        .relation = is_gear ? own->target : YK_NONE,
                        .meshed = calloc(1, sizeof *piece->meshed)};
+    *out_of_memory |= !piece->meshed;
     if (piece->meshed && (is_gear ? read_gear(piece, start->mech) : read_group(piece, start))) return true;
     yk_meshed_free(piece->meshed);
     piece->meshed = NULL;
