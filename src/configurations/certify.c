@@ -54,8 +54,8 @@ static YkBall real_row_at(const Proof *p, size_t row, const YkBall *x, const YkB
         if (turns) J[turning] = yk_ball_add(J[turning], part_of(yk_ball_mul(i, term), part));
     }
     if (is_loop) return part_of(sum, part);
+    sum.radius = YK_BALL_OUT(sum.radius + 1e-15 + 4e-16 * fabs(sum.at.x)); // what whole turns are rounded by
     if (row < 2 * shape->loops + shape->whole && !p->is_rate) sum.at.x = yk_nearest_turn(sum.at.x, 0);
-    sum.radius = YK_BALL_OUT(sum.radius + 1e-15);
     return sum;
 }
 

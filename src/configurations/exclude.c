@@ -24,10 +24,11 @@ typedef struct Row {
 
 typedef struct Search {
     const YkGeared *g;
-    const YkExclusion *over;                       // NULL: at a pose
-    size_t n, m;                                   // unknowns, equations
-    Row rows[ROWS];                                // those by which the unknowns are sought first
-    double Y[N * N];                               // an approximate inverse of the Jacobian in the middle
+    const YkExclusion *over; // NULL: at a pose
+    size_t n, m;             // unknowns, equations
+    Row rows[ROWS];
+    size_t chosen[N]; // where there are more equations than unknowns: those that are solved
+    double Y[N * N];  // an approximate inverse of the Jacobian in the middle
     double shift[N], shift_radius[N], rest[N * N]; // Y F; bounds of |I - Y J|
 } Search;
 
@@ -127,9 +128,9 @@ static double read_law(const Search *s, const YkGearedLaw *law, double share, co
 static double read_relation(Search *s, size_t relation, const Box *box, double *nearest)
 {
     Row *row = &s->rows[2 * s->g->shape.loops + relation];
-    double size = fabs(s->g->phase[relation]), moves = 0;
-    row->miss = s->over ? s->over->path.middle[(2 * s->g->shape.loops + relation) * (s->n + 1) + s->n].x
-                        : s->g->phase[relation];
+    size_t at = (2 * s->g->shape.loops + relation) * (s->n + 1) + s->n; // of the phase
+    row->miss = s->over ? s->over->path.middle[at].x : s->g->phase[relation];
+    double size = fabs(row->miss), moves = 0;
     for (size_t k = 0; k < s->n; k++) {
         double p = s->g->factor[relation][k];
         row->miss += p * box->at[k];
@@ -142,25 +143,28 @@ static double read_relation(Search *s, size_t relation, const Box *box, double *
         if (s->g->laws[r].law && s->g->share[relation][r] != 0)
             moves += read_law(s, &s->g->laws[r], s->g->share[relation][r], box, row, &size);
     if (relation < s->g->turning) row->miss -= 2 * YK_PI * rint(row->miss / (2 * YK_PI));
-    row->miss_radius = 1e-13 + 1e-14 * size;
+    row->miss_radius =
+        1e-13 + 1e-14 * size + (s->over ? s->over->path.middle_radius[at] : s->g->phase_radius[relation]);
     row->rate = row->rate_radius = 0;
     if (s->over) {
-        size_t at = (2 * s->g->shape.loops + relation) * (s->n + 1) + s->n;
         row->rate = s->over->path.rate[at].x;
         row->rate_radius = s->over->path.rate_radius[at];
-        row->miss_radius += s->over->path.middle_radius[at];
         moves += (fabs(row->rate) + row->rate_radius) * s->over->path.half;
     }
     *nearest = fabs(row->miss);
     return YK_BALL_OUT(moves * (1 + 1e-14) + row->miss_radius);
 }
 
-// Puts n independent equations first, by elimination with complete pivoting. Returns false if there are fewer.
+// Chooses n independent equations, by elimination with complete pivoting. Returns false if there are fewer.
 static bool choose_rows(Search *s)
 {
     double A[ROWS * N];
     bool is_taken[N] = {false};
-    for (size_t r = 0; r < s->m; r++) memcpy(A + r * s->n, s->rows[r].slope, s->n * sizeof *A);
+    size_t index[ROWS];
+    for (size_t r = 0; r < s->m; r++) {
+        memcpy(A + r * s->n, s->rows[r].slope, s->n * sizeof *A);
+        index[r] = r;
+    }
     for (size_t k = 0; k < s->n; k++) {
         size_t row = k, column = s->n;
         double most = 0;
@@ -168,9 +172,8 @@ static bool choose_rows(Search *s)
             for (size_t c = 0; c < s->n; c++)
                 if (!is_taken[c] && fabs(A[r * s->n + c]) > most) most = fabs(A[r * s->n + c]), row = r, column = c;
         if (column == s->n) return false;
-        Row t = s->rows[k];
-        s->rows[k] = s->rows[row];
-        s->rows[row] = t;
+        s->chosen[k] = index[row];
+        index[row] = index[k];
         is_taken[column] = true;
         for (size_t c = 0; c < s->n; c++) {
             double a = A[k * s->n + c];
@@ -185,11 +188,18 @@ static bool choose_rows(Search *s)
     return true;
 }
 
+static void put_chosen_first(Search *s)
+{
+    Row rows[N];
+    for (size_t k = 0; k < s->n; k++) rows[k] = s->rows[s->chosen[k]];
+    memcpy(s->rows, rows, s->n * sizeof *rows);
+}
+
 static bool invert(Search *s)
 {
     double A[N * N], scale[N], column[N];
     int pivot[N];
-    if (s->m > s->n && !choose_rows(s)) return false;
+    if (s->m > s->n) put_chosen_first(s);
     for (size_t r = 0; r < s->n; r++) memcpy(A + r * s->n, s->rows[r].slope, s->n * sizeof *A);
     if (yk_lu_factor(s->n, A, pivot, scale) == 0) return false;
     for (size_t k = 0; k < s->n; k++) {
@@ -240,7 +250,7 @@ static Verdict judge(Search *s, const Box *box)
         are_single &=
             r >= s->g->turning || moves < 2 * YK_PI - nearest - 1e-9; // otherwise several multiples of 2 pi may be met
     }
-    if (!are_single || !invert(s)) return UNKNOWN;
+    if (!are_single || (s->m > s->n && !choose_rows(s)) || !invert(s)) return UNKNOWN;
     multiply(s);
     bool is_alone = true;
     for (size_t r = 0; r < s->n; r++) {
@@ -265,11 +275,11 @@ static void read_at(Search *s, const double *x)
     for (size_t r = 0; r < s->g->relations; r++) read_relation(s, r, &point, &nearest);
 }
 
-// Finds the pose that is alone in a box, by Newton's method. Returns by how much the equations miss that were not needed.
-static double polish(Search *s, const Box *box, double *x)
+// Finds the pose that is alone in a box, by Newton's method for the equations that prove that. Tells by how much these miss
+// there, and by how much all do if there are more.
+static void polish(Search *s, const Box *box, double *x, double *miss, double *all)
 {
     Box point = {.half = {0}};
-    double miss = 0;
     memcpy(point.at, box->at, sizeof point.at);
     for (int step = 0; step < 12; step++) {
         double most = 0;
@@ -284,8 +294,9 @@ static double polish(Search *s, const Box *box, double *x)
     }
     memcpy(x, point.at, s->n * sizeof *x);
     read_at(s, x);
-    for (size_t r = 0; r < s->m && s->m > s->n; r++) miss = fmax(miss, fabs(s->rows[r].miss));
-    return miss;
+    *miss = *all = 0;
+    for (size_t r = 0; r < s->m && s->m > s->n; r++) *all = fmax(*all, fabs(s->rows[r].miss));
+    for (size_t k = 0; k < s->n; k++) *miss = fmax(*miss, fabs(s->rows[s->m > s->n ? s->chosen[k] : k].miss));
 }
 
 static double difference(const Search *s, size_t k, double x, double y)
@@ -323,11 +334,12 @@ static bool make_room(YkExcluded *out, size_t n)
 static bool keep(Search *s, const Box *box, YkExcluded *out)
 {
     const double closed = 1e-11, open = 1e-9;
-    double x[N], *alone, miss = polish(s, box, x);
+    double x[N], *alone, miss, all;
     size_t n = s->n;
-    if (!is_within(s, x, box->at, box->half)) out->is_complete = false;
-    if (miss > open) return true; // the equations that were not needed do not hold at the only pose
-    if (miss > closed) out->is_complete = false;
+    polish(s, box, x, &miss, &all);
+    if (!(miss < open) || !is_within(s, x, box->at, box->half)) out->is_complete = false;
+    if (all > open) return true; // the equations that were not needed do not hold at the only pose
+    if (all > closed) out->is_complete = false;
     for (size_t k = 0; k < out->count; k++) {
         alone = out->alone + 2 * n * k;
         if (!(apart(s, x, out->poses + n * k) < 1e-7)) continue;

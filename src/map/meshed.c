@@ -20,8 +20,10 @@ static bool read_group(YkPiece *piece, const YkState *start)
     YkRun run = yk_state_run((YkState *)(uintptr_t)start, &((YkState *)(uintptr_t)start)->space); // only read
     if (!yk_geared_read(g, &run, piece->block)) return false;
     if (g->relations == 0 || g->shape.unknowns != 2 * g->shape.loops + g->relations) return false;
-    for (size_t r = 0; r < g->relations; r++)
+    for (size_t r = 0; r < g->relations; r++) {
         if (!is_law_known(start->mech, &start->mech->relations[g->relation[r]])) return false;
+        g->laws[r].law = NULL; // it is known, and stands in the phase
+    }
     piece->shape = g->shape;
     piece->shape.relations = g->relations;
     piece->shape.whole = g->turning;
@@ -60,15 +62,16 @@ static bool read_gear(YkPiece *piece, const YkMechanism *mech)
     return true;
 }
 
-bool yk_meshed_read(YkPiece *piece, const YkState *start, size_t step)
+bool yk_meshed_read(YkPiece *piece, const YkState *start, size_t step, bool *out_of_memory)
 {
     const YkStep *own = &start->mech->steps[step];
     bool is_gear = own->kind == YK_STEP_RELATION;
-    if (!is_gear && own->kind != YK_STEP_BLOCK) return false;
+    if (!is_gear && (own->kind != YK_STEP_BLOCK || start->mech->blocks[own->target].relation_count == 0)) return false;
     *piece = (YkPiece){.block = is_gear ? 0 : (size_t)own->target,
                        .step = step,
                        .relation = is_gear ? own->target : YK_NONE,
                        .meshed = calloc(1, sizeof *piece->meshed)};
+    *out_of_memory |= !piece->meshed;
     if (piece->meshed && (is_gear ? read_gear(piece, start->mech) : read_group(piece, start))) return true;
     yk_meshed_free(piece->meshed);
     piece->meshed = NULL;
@@ -155,7 +158,7 @@ bool yk_meshed_solve(YkPiece *piece, const YkDiscCoefficients *c, YkPace *pace, 
     *all = yk_meshed_take(m, c);
     if (m->is_listed) return true;
     if (*all && !yk_exclude(&m->geared, pace, &m->found)) return false;
-    *all = *all && m->found.is_complete;
+    *all = *all && m->found.is_complete && m->found.left == 0;
     return true;
 }
 

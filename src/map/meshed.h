@@ -14,7 +14,7 @@ typedef struct YkMeshed {
 
 // Reads the group, or the gear, that a step of the piece's mechanism solves, at a state that stands. Returns false if it is
 // not of this kind, or when out of memory.
-bool yk_meshed_read(YkPiece *piece, const YkState *start, size_t step);
+bool yk_meshed_read(YkPiece *piece, const YkState *start, size_t step, bool *out_of_memory);
 void yk_meshed_free(YkMeshed *meshed);
 // Computes a relation at what is known: its factors [unknowns], and the rest.
 void yk_meshed_row(const YkMeshed *meshed, const YkDiscs *discs, size_t relation, YkDual *row);

@@ -184,8 +184,12 @@ static bool prove_over(Between *b, double from, double to, const YkBoxes *boxes)
     YkTracer *t = b->t;
     YkPiece *piece = &t->pieces[b->below->level];
     YkBoxes rest = {0}, finer = {0};
-    double half, end = yk_strand_cell_end(b->below, from, 1), length = (to - from) / t->scale;
-    if (end > from && end < to) return prove_over(b, from, end, boxes) && prove_over(b, end, to, boxes);
+    double half, end = yk_strand_cell_end(b->below, from, 1);
+    for (; end > from && end < to; end = yk_strand_cell_end(b->below, from, 1)) {
+        if (!prove_over(b, from, end, boxes)) return false;
+        from = end;
+    }
+    double length = (to - from) / t->scale;
     if (length > YK_TRACE_LONGEST) return prove_halves(b, from, to, boxes);
     if (t->out_of_memory || yk_pace_is_stopped(t->pace) || b->left == 0) return false;
     b->left--;

@@ -36,10 +36,11 @@ bool yk_tracer_read(YkTracer *t, YkProblems *problems)
         const YkStep *step = &mech->steps[k];
         YkPiece *piece = &t->pieces[t->piece_count];
         if (step->kind != YK_STEP_BLOCK && yk_discs_can_take(mech, step)) continue;
-        if (t->start && yk_meshed_read(piece, t->start, k)) {
+        if (t->start && yk_meshed_read(piece, t->start, k, &t->out_of_memory)) {
             t->kept[t->piece_count++].shape = piece->shape;
             continue;
         }
+        if (t->out_of_memory) return false;
         if (step->kind != YK_STEP_BLOCK)
             return yk_map_refuse(problems, "a cam, a law, or a rack is moved by links that loops place, or a law jumps",
                                  NULL);

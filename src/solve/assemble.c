@@ -222,16 +222,29 @@ static void count_options(YkState *s, YkLevel *level)
     memcpy(level->room.solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
 }
 
-static bool is_singular_twin(const YkState *s)
+// Reads the unknowns of a dyad into x. Returns whether they are those that it had and the pose is a dead point, where both
+// branches are one. They are not where the ends of two equal arms all but meet.
+static bool is_singular_twin(const YkState *s, const YkBlock *b, YkVec x[2])
 {
-    return s->spare.margin[0] <= YK_SINGULAR_MARGIN;
+    const double same = 1e-4;
+    double gap = 0;
+    for (int k = 0; k < 2; k++) {
+        YkVec before = x[k];
+        YkTurn t = yk_space_turn(&s->spare, b->column[k].is_distance ? 0 : b->column[k].index);
+        x[k] = b->column[k].is_distance ? yk_vec(*yk_space_slide(&s->spare, b->column[k].index).d / s->mech->size, 0)
+                                        : yk_vec(*t.c, *t.s);
+        gap = fmax(gap, yk_norm(yk_sub(x[k], before)));
+    }
+    return s->spare.margin[0] <= YK_SINGULAR_MARGIN && gap < same;
 }
 
 // Tries all options of a level. Sorts them by cost if `nearest`; drops those that do not close.
 static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
 {
     size_t closing = 0, options;
-    YkLister *lister = s->mech->blocks[level->block].kind == YK_BLOCK_GROUP ? s->search->lister : NULL;
+    const YkBlock *b = &s->mech->blocks[level->block];
+    YkLister *lister = b->kind == YK_BLOCK_GROUP ? s->search->lister : NULL;
+    YkVec x[2] = {{INFINITY, 0}, {INFINITY, 0}};
     level->before = before;
     level->tried = 0;
     count_options(s, level);
@@ -244,12 +257,10 @@ static void open_level(YkState *s, YkLevel *level, double before, bool nearest)
             if (lister && !(s->spare.block_margin[level->block] >= YK_LIMIT_MARGIN)) lister->lost++;
             continue;
         }
+        if (b->kind != YK_BLOCK_GROUP && is_singular_twin(s, b, x)) continue;
         size_t place = closing++;
         for (; nearest && place > 0 && costs[order[place - 1]] > costs[o]; place--) order[place] = order[place - 1];
         order[place] = (uint16_t)o;
-        // At a dead point both branches are one pose.
-        if (options == 2 && o == 0 && s->mech->blocks[level->block].kind != YK_BLOCK_GROUP && is_singular_twin(s))
-            break;
     }
     level->options = (uint32_t)closing;
 }

@@ -148,9 +148,49 @@ static void test_a_wheel_on_a_rocker_stands_in_every_phase_of_its_mesh(void **un
     machine_free(&turns);
 }
 
+// --- a law of the input among a group's equations
+
+// A five-bar whose third angle follows a law of its crank. It closes as a four-bar does whose coupler is that long; there are
+// limits where the ends of crank and ground are as far apart as coupler and rocker together, or without each other.
+static void test_a_law_of_the_input_counts_once(void **unused)
+{
+    (void)unused;
+    static const char *const text = "laws: {lift: {period: 2*pi, segments: [\n"
+                                    "  {rise: {to: 180 deg, by: 40 deg, law: cycloidal}},\n"
+                                    "  {fall: {to: 360 deg, by: 40 deg, law: cycloidal}}]}}\nbodies:\n"
+                                    "  ground: {points: {A: [0, 0], E: [3, 0]}}\n"
+                                    "  a: {points: {A: [0, 0], B: [1, 0]}}\n"
+                                    "  b: {points: {C: [0, 0], B: [-2.5, 0]}}\n"
+                                    "  c: {points: {C: [0, 0], D: [2, 0]}}\n"
+                                    "  d: {points: {D: [0, 0], E: [2.2, 0]}}\njoints:\n"
+                                    "  A: {pin: [ground, a], angle: t1}\n  B: {pin: [a, b], angle: t2}\n"
+                                    "  C: {pin: [b, c], angle: t3}\n  D: {pin: [c, d], angle: t4}\n"
+                                    "  E: {pin: [ground, d]}\ndrives: {t1: 1, t3: {law: lift, of: t1}}\n"
+                                    "start: {t2: -30 deg, t4: -60 deg}\n";
+    Machine m = machine_parse(text, true);
+    YkMap *map = map_of(&m);
+    size_t limits = 0;
+    if (!yk_map_is_complete(map)) print_error("%s\n", yk_map_message(map));
+    assert_true(yk_map_is_complete(map));
+    for (int k = 0; k < 40; k++) {
+        double at = -3.1 + 0.157 * k, part = (at < 0 ? -at : at) / YK_PI; // it falls as it rises
+        double bend = 40 * YK_PI / 180 * (part - sin(2 * YK_PI * part) / (2 * YK_PI));
+        double coupler = hypot(2.5 + 2 * cos(bend), 2 * sin(bend)), far = hypot(3 - cos(at), sin(at));
+        if (event_near(map, at) < 1e-3) continue;
+        assert_int_equal(places_at(map, at), far > fabs(coupler - 2.2) && far < coupler + 2.2 ? 2 : 0);
+    }
+    for (size_t c = 0; c < yk_map_circuit_count(map); c++)
+        for (size_t e = 0; e < yk_map_circuit(map, c).events; e++)
+            limits += yk_map_event(map, c, e).kind == YK_MAP_LIMIT;
+    assert_int_equal(limits, 2);
+    yk_map_free(map);
+    machine_free(&m);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_geared_five_bars_have_the_places_of_a_walk),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_law_of_the_input_counts_once),
+                                       cmocka_unit_test(test_geared_five_bars_have_the_places_of_a_walk),
                                        cmocka_unit_test(test_limits_are_where_the_determinant_vanishes),
                                        cmocka_unit_test(test_a_wheel_on_a_rocker_stands_in_every_phase_of_its_mesh)};
     return cmocka_run_group_tests(tests, NULL, NULL);
