@@ -11,9 +11,8 @@ from ._watch import check, progress_of_host
 if TYPE_CHECKING:
     from ._core import Facts
 
-_CODES = {
-    lib.YK_REDUNDANT: "E0605", lib.YK_CHANGE_POINT: "E0604", lib.YK_SINGULAR: "E0603", lib.YK_LIMIT: "E0602",
-    lib.YK_NO_ASSEMBLY: "E0601", lib.YK_NOT_CONVERGED: "E0606", lib.YK_STOPPED: "E0608",
+_CODES = {  # of what is no answer
+    lib.YK_LIMIT: "E0602", lib.YK_NO_ASSEMBLY: "E0601", lib.YK_NOT_CONVERGED: "E0606", lib.YK_STOPPED: "E0608",
 }
 
 

@@ -127,7 +127,7 @@ def _one(over: Any) -> tuple[str, Any]:
     if isinstance(over, Mapping) and len(over) == 1:
         name, value = next(iter(over.items()))
         return str(name), value
-    raise refusal(RequestError, "E0810", f"over takes one range by name, not {over!r}",
+    raise refusal(RequestError, "E0812", f"over takes one range by name, not {over!r}",
                   'as in over={"theta": (0, 360, "deg")} or over={"t": (0, 2, "s")}')
 
 

@@ -30,7 +30,7 @@ def is_range(value: Any) -> bool:
 def ends(model: CData, value: Any, quantity: int, name: str) -> tuple[float, float]:
     """Returns both ends of a range in SI; a unit after them holds for both."""
     if not is_range(value):
-        raise refusal(RequestError, "E0810", f"`{name}` takes a range as (0, 360, \"deg\") or (\"0 mm\", \"60 mm\"), "
+        raise refusal(RequestError, "E0812", f"`{name}` takes a range as (0, 360, \"deg\") or (\"0 mm\", \"60 mm\"), "
                       f"not {value!r}")
     if len(value) == 3:
         first, second = (f"{words(x, name)} {value[2]}" for x in value[:2])

@@ -25,14 +25,21 @@ static void check(const YkUnits *units, YkDimension dimension, const char *expec
 static void a_unit_is_written_as_a_file_would_write_it(void **state)
 {
     (void)state;
-    YkUnits si = yk_units_si(), mm = si, force = si;
-    mm.length = force.length = 1e-3;
-    mm.length_name = force.length_name = "mm";
+    YkUnits si = yk_units_si(), mm = si, tonne = si, force = si;
+    mm.length = tonne.length = force.length = 1e-3;
+    mm.length_name = tonne.length_name = force.length_name = "mm";
+    tonne.mass = 1e3;
+    tonne.mass_name = "t";
     force.force = 1e3;
     force.force_name = "kN";
     check(&si, (YkDimension){0, 0, 0, 0}, "");
     check(&si, (YkDimension){0, 0, 0, 1}, "rad");
-    check(&si, (YkDimension){2, 1, -2, 0}, "kg*m^2/s^2");
+    check(&si, (YkDimension){2, 1, -2, 0}, "N*m");
+    check(&si, (YkDimension){0, 1, -2, 0}, "N/m");
+    check(&si, (YkDimension){2, 1, -2, -1}, "N*m/rad");
+    check(&si, (YkDimension){0, 1, -1, 0}, "N*s/m");
+    check(&si, (YkDimension){2, 1, 0, 0}, "kg*m^2");
+    check(&tonne, (YkDimension){0, 1, -2, 0}, "N/mm");
     check(&mm, (YkDimension){1, 0, -2, 0}, "mm/s^2");
     check(&mm, (YkDimension){-3, 1, 0, 0}, "kg/mm^3");
     check(&mm, (YkDimension){2, 1, -2, 0}, "kg*mm^2/s^2");

@@ -159,6 +159,14 @@ class Friction(Printed):
             self.assertAlmostEqual(effort, wanted, delta=1e-9 * abs(wanted))
         self.assertEqual(seen, {OK, AT_REST, NOT_CONVERGED})
 
+    def test_a_sweep_tells_of_jams_as_of_other_rows_without_forces(self):
+        words = ["sweep", self.write("press.yaml", PRESS), "--rate", "theta=2", "--over", "theta=1.2:1.4", "--steps", "2", "--of", "theta.effort", "--format", "json"]
+        jams = self.good(*words, "--param", "mu=8")
+        self.assertEqual([row[1] for row in jams.json()["rows"]], [None] * 3)
+        self.assertRegex(jams.err, r"no forces at theta = 1\.2 rad .* and at later poses: .* the joints jam .*\[W0861\]")
+        self.assertIn("jams", self.good("explain", "W0861").out)
+        self.assertNotIn("W0861", self.good(*words, "--param", "mu=5").err)
+
     def test_friction_that_grows_beyond_all_numbers_is_a_jam(self):
         """It was taken for settled where its square overflowed: forces of 1e154 N, and infinity in printed C."""
         factors = (3.0, 5.0, 8.0, 20.0, 200.0)

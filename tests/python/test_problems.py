@@ -45,6 +45,8 @@ def refused(kind, call, *words):
     assert isinstance(caught.value, yoke.Error)
     for word in words:
         assert word in str(caught.value)
+    for problem in caught.value.problems:
+        assert yoke.explain(problem.code)
     return caught.value
 
 
@@ -69,6 +71,8 @@ def test_wrong_values_are_refused(crank):
     refused(yoke.RequestError, lambda: crank.sweep(theta=(0, 1), steps=2.5))
     refused(yoke.RequestError, lambda: crank.sweep(theta=1.0))
     refused(yoke.RequestError, lambda: crank.sweep())
+    refused(yoke.RequestError, lambda: crank.study(vary={}, over={"theta": 1}, of=["s"]), "E0812")
+    refused(yoke.RequestError, lambda: crank.study(vary={}, over="theta", of=["s"]), "E0812")
     refused(yoke.RequestError, lambda: crank.sweep(theta=(0, math.nan)))
     refused(yoke.RequestError, lambda: crank.sweep(theta=(0, 1), of=["s", "s"]), "twice")
     refused(yoke.RequestError, lambda: crank.simulate(to=-1.0))

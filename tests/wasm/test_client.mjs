@@ -162,6 +162,7 @@ const tests = {
     const page = async (from) => (await from.run(["report", "m.yaml"], files)).out;
     assert.match(await page(moving), /<script>\nvar report = 1;\n<\/script>/);
     assert.equal(await page(moving), await page(moving), "it is loaded once");
+    assert.match((await moving.run(["--quiet", "report", "m.yaml"], files)).out, /<script>/, "options may stand before the verb");
     assert.doesNotMatch(await page(core), /<script>/);
     const lacking = start({ report: "data:nothing" });
     await assert.rejects(lacking.run(["report", "m.yaml"], files), /TypeError/, "a script that cannot be loaded is told");

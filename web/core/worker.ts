@@ -58,7 +58,7 @@ export function serve(port: Port): void {
     const files = new Map(Object.entries(texts).map(([name, text]) => [name, encode.encode(text) as Uint8Array]));
     const given = new Map(files), isHeard = words.includes(SO_FAR);
     const hear = isHeard ? (bytes: Uint8Array) => port.postMessage({ id, heard: hearing.decode(bytes, { stream: true }) }) : undefined;
-    const script = words[0] === "report" ? await scriptOfReports() : null;
+    const script = words.includes("report") ? await scriptOfReports() : null;
     const read = (path: string) => (path === REPORT_SCRIPT ? script : null);
     let reply = runCommand(command, { words, files, hear, read });
     if (PANELS.has(words[0]) && decode.decode(reply.err).startsWith(LEAVES)) reply = runCommand(await module("whole"), { words, files, hear, read });

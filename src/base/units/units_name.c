@@ -25,10 +25,18 @@ static int add_factors(YkText *text, const Factor *factors, int sign, const char
     return count;
 }
 
+// Returns the name of the file's unit of force: its own, or the newton where the others make it. NULL: it has none.
+static const char *name_of_force(const YkUnits *units)
+{
+    if (units->force_name) return units->force_name;
+    return units->mass * units->length / (units->time * units->time) == 1 ? "N" : NULL;
+}
+
 void yk_units_name(const YkUnits *units, YkDimension d, YkText *text)
 {
-    bool is_of_force = units->force_name && d.mass != 0 && d.time != 0; // kg = N s^2 / m
-    const Factor factors[FACTORS] = {{units->force_name, is_of_force ? d.mass : 0},
+    const char *force = name_of_force(units);
+    bool is_of_force = force && d.mass != 0 && d.time != 0; // kg = N s^2 / m
+    const Factor factors[FACTORS] = {{force, is_of_force ? d.mass : 0},
                                      {units->mass_name, is_of_force ? 0 : d.mass},
                                      {units->length_name, is_of_force ? d.length - d.mass : d.length},
                                      {units->time_name, is_of_force ? d.time + 2 * d.mass : d.time},

@@ -158,11 +158,12 @@ static void tell_negative(YkLoader *loader, const YkSpring *spring, const YkExpr
                           const char *noun, YkDimension dimension)
 {
     if (!expr || !(value < 0)) return;
-    yk_load_refuse_amount(loader, code, expr, value, dimension,
-                          code == YK_CODE_NEGATIVE_STIFFNESS
-                              ? "the %s of spring %q is %e %s; it pushes away from its free length"
-                              : "the %s of spring %q is %e %s; it cannot be negative",
-                          noun, spring->name);
+    const char *message = "the %s of spring %q is %e %s; it cannot be negative";
+    if (code == YK_CODE_NEGATIVE_STIFFNESS)
+        message = yk_dimension_equal(dimension, YK_DIM_TURN_STIFFNESS)
+                      ? "the %s of spring %q is %e %s; it pushes away from its free angle"
+                      : "the %s of spring %q is %e %s; it pushes away from its free length";
+    yk_load_refuse_amount(loader, code, expr, value, dimension, message, noun, spring->name);
 }
 
 void yk_load_finish_springs(YkLoader *loader)

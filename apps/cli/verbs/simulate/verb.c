@@ -152,7 +152,9 @@ static int finish(YkSimulationAnswer *answer, bool good)
     good = close_rows(answer, &summary) && good && !session->out.failed;
     int exit_code = !good ? YK_EXIT_WRONG : message ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
     if (session->request->format == YK_FORMAT_JSON && good) {
-        yk_simulate_json(answer, message, !message ? NULL : answer->is_interrupted ? "E0821" : "E0820");
+        char code[YK_CODE_SIZE];
+        YkCode why = answer->is_interrupted ? YK_CODE_INTERRUPTED : YK_CODE_MOTION_ENDS;
+        yk_simulate_json(answer, message, message ? yk_code_word(why, code) : NULL);
         exit_code = yk_session_finish(session, exit_code);
     }
     if (plot && good && !yk_simulate_plot(answer, plot)) exit_code = YK_EXIT_WRONG;
