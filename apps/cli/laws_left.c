@@ -11,7 +11,8 @@ YkLawWatch *yk_session_watch_laws(YkSession *session)
     return watch;
 }
 
-static void warn(YkSession *session, YkProblems *problems, const YkLawLeft *left, const char *axis, YkQuantity quantity)
+static void warn(YkSession *session, YkProblems *problems, const YkLawLeft *left, const char *axis, YkQuantity quantity,
+                 const char *whose)
 {
     YkText words = {0};
     yk_law_left_write(&words, session->model, left);
@@ -20,19 +21,20 @@ static void warn(YkSession *session, YkProblems *problems, const YkLawLeft *left
         yk_add_value(session, &words, left->at, quantity, YK_DIGITS);
     }
     if (axis && left->poses > 1) yk_text_format(&words, ", in %z poses", left->poses);
-    yk_problem(problems, YK_CODE_LAW_LEFT, left->place, "%s", yk_text_get(&words));
+    yk_problem(problems, YK_CODE_LAW_LEFT, left->place, "%s%s", yk_text_get(&words), whose);
     yk_problem_hint(problems, "give the law the whole range that the machine needs, or `period:` if it repeats");
     yk_text_free(&words);
 }
 
-void yk_warn_of_laws(YkSession *session, const YkLawWatch *watch, const char *axis, YkQuantity quantity)
+void yk_warn_of_laws(YkSession *session, const YkLawWatch *watch, const char *axis, YkQuantity quantity,
+                     const char *whose)
 {
     size_t count = yk_law_watch_count(watch);
     if (count == 0) return;
     YkProblems *problems = yk_session_file_problems(session);
     for (size_t k = 0; problems && k < count; k++) {
         YkLawLeft left = yk_law_watch_get(watch, k);
-        warn(session, problems, &left, axis, quantity);
+        warn(session, problems, &left, axis, quantity, whose);
     }
     yk_tell_problems(session, problems);
     yk_problems_free(problems);

@@ -243,20 +243,32 @@ static bool make_chain(YkCertifier *c, const YkMechanism *mech)
     return true;
 }
 
-// Returns whether two states of one model are at poses so near each other that the last place stands for both.
-static bool is_same_pose(YkCertifier *c, const YkState *from, const YkState *to)
+// Returns how far the unknowns of a group may be apart in two states of one model; INFINITY if that is not known.
+static double gap_between(const YkState *from, const YkState *to)
 {
     const YkMechanism *mech = from->mech;
     double most = 0;
-    read_place(c, from, &c->here);
-    if (!is_at(c, &c->last) || to->mech->coordinate_count != mech->coordinate_count) return false;
+    if (to->mech->coordinate_count != mech->coordinate_count) return INFINITY;
     for (size_t k = 0; k < mech->coordinate_count; k++) {
         double off = yk_state_coordinate(from, k).position - yk_state_coordinate(to, k).position;
         most = fmax(most, fabs(mech->coordinates[k].is_distance ? off / mech->size : yk_nearest_turn(off, 0)));
-        if (isnan(off)) return false;
+        if (isnan(off)) return INFINITY;
     }
-    // Unknowns are angles between bodies, and so sums of coordinates, or distances.
-    return yk_chain_is_same(&c->chain, &c->last.pose, &c->last.pose, most * (double)(mech->coordinate_count + 1));
+    return most * (double)(mech->coordinate_count +
+                           1); // they are angles between bodies, and so sums of coordinates, or distances
+}
+
+// Returns whether the last place stands for the pose of a state of this mechanism, and for all poses as far from it as `off`.
+static bool stands_for(YkCertifier *c, const YkState *s, double off)
+{
+    read_place(c, s, &c->here);
+    return is_at(c, &c->last) && yk_chain_is_same(&c->chain, &c->last.pose, &c->last.pose, off);
+}
+
+static void note_change(YkCertifier *c)
+{
+    c->found.steps++;
+    note_gap(c, &c->last, &c->here, "other inputs have a pose that is not proved to be the same", NULL);
 }
 
 static void change(YkWitness *witness, const YkState *from, const YkState *to)
@@ -266,13 +278,13 @@ static void change(YkWitness *witness, const YkState *from, const YkState *to)
         c->last.stands = false;
         return;
     }
-    bool had_pose = from && !is_idle(c) && from->mech == c->chain.mech && c->last.stands;
-    if (had_pose && !is_same_pose(c, from, to)) {
-        c->found.steps++;
-        note_gap(c, &c->last, &c->here, "other inputs have a pose that is not proved to be the same", NULL);
-    }
+    bool goes_on = from && from->has_pose && from->mech == c->chain.mech && !is_outside(c);
+    bool was_closed = goes_on && c->chain.piece_count == 0; // all in closed form: the new groups alone can tell
+    double off = goes_on ? gap_between(from, to) : 0;
+    if (goes_on && !was_closed && c->last.stands && !stands_for(c, from, off)) note_change(c);
     c->has_failed = !make_chain(c, to->mech);
     begin(witness, to);
+    if (was_closed && c->last.stands && !stands_for(c, to, off)) note_change(c);
 }
 
 static void keep(YkWitness *witness, size_t number)

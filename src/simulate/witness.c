@@ -11,11 +11,6 @@ void yk_simulation_set_certifier(YkSimulation *sim, YkCertifier *certifier)
     if (sim->has_begun) yk_simulation_tell_start(sim, NULL);
 }
 
-void yk_simulation_tell_start(YkSimulation *sim, const YkState *from)
-{
-    if (sim->witness) sim->witness->change(sim->witness, from, sim->state);
-}
-
 // Keeps the pose that stands, which is proved.
 static void keep_home(YkSimulation *sim)
 {
@@ -23,6 +18,13 @@ static void keep_home(YkSimulation *sim)
     if (!sim->home) sim->home = yk_state_new(sim->mech);
     if (sim->home) yk_state_take(sim->home, sim->state);
     if (!sim->home) yk_arena_fail(sim->arena);
+}
+
+void yk_simulation_tell_start(YkSimulation *sim, const YkState *from)
+{
+    if (!sim->witness) return;
+    sim->witness->change(sim->witness, from, sim->state);
+    keep_home(sim); // the first step may have to be taken back too
 }
 
 static bool refuse(YkSimulation *sim)

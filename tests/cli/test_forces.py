@@ -175,6 +175,21 @@ start: {p: 0, q: 0}
         self.assertIn("at 130 mm it keeps its end value, -100 N [W0860]", pose.err)
         self.assertNotIn("W0860", self.good("solve", file, "--at", "theta=180deg", "--quiet").err)
 
+    def test_a_study_tells_a_law_that_the_own_design_leaves(self):
+        file = self.write("press.yaml", PRESS)
+        words = ("study", file, "--vary", "r=48mm:50mm:3", "--of", "theta.effort")
+        stroke = lambda angle: 50 * math.cos(angle) + math.sqrt(180 ** 2 - (50 * math.sin(angle)) ** 2)
+        outside = [k for k in range(13) if not 150 <= stroke(math.radians(30 * k)) <= 200]
+        turn = self.good(*words, "--over", "theta=0:360deg", "--steps", "12")
+        self.assertIn("at 230 mm it keeps its end value, -500 N; first at theta = 0 deg, in %d poses, with the file's own values "
+                      "[W0860]" % len(outside), turn.err)
+        time = self.good(*words, "--over", "t=0s:0.2s", "--steps", "12")  # the same turn, from 60 deg
+        self.assertIn("in %d poses, with the file's own values [W0860]" % (len(outside) - 1), time.err)
+        self.assertIn("at 130 mm it keeps its end value, -100 N, with the file's own values [W0860]",
+                      self.good(*words, "--at", "theta=180deg").err)
+        self.assertNotIn("W0860", self.good(*words).err)
+        self.assertNotIn("W0860", self.good("study", file, "--vary", "r=48mm:50mm:3", "--of", "s", "--over", "theta=0:360deg").err)
+
     def test_a_motion_and_a_report_tell_a_law_once(self):
         file = self.write("press.yaml", PRESS)
         run = self.good("simulate", file, "--to", "0.4s", "--steps", "4", "--format", "json")  # two turns

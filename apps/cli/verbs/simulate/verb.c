@@ -158,7 +158,7 @@ static int finish(YkSimulationAnswer *answer, bool good)
         exit_code = yk_session_finish(session, exit_code);
     }
     if (plot && good && !yk_simulate_plot(answer, plot)) exit_code = YK_EXIT_WRONG;
-    yk_warn_of_laws(session, answer->laws, "t", YK_QUANTITY_TIME);
+    yk_warn_of_laws(session, answer->laws, "t", YK_QUANTITY_TIME, "");
     yk_tell_problems(session, session->problems);
     session->is_told = true; // the summary is the last line
     if (!session->ran_out) fputs(yk_text_get(&summary), stderr);

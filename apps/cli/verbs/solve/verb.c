@@ -192,7 +192,7 @@ static int solve(Writer *writer)
     yk_solve_of_warn(session);
     YkStatus written = write_all(writer, pose, &all);
     end(writer, &all);
-    yk_warn_of_laws(session, writer->laws, NULL, YK_QUANTITY_TIME);
+    yk_warn_of_laws(session, writer->laws, NULL, YK_QUANTITY_TIME, "");
     yk_warn_of_stops(writer->stops, NULL, YK_QUANTITY_TIME);
     int exit_code = yk_status_exit(status < 0 ? status : written);
     if (exit_code == YK_EXIT_DONE && yk_lacks_construction(session)) exit_code = YK_EXIT_NO_ANSWER;

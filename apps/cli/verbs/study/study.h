@@ -93,6 +93,9 @@ int yk_study_serve(YkStudyAnswer *answer, bool is_read);
 // why.c: if designs make no machine, says why the first of them does not, as a hint to the last problem.
 void yk_study_tell_why(const YkStudyAnswer *answer);
 
+// laws.c: moves the file's own design through the poses, and warns of the laws whose range it leaves there.
+void yk_study_warn_of_laws(YkStudyAnswer *answer);
+
 // Places in a row.
 const double *yk_study_row(YkStudyAnswer *answer, size_t design); // numbers.c
 static inline YkStatus yk_row_status(const YkStudyAnswer *a, const double *row)

@@ -60,6 +60,7 @@ static int write_answer(YkStudyAnswer *a)
                                                        yk_study_jsonl};
     int exit_code = a->sum.without == a->design_count || a->sensitivity_status < 0 ? YK_EXIT_NO_ANSWER : YK_EXIT_DONE;
     tell_failed(a);
+    yk_study_warn_of_laws(a);
     if (a->blocks && !yk_stream_open(&a->stream, a->session->request->output, a->session->problems)) {
         exit_code = YK_EXIT_WRONG;
     } else {

@@ -230,7 +230,7 @@ static int answer_sweep(YkSweepAnswer *answer, size_t steps)
     yk_certify_warn(session);
     yk_sweep_warn_of_friction(answer);
     warn_of_loads(answer);
-    yk_warn_of_laws(answer->session, answer->laws, answer->over.name, answer->over.quantity);
+    yk_warn_of_laws(answer->session, answer->laws, answer->over.name, answer->over.quantity, "");
     yk_warn_of_stops(answer->stops, answer->over.name, answer->over.quantity);
     return write_answer(answer);
 }
