@@ -88,11 +88,11 @@ bool yk_file_is_own(const YkFile *file, size_t parameter);
 size_t yk_file_own_parameters(const YkFile *file);
 void yk_file_prototype(YkFile *file, const YkRoutine *routine, const char *ending);
 void yk_file_prototype_many(YkFile *file, const YkRoutine *routine, bool designs, const char *ending);
-// file_coincidence.c: whether a dyad may close with any angle at some pose; the inputs a hair before; the check of a
-// kernel's margin for such poses; the function that settles them.
+// file_coincidence.c: whether a dyad may close with any angle at some pose; the inputs a hair before; the end of
+// a kernel, with the bits of such poses in its status; the function that settles them.
 bool yk_file_may_coincide(const YkFile *file);
 void yk_file_write_before(YkFile *file);
-void yk_file_check_open(YkFile *file);
+void yk_file_mark_open(YkFile *file);
 void yk_file_write_beside(YkFile *file, const YkRoutine *routine);
 // Writes the text before, a value, the text after.
 void yk_file_line(YkFile *file, const char *before, YkRef value, const char *after);

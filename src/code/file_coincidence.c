@@ -36,7 +36,7 @@ void yk_file_write_before(YkFile *file)
     yk_file_template(
         file, "/* Where two pins of a loop coincide, any angle closes it. These are the inputs a hair before: the "
               "machine\n   comes with the angle that it has there. */\n"
-              "enum { @_OPEN = 16, @_LOST = 17 }; /* while that is not settled: statuses of such poses */\n"
+              "enum { @_OPEN = 16, @_LOST = 32 }; /* while that is not settled: bits of the status */\n"
               "static @_inputs @_before(const @_inputs *in)\n{\n    @_inputs before = *in;\n    $ fastest = 0;\n");
     for (size_t i = 0; i < inputs; i++) {
         yk_text_format(out, "    fastest = fmax%s(fastest, fabs%s(in->%s_rate)", file->single ? "f" : "",
@@ -55,11 +55,13 @@ void yk_file_write_before(YkFile *file)
     yk_text_puts(out, "    return before;\n}\n\n");
 }
 
-void yk_file_check_open(YkFile *file)
+// Bits, since a chain of more than four results is not turned into vector instructions; of a negative status both are
+// set already.
+void yk_file_mark_open(YkFile *file)
 {
-    if (yk_file_may_coincide(file))
-        yk_file_template(file, file->single ? "!(fabsf(margin) >= 1e-12f) ? (margin < 1 ? @_OPEN : @_LOST)\n        : "
-                                            : "!(fabs(margin) >= 1e-23) ? (margin < 1 ? @_OPEN : @_LOST)\n        : ");
+    yk_file_template(
+        file, file->single ? "    return how | (margin >= 1e-12f ? 0 : @_OPEN) | (margin == margin ? 0 : @_LOST);\n"
+                           : "    return how | (margin >= 1e-23 ? 0 : @_OPEN) | (margin == margin ? 0 : @_LOST);\n");
 }
 
 // At a dead point the margin grows with the way, at a coincidence with its square: there alone the pose beside is
@@ -74,6 +76,6 @@ void yk_file_write_beside(YkFile *file, const YkRoutine *r)
                    "    for (int k = 0; k < 2 && how != %s_SINGULAR; k++) {\n"
                    "        const %s_inputs pose = k == 0 ? %s_before(in) : *in;\n"
                    "        how = %s_%s_of(m, c, &pose, out);\n    }\n"
-                   "    return how == %s_OPEN || how == %s_SINGULAR ? %s_SINGULAR : %s_LIMIT;\n}\n\n",
-                   p, r->name, p, p, p, p, r->name, p, p, p, p, p, r->name, p, p, p, p);
+                   "    return how < 0 || how & %s_LOST ? %s_LIMIT : %s_SINGULAR;\n}\n\n",
+                   p, r->name, p, p, p, p, r->name, p, p, p, p, p, r->name, p, p, p);
 }

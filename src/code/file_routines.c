@@ -56,12 +56,19 @@ static void write_status(YkFile *file, const YkRoutine *r)
     bool has_gap = !yk_graph_is_number(g, p->gap, 0), has_margin = has_gap || !yk_graph_is_number(g, p->margin, 1),
          has_witness = !yk_graph_is_number(g, r->witness, 0), has_angles = !yk_graph_is_number(g, p->angles, 0);
     write_witnesses(file, r, has_margin, has_witness);
-    yk_text_puts(&file->text, "    return ");
+    bool is_open = yk_file_may_coincide(file);
+    yk_text_puts(&file->text, is_open ? "    const int how = " : "    return ");
     if (has_witness) check_local(file, "witness == 0", "BAD_INPUT");
     if (file->rack_side >= 0) check(file, file->rack_side, " > 0", "BAD_DESIGN");
     if (!yk_graph_is_number(g, p->missed, 0)) check(file, p->missed, " <= 1", "NOT_CONVERGED");
-    if (has_margin) yk_file_check_open(file);
-    if (has_margin) check_local(file, file->single ? "margin >= -1e-6f" : "margin >= -1e-13", "LIMIT");
+    if (is_open)
+        yk_text_format(&file->text,
+                       file->single ? "margin < -1e-6f ? %s_LIMIT\n        : "
+                                    : "margin < -1e-13 ? %s_LIMIT\n        : ",
+                       file->prefix);
+    else if (has_margin)
+        check_local(file, file->single ? "margin >= -1e-6f" : "margin >= -1e-13", "LIMIT");
+    if (is_open && (has_angles || has_gap)) check_local(file, "margin == margin", "SINGULAR");
     if (has_angles) check(file, p->angles, " == 0", "BAD_INPUT");
     if (has_gap) check_gap(file);
     const char *clear =
@@ -71,7 +78,9 @@ static void write_status(YkFile *file, const YkRoutine *r)
     if (r->settled >= 0) check(file, r->settled, " > 0", "NOT_CONVERGED");
     if (r->checks_results) check_local(file, "finite == 0", "NOT_FINITE");
     if (r->moves >= 0) check(file, r->moves, " > 0", "AT_REST");
-    yk_text_format(&file->text, "%s_OK;\n}\n\n", file->prefix);
+    yk_text_format(&file->text, "%s_OK;\n", file->prefix);
+    if (is_open) yk_file_mark_open(file);
+    yk_text_puts(&file->text, "}\n\n");
 }
 
 // --- the kernel
