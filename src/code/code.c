@@ -49,7 +49,7 @@ static bool need_fields(YkFile *file)
 {
     YkProgram *p = &file->program;
     for (size_t k = 0; k < file->routine_count; k++) {
-        YkRef *roots = YK_NEW(p->arena, YkRef, file->routines[k].count + 8);
+        YkRef *roots = YK_NEW(p->arena, YkRef, file->routines[k].count + 9);
         if (!roots) return false;
         yk_printer_need(&file->printer, roots, yk_file_roots(file, &file->routines[k], roots));
     }
@@ -88,6 +88,7 @@ static bool write_body(YkFile *file)
         if (p->mech->blocks[b].kind == YK_BLOCK_GROUP) yk_file_write_group(file, b);
     yk_file_write_drives(file);
     yk_file_write_residuals(file);
+    yk_file_write_before(file);
     yk_pace_stage(file->pace, ROUTINES, TESTS);
     for (size_t k = 0; k < file->routine_count && yk_file_goes_on(file, 0); k++) {
         yk_pace_reach(file->pace, (double)k / (double)file->routine_count);
@@ -172,6 +173,7 @@ static bool print_varying(YkFile *file, YkVariant *variant, const YkCSourceOptio
 {
     const YkMechanism *mech = variant->mech;
     if (!yk_program_start(&file->program, mech, &variant->recipe, arena, problems)) return false;
+    file->program.graph.joins_terms = true;
     file->program.graph.pace = arena->pace = file->pace;
     file->prefix = options->prefix ? options->prefix : prefix_of(&file->program, mech->model->source_name);
     file->program.prefix = file->prefix;

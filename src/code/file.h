@@ -55,6 +55,7 @@ typedef struct YkFile {
     size_t drive_count;
     YkRef *residuals; // loops and relations, then their Jacobian
     size_t residual_count, row_count, coordinate_count;
+    YkRef rack_side; // of the parameters: above 0 if every rack is on its side of the pinion; -1: none can leave it
     YkText text;
 } YkFile;
 
@@ -70,7 +71,7 @@ bool yk_file_members(YkFile *file);
 bool yk_file_routines(YkFile *file);
 void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
                         const char *format, ...);
-// Finds the roots of a routine's body: its results and the values for its status; room for 8 more.
+// Finds the roots of a routine's body: its results and the values for its status; room for 9 more.
 size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
 // names.c: chooses program->names for the prefix. Returns false when out of memory.
 bool yk_file_choose_names(YkProgram *program);
@@ -87,6 +88,12 @@ bool yk_file_is_own(const YkFile *file, size_t parameter);
 size_t yk_file_own_parameters(const YkFile *file);
 void yk_file_prototype(YkFile *file, const YkRoutine *routine, const char *ending);
 void yk_file_prototype_many(YkFile *file, const YkRoutine *routine, bool designs, const char *ending);
+// file_coincidence.c: whether a dyad may close with any angle at some pose; the inputs a hair before; the end of
+// a kernel, with the bits of such poses in its status; the function that settles them.
+bool yk_file_may_coincide(const YkFile *file);
+void yk_file_write_before(YkFile *file);
+void yk_file_mark_open(YkFile *file);
+void yk_file_write_beside(YkFile *file, const YkRoutine *routine);
 // Writes the text before, a value, the text after.
 void yk_file_line(YkFile *file, const char *before, YkRef value, const char *after);
 // file_*.c and their neighbours: the parts of the file, in order.

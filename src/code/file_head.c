@@ -53,6 +53,8 @@ void yk_file_write_head(YkFile *file)
         yk_text_puts(out, "\n   Constraints repeat others: of all reactions that balance the machine, those of least "
                           "norm are found,\n"
                           "   with couples over the machine's size.\n");
+    if (file->has_forces && file->forces.is_least && m->follow_count > 0)
+        yk_text_puts(out, "   The efforts of drives that follow laws are not part of it: they may be any.\n");
     if (file->is_of_file)
         yk_text_puts(out, "\n   The parameters' values are special: near them the machine has other "
                           "constraints. What is 0 or\n"

@@ -56,10 +56,19 @@ static void write_status(YkFile *file, const YkRoutine *r)
     bool has_gap = !yk_graph_is_number(g, p->gap, 0), has_margin = has_gap || !yk_graph_is_number(g, p->margin, 1),
          has_witness = !yk_graph_is_number(g, r->witness, 0), has_angles = !yk_graph_is_number(g, p->angles, 0);
     write_witnesses(file, r, has_margin, has_witness);
-    yk_text_puts(&file->text, "    return ");
+    bool is_open = yk_file_may_coincide(file);
+    yk_text_puts(&file->text, is_open ? "    const int how = " : "    return ");
     if (has_witness) check_local(file, "witness == 0", "BAD_INPUT");
+    if (file->rack_side >= 0) check(file, file->rack_side, " > 0", "BAD_DESIGN");
     if (!yk_graph_is_number(g, p->missed, 0)) check(file, p->missed, " <= 1", "NOT_CONVERGED");
-    if (has_margin) check_local(file, file->single ? "margin >= -1e-6f" : "margin >= -1e-13", "LIMIT");
+    if (is_open)
+        yk_text_format(&file->text,
+                       file->single ? "margin < -1e-6f ? %s_LIMIT\n        : "
+                                    : "margin < -1e-13 ? %s_LIMIT\n        : ",
+                       file->prefix);
+    else if (has_margin)
+        check_local(file, file->single ? "margin >= -1e-6f" : "margin >= -1e-13", "LIMIT");
+    if (is_open && (has_angles || has_gap)) check_local(file, "margin == margin", "SINGULAR");
     if (has_angles) check(file, p->angles, " == 0", "BAD_INPUT");
     if (has_gap) check_gap(file);
     const char *clear =
@@ -69,7 +78,9 @@ static void write_status(YkFile *file, const YkRoutine *r)
     if (r->settled >= 0) check(file, r->settled, " > 0", "NOT_CONVERGED");
     if (r->checks_results) check_local(file, "finite == 0", "NOT_FINITE");
     if (r->moves >= 0) check(file, r->moves, " > 0", "AT_REST");
-    yk_text_format(&file->text, "%s_OK;\n}\n\n", file->prefix);
+    yk_text_format(&file->text, "%s_OK;\n", file->prefix);
+    if (is_open) yk_file_mark_open(file);
+    yk_text_puts(&file->text, "}\n\n");
 }
 
 // --- the kernel
@@ -87,12 +98,13 @@ size_t yk_file_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
     if (r->regular >= 0) roots[count++] = r->regular;
     if (r->settled >= 0) roots[count++] = r->settled;
     if (r->moves >= 0) roots[count++] = r->moves;
+    if (file->rack_side >= 0) roots[count++] = file->rack_side;
     return count;
 }
 
 static void write_kernel(YkFile *file, const YkRoutine *r)
 {
-    YkRef *roots = YK_NEW(file->program.arena, YkRef, r->count + 8);
+    YkRef *roots = YK_NEW(file->program.arena, YkRef, r->count + 9);
     if (!roots) {
         file->program.failed = true;
         return;
@@ -183,15 +195,22 @@ static void write_fault(YkFile *file, const Uses *uses, const char *before, cons
 
 static void write_one(YkFile *file, const YkRoutine *r, const Uses *uses)
 {
+    YkText *out = &file->text;
+    const char *p = file->prefix;
+    bool is_open = yk_file_may_coincide(file);
     yk_file_prototype(file, r, "\n{\n");
-    yk_text_format(&file->text,
-                   uses->any_unseen ? "    const int how = %s_%s_of(m, c, in, out);\n"
-                                    : "    return %s_%s_of(m, c, in, out);\n}\n\n",
-                   file->prefix, r->name);
-    if (!uses->any_unseen) return;
-    yk_file_template(file, "    if (how != @_OK &&\n");
-    write_fault(file, uses, "in->", "");
-    yk_file_template(file, "        return @_BAD_INPUT;\n    return how;\n}\n\n");
+    if (!is_open && !uses->any_unseen) {
+        yk_text_format(out, "    return %s_%s_of(m, c, in, out);\n}\n\n", p, r->name);
+        return;
+    }
+    yk_text_format(out, "    %sint how = %s_%s_of(m, c, in, out);\n", is_open ? "" : "const ", p, r->name);
+    if (is_open) yk_text_format(out, "    if (how >= %s_OPEN) how = %s_%s_beside(m, c, in, out);\n", p, p, r->name);
+    if (uses->any_unseen) {
+        yk_file_template(file, "    if (how != @_OK &&\n");
+        write_fault(file, uses, "in->", "");
+        yk_file_template(file, "        return @_BAD_INPUT;\n");
+    }
+    yk_text_puts(out, "    return how;\n}\n\n");
 }
 
 // --- loops
@@ -230,9 +249,41 @@ static void write_own_machine(YkFile *file)
     yk_file_template(file, "            const @_machine machine = @_prepared(&own);\n");
 }
 
-static void write_statuses(YkFile *file, const Uses *uses)
+// Writes the inputs of pose i.
+static void write_pose(YkFile *file, const Uses *uses)
 {
-    if (!uses->any_unseen) {
+    for (size_t k = 0; k < file->input_count; k++)
+        if (uses->taken[k])
+            yk_text_format(&file->text, "            pose.%s = in_%s[i];\n", file->inputs[k].name,
+                           file->inputs[k].name);
+}
+
+static void write_results(YkFile *file, const YkRoutine *r)
+{
+    for (size_t k = 0; k < r->count; k++)
+        yk_text_format(&file->text, "            out_%s[i] = found.%s;\n", r->results[k].name, r->results[k].name);
+}
+
+// Writes the loop that settles poses at which any angle closes a dyad.
+static void write_open(YkFile *file, const YkRoutine *r, const Uses *uses, bool designs)
+{
+    const char *p = file->prefix;
+    yk_file_template(file, "        for (size_t i = first; i < first + count && any != @_OK; i++) {\n"
+                           "            if (status[i] < @_OPEN) continue;\n");
+    if (designs) write_own_machine(file);
+    yk_text_format(&file->text, "            %s_inputs pose = {0};\n            %s_%s found;\n", p, p, r->name);
+    write_pose(file, uses);
+    yk_text_format(&file->text,
+                   "            status[i] = (signed char)%s_%s_beside(&machine, &configuration, &pose, &found);\n", p,
+                   r->name);
+    write_results(file, r);
+    yk_text_puts(&file->text, "        }\n");
+}
+
+static void write_statuses(YkFile *file, const YkRoutine *r, const Uses *uses, bool designs)
+{
+    bool is_open = yk_file_may_coincide(file);
+    if (!uses->any_unseen && !is_open) {
         yk_file_template(file, "        for (size_t k = 0; k < count; k++) status[first + k] = (signed char)how[k];\n");
         return;
     }
@@ -240,8 +291,10 @@ static void write_statuses(YkFile *file, const Uses *uses)
                            "        for (size_t k = 0; k < count; k++) {\n"
                            "            status[first + k] = (signed char)how[k];\n"
                            "            any |= how[k];\n"
-                           "        }\n"
-                           "        for (size_t i = first; i < first + count && any != @_OK; i++)\n"
+                           "        }\n");
+    if (is_open) write_open(file, r, uses, designs);
+    if (!uses->any_unseen) return;
+    yk_file_template(file, "        for (size_t i = first; i < first + count && any != @_OK; i++)\n"
                            "            if (status[i] != @_OK &&\n");
     write_fault(file, uses, "in_", "[i]");
     yk_file_template(file, "                status[i] = @_BAD_INPUT;\n");
@@ -261,15 +314,12 @@ static void write_many(YkFile *file, const YkRoutine *r, const Uses *uses, bool 
                            "            const size_t i = first + k;\n");
     if (designs) write_own_machine(file);
     yk_text_format(out, "            %s_inputs pose;\n            %s_%s found;\n", file->prefix, file->prefix, r->name);
-    for (size_t k = 0; k < file->input_count; k++)
-        if (uses->taken[k])
-            yk_text_format(out, "            pose.%s = in_%s[i];\n", file->inputs[k].name, file->inputs[k].name);
+    write_pose(file, uses);
     yk_text_format(out, "            how[k] = (%s_status)%s_%s_of(&machine, &configuration, &pose, &found);\n",
                    file->prefix, file->prefix, r->name);
-    for (size_t k = 0; k < r->count; k++)
-        yk_text_format(out, "            out_%s[i] = found.%s;\n", r->results[k].name, r->results[k].name);
+    write_results(file, r);
     yk_text_puts(out, "        }\n");
-    write_statuses(file, uses);
+    write_statuses(file, r, uses, designs);
     yk_text_puts(out, "    }\n}\n\n");
 }
 
@@ -281,6 +331,7 @@ void yk_file_write_routine(YkFile *file, const YkRoutine *r)
         file->program.failed = true;
         return;
     }
+    yk_file_write_beside(file, r);
     write_one(file, r, &uses);
     write_many(file, r, &uses, false);
     if (r->has_designs && yk_file_own_parameters(file) > 0) write_many(file, r, &uses, true);

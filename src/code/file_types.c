@@ -146,8 +146,9 @@ static void write_statuses(YkFile *file)
         file, "/* The status of a call. Below 0 the results are meaningless and may be NaN. */\n"
               "enum {\n"
               "    @_OK = 0,\n"
-              "    @_SINGULAR = 3,       /* a dead point or so close to one that rounding decides, or a freedom\n"
-              "                             without inertia: positions are valid, rates and forces are not */\n");
+              "    @_SINGULAR = 3,       /* a dead point or so close to one that rounding decides, two pins of a\n"
+              "                             loop that coincide, or a freedom without inertia: positions are\n"
+              "                             valid, rates and forces are not */\n");
     if (is_dry)
         yk_file_template(
             file,
@@ -161,6 +162,11 @@ static void write_statuses(YkFile *file)
                   ? "    @_NOT_CONVERGED = -3, /* dry friction does not settle: the joints jam; or Newton's method did "
                     "not\n                             reach its tolerance */\n"
                   : "    @_NOT_CONVERGED = -3, /* Newton's method did not reach its tolerance */\n");
+    if (file->rack_side >= 0)
+        yk_file_template(file,
+                         "    @_BAD_DESIGN = -4,    /* the parameters move a rack's line to the other side of its "
+                         "pinion, whose\n                             teeth it would meet turned: print that machine's "
+                         "own file */\n");
     yk_file_template(file, "    @_BAD_INPUT = -5,     /* an input is not a finite number");
     yk_text_puts(&file->text, file->single ? " */\n" : ", or an angle is beyond 1e5 rad */\n");
     yk_file_template(file, "    @_NOT_FINITE = -8     /* a load, or what it does, has no finite value here */\n"

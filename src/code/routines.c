@@ -1,6 +1,7 @@
 // The routines of the file: the results of each, as values.
 #include "code/file.h"
 #include "base/problems.h"
+#include "model/load.h"
 
 void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
                         const char *format, ...)
@@ -183,10 +184,37 @@ static void add_accelerations(YkFile *file)
     meet_dry(file, routine, &file->forces.dry_forward);
 }
 
-// Returns whether some joint bears: free joints transmit nothing.
+// Returns whether something bears: free joints transmit nothing.
 static bool has_bearing(const YkModel *model)
 {
-    return model->joint_count > 2 * model->carriage_count;
+    return model->joint_count > 2 * model->carriage_count || model->follow_count > 0;
+}
+
+// What drives that follow a law exert. Where constraints repeat others the engine knows this of some alone.
+static void add_law_efforts(YkFile *file, YkRoutine *routine)
+{
+    YkProgram *p = &file->program;
+    for (size_t k = 0; k < p->mech->coordinate_count && !file->forces.is_least; k++) {
+        int32_t law = yk_law_relation(p->mech, k);
+        if (law == YK_NONE) continue;
+        yk_file_add_result(file, routine, of(YK_CHANNEL_EFFORT, k, 0),
+                           p->mech->coordinates[k].is_distance ? "N" : "N m", file->forces.contact[law].moment,
+                           "%s_effort", p->names.coordinate[k]);
+    }
+}
+
+// Returns the sentence about the reactions of the machine: what is among them.
+static const char *about_reactions(YkFile *file)
+{
+    const YkProgram *p = &file->program;
+    const char *contacts =
+        yk_contact_count(p->mech) > 0 ? " What gears, racks, belts and cams exert on their second body." : "";
+    const char *laws =
+        p->model->follow_count > 0 && !file->forces.is_least ? " What makes coordinates follow laws." : "";
+    return yk_graph_text(&file->program.graph, "%s%s%s",
+                         "Reactions: the force of each joint's first body on its second, world axes; moment about its "
+                         "point.",
+                         contacts, laws);
 }
 
 // What gears, racks, belts and cams transmit: a force on the second body, or the couple on it where no force is known.
@@ -218,13 +246,8 @@ static void add_reactions(YkFile *file, const Rates *r)
                    f->why_no_reactions);
         return;
     }
-    const char *what = yk_contact_count(p->mech) == 0
-                           ? "Reactions: the force of each joint's first body on its second, world axes; moment about "
-                             "its point."
-                           : "Reactions: the force of each joint's first body on its second, world axes; moment about "
-                             "its point. What gears, racks, belts and cams exert on their second body.";
-    size_t most = 3 * p->model->joint_count + 2 * yk_contact_count(p->mech);
-    YkRoutine *routine = begin(file, "reactions", what, most);
+    size_t most = 3 * p->model->joint_count + 2 * yk_contact_count(p->mech) + p->model->follow_count;
+    YkRoutine *routine = begin(file, "reactions", about_reactions(file), most);
     for (size_t j = 0; j < p->model->joint_count; j++) {
         const char *name = p->names.joint[j];
         if (p->model->joints[j].is_free) continue; // it transmits nothing
@@ -236,6 +259,7 @@ static void add_reactions(YkFile *file, const Rates *r)
                                name);
     }
     add_contacts(file, routine);
+    add_law_efforts(file, routine);
     routine->regular = above_rounding(&p->graph, f->determinant);
     routine->checks_results = true;
     routine->kind = YK_ROUTINE_INVERSE;
@@ -283,12 +307,43 @@ static void add_drives(YkFile *file)
     }
 }
 
+// --- racks
+
+// Returns how far a rack's line passes from its pinion's centre, positive on the side of the file (model/transmissions).
+static YkRef side_of(YkProgram *p, const YkRack *rack)
+{
+    YkGraph *g = &p->graph;
+    const YkJoint *slide = &p->model->joints[rack->slide], *pin = yk_rack_pin(p->model, rack, rack->carrier);
+    bool is_reversed = slide->body[0] == rack->rack;
+    if (!pin) return yk_graph_number(g, rack->radius);
+    YkRefVec center = yk_program_point(p, pin->point[pin->body[1] == rack->carrier]);
+    YkRefVec apart = yk_graph_vec_subtract(g, center, yk_program_point(p, slide->point[is_reversed]));
+    YkRef side = yk_graph_cross(g, yk_program_along(p, slide), apart);
+    return yk_graph_multiply(g, yk_graph_number(g, is_reversed ? -rack->sense : rack->sense), side);
+}
+
+// Finds whether the parameters leave every rack on its side of the pinion: its teeth mesh there in the printed file.
+// A line through the centre may lie a hair beyond it.
+static YkRef find_side(YkProgram *p)
+{
+    YkGraph *g = &p->graph;
+    YkRef least = YK_NONE;
+    for (size_t k = 0; k < p->model->rack_count; k++) {
+        YkRef side = side_of(p, &p->model->racks[k]), hair = yk_graph_number(g, 1e-9 * p->model->racks[k].radius);
+        if (g->values[side].op == YK_VALUE_NUMBER) continue;
+        side = yk_graph_add(g, side, hair);
+        least = least == YK_NONE ? side : yk_graph_binary(g, YK_VALUE_LEAST, side, least);
+    }
+    return least == YK_NONE ? YK_NONE : yk_graph_name(g, least, "rack_side");
+}
+
 bool yk_file_routines(YkFile *file)
 {
     YkProgram *p = &file->program;
     yk_program_pose(p);
     if (p->failed) return false;
     Rates r = find_rates(file);
+    file->rack_side = find_side(p);
     if (p->failed) return false;
     add_motion(file, &r);
     add_points(file, &r);

@@ -36,11 +36,12 @@ static const char limit_endings[] = "_MAX _MIN _WIDTH";
 
 // Names of the printed file's own things, after its prefix; macros are in upper case.
 static const char own_words[] =
-    "accelerations angle configuration defaults differ drives efforts equations inputs largest least machine motion "
+    "accelerations angle before configuration defaults differ drives efforts equations inputs largest least machine "
+    "motion "
     "nearest nonzero parameters per_root piece points prepare prepared reactions residuals root sign sincos start "
     "status";
 static const char own_beginnings[] = "find_ law_ loops_ solve_ test_";
-static const char own_endings[] = "_arrays _of";
+static const char own_endings[] = "_arrays _beside _of";
 
 typedef enum Part { WHOLE, BEGINNING, ENDING } Part; // the part of the name that a word is compared with
 

@@ -15,13 +15,13 @@ static const YkValue *value_of(const YkPrinter *pr, YkRef value)
 static bool is_used(const YkPrinter *pr, const char *name)
 {
     static const char *const words[] = {
-        "m",      "c",       "in",   "out",   "i",     "n",     "known",  "x",        "status",
-        "margin", "witness", "p",    "q",     "t",     "miss",  "finite", "residual", "jacobian",
-        "system", "machine", "abs",  "acos",  "asin",  "atan",  "atan2",  "copysign", "cos",
-        "cosh",   "exp",     "fabs", "fmax",  "fmin",  "fmod",  "log",    "log10",    "pow",
-        "sin",    "sinh",    "sqrt", "tan",   "tanh",  "acosf", "asinf",  "atan2f",   "atanf",
-        "cosf",   "coshf",   "expf", "fabsf", "fmaxf", "fminf", "fmodf",  "logf",     "log10f",
-        "powf",   "rintf",   "sinf", "sinhf", "sqrtf", "tanf",  "tanhf"};
+        "m",        "c",      "in",      "out",  "i",     "n",     "known", "x",      "status",
+        "margin",   "how",    "witness", "p",    "q",     "t",     "miss",  "finite", "residual",
+        "jacobian", "system", "machine", "abs",  "acos",  "asin",  "atan",  "atan2",  "copysign",
+        "cos",      "cosh",   "exp",     "fabs", "fmax",  "fmin",  "fmod",  "log",    "log10",
+        "pow",      "sin",    "sinh",    "sqrt", "tan",   "tanh",  "acosf", "asinf",  "atan2f",
+        "atanf",    "cosf",   "coshf",   "expf", "fabsf", "fmaxf", "fminf", "fmodf",  "logf",
+        "log10f",   "powf",   "rintf",   "sinf", "sinhf", "sqrtf", "tanf",  "tanhf"};
     if (pr->unknowns && strcmp(pr->unknowns, name) == 0) return true;
     for (size_t k = 0; k < sizeof words / sizeof *words; k++)
         if (strcmp(words[k], name) == 0) return true;

@@ -206,6 +206,8 @@ void yk_load_friction(YkLoader *loader, const YkNode *node, YkJoint *joint);
 void yk_load_wheels(YkLoader *loader); // before the joints: finds which bodies are wheels
 void yk_load_gears(YkLoader *loader);
 void yk_load_racks(YkLoader *loader);
+// racks.c: the pin by which a body holds the pinion's centre; NULL: none.
+const YkJoint *yk_rack_pin(const YkModel *model, const YkRack *rack, int32_t body);
 bool yk_rack_keeps_side(const YkModel *model, const YkRack *rack); // racks.c: of its pinion, where points have moved
 void yk_load_belts(YkLoader *loader);
 void yk_load_locks(YkLoader *loader);

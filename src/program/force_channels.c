@@ -21,18 +21,12 @@ static YkRef transmitted(YkBalanceSystem *w, YkChannel c)
     }
 }
 
-// Returns what makes the coordinate move: a law's effort where it follows another, else that of its drive; w->count if
-// nothing does.
-static size_t unknown_of(const YkBalanceSystem *w, size_t coordinate)
+// Returns the unknown of the input's drive; w->count if there is none.
+static size_t unknown_of(const YkBalanceSystem *w, int32_t input)
 {
-    int32_t input = w->f->program->mech->coordinates[coordinate].input;
-    int32_t law = yk_law_relation(w->f->program->mech, coordinate);
-    for (size_t k = 0; k < w->count; k++) {
-        const YkUnknown *c = &w->columns[k];
-        if (law != YK_NONE ? c->relation == law : input != YK_NONE && c->relation == YK_NONE && c->input == input)
-            return k;
-    }
-    return w->count;
+    size_t k = 0;
+    while (k < w->count && (input == YK_NONE || w->columns[k].relation != YK_NONE || w->columns[k].input != input)) k++;
+    return k;
 }
 
 // Returns the effort that an input or a law's drive needs, or what `efforts:` gives along another coordinate.
@@ -40,12 +34,13 @@ static YkRef effort(YkBalanceSystem *w, size_t coordinate)
 {
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
-    size_t unknown = unknown_of(w, coordinate);
+    const YkTreeCoordinate *own = &p->mech->coordinates[coordinate];
+    int32_t law = yk_law_relation(p->mech, coordinate);
+    size_t unknown = unknown_of(w, own->input);
     YkRef sum = yk_graph_number(g, 0);
-    if (unknown < w->count) {
-        bool is_distance = p->mech->coordinates[coordinate].is_distance; // couples are over the unit
-        return yk_graph_multiply(g, yk_balance_value(w, unknown), yk_graph_number(g, is_distance ? 1 : w->unit));
-    }
+    if (law != YK_NONE) return w->f->contact[law].moment;
+    if (unknown < w->count) // couples are over the unit
+        return yk_graph_multiply(g, yk_balance_value(w, unknown), yk_graph_number(g, own->is_distance ? 1 : w->unit));
     for (size_t k = 0; k < p->model->effort_count; k++) {
         const YkCoordinate *c = &p->model->coordinates[p->model->efforts[k].coordinate];
         if (yk_tree_coordinate(p->mech, c->joint, c->is_distance) == (int32_t)coordinate)

@@ -14,7 +14,7 @@ typedef struct YkWrenchRef { // on a body: force, and moment about its reference
 
 typedef struct YkContactRef { // of a gear, rack, belt, cam or law on its second body
     YkRefVec force;
-    YkRef moment;   // of one that transmits couples
+    YkRef moment;   // of one that transmits couples; of a law: its effort along the coordinate that follows it
     bool has_force; // otherwise couples alone
 } YkContactRef;
 

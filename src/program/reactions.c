@@ -173,6 +173,18 @@ static YkRefVec contact_force(YkBalanceSystem *w, size_t k)
     return copies > 1 ? yk_graph_vec_scale(g, yk_graph_number(g, 1.0 / copies), force) : force;
 }
 
+// Returns what the unknown of a relation says besides its force: the effort of a law along its coordinate, or a couple.
+static YkRef contact_moment(YkBalanceSystem *w, size_t k)
+{
+    YkProgram *p = w->f->program;
+    YkGraph *g = &p->graph;
+    const YkUnknown *c = &w->columns[k];
+    const YkRelation *r = &p->mech->relations[c->relation];
+    if (r->kind != YK_RELATION_LAW) return yk_graph_multiply(g, yk_balance_value(w, k), c->moment);
+    bool is_distance = p->model->coordinates[p->model->follows[r->index].coordinate].is_distance;
+    return yk_graph_multiply(g, yk_balance_value(w, k), yk_graph_number(g, is_distance ? 1 : w->unit));
+}
+
 // Reads what gears, racks, belts, cams and laws transmit.
 static bool read_contacts(YkBalanceSystem *w)
 {
@@ -184,7 +196,7 @@ static bool read_contacts(YkBalanceSystem *w)
         const YkUnknown *c = &w->columns[k];
         if (c->relation == YK_NONE) continue;
         w->f->contact[c->relation] = (YkContactRef){.force = contact_force(w, k),
-                                                    .moment = yk_graph_multiply(g, yk_balance_value(w, k), c->moment),
+                                                    .moment = contact_moment(w, k),
                                                     .has_force = !yk_graph_is_zero_vec(g, c->force)};
     }
     return true;

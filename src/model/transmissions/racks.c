@@ -51,19 +51,24 @@ static bool is_at_origin(YkVec at)
     return at.x == 0 && at.y == 0;
 }
 
-// Returns whether the body holds the pinion's centre by a pin; *at is its place on the body.
-static bool holds_pinion(const YkModel *model, const YkRack *rack, int32_t body, YkVec *at)
+const YkJoint *yk_rack_pin(const YkModel *model, const YkRack *rack, int32_t body)
 {
     for (size_t i = 0; i < model->joint_count; i++) {
         const YkJoint *joint = &model->joints[i];
         for (int k = 0; k < 2; k++) {
-            if (joint->kind != YK_PIN || joint->body[k] != rack->pinion || joint->body[1 - k] != body) continue;
-            if (!is_at_origin(joint->at[k])) continue;
-            *at = joint->at[1 - k];
-            return true;
+            bool is_between = joint->body[k] == rack->pinion && joint->body[1 - k] == body;
+            if (joint->kind == YK_PIN && is_between && is_at_origin(joint->at[k])) return joint;
         }
     }
-    return false;
+    return NULL;
+}
+
+// Returns whether the body holds the pinion's centre by a pin; *at is its place on the body.
+static bool holds_pinion(const YkModel *model, const YkRack *rack, int32_t body, YkVec *at)
+{
+    const YkJoint *pin = yk_rack_pin(model, rack, body);
+    if (pin) *at = pin->at[pin->body[1] == body];
+    return pin != NULL;
 }
 
 // Returns the distance of the pinion's centre from the line of the slide, positive to the left of its direction, in the
