@@ -54,7 +54,7 @@ bool yk_force_slopes_take(YkLaneForces *f, YkGradient *gradient, const YkSlopesA
 {
     for (const YkLeafSource *s = f->needed; s < f->needed + f->needed_count; s++)
         if (s->kind != YK_LEAF_OF_PARAMETER && s->one) *s->one = number_of(s, gradient, at);
-    const double *const *slopes = yk_tape_run_one(f->tape);
+    const double *const *slopes = yk_tape_run_one(f->tape, NULL);
     for (size_t k = 0; k < f->by_count; k++) {
         by[k] = *slopes[k];
         if (!isfinite(by[k])) return false;

@@ -26,8 +26,8 @@ static void sort_needed(YkLaneForces *f, bool in_space)
         YkLeafSource s = f->sources[k];
         if (!yk_tape_needs(f->tape, k) || is_in_space(s.kind) != in_space) continue;
         if (s.kind == YK_LEAF_OF_COORDINATE) f->needs[s.index] = true;
-        if (in_space) s.number = number_of(f->mech, &s);
         s.leaf = k;
+        if (in_space) yk_tape_read_number(f->tape, k, number_of(f->mech, &s));
         s.one = yk_tape_leaf_of_one(f->tape, k);
         f->needed[f->needed_count++] = s;
     }
@@ -98,10 +98,8 @@ static double number_beside(const YkLeafSource *s, const YkLanePose *pose)
 
 const double *const *yk_lane_forces_run_one(YkLaneForces *f, const YkLanePose *pose)
 {
-    const YkLeafSource *s = f->needed, *end = s + f->in_space;
-    const double *numbers = pose->space->data;
-    for (; s < end; s++) *s->one = numbers[s->number];
-    for (end = f->needed + f->needed_count; s < end; s++)
+    const YkLeafSource *s = f->needed + f->in_space, *end = f->needed + f->needed_count;
+    for (; s < end; s++)
         if (s->kind != YK_LEAF_OF_PARAMETER) *s->one = number_beside(s, pose);
-    return yk_tape_run_one(f->tape);
+    return yk_tape_run_one(f->tape, pose->space->data);
 }

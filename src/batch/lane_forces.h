@@ -19,9 +19,8 @@ typedef enum YkLeafKind {
 typedef struct YkLeafSource { // where the lanes of a leaf lie
     YkLeafKind kind;
     int32_t index, part;
-    size_t leaf;   // of the tape
-    size_t number; // TURN, SLIDE, NODE, GAIN: among the numbers of a space for one pose
-    double *one;   // where the tape reads it for one lane
+    size_t leaf; // of the tape
+    double *one; // its own number in one lane of the tape
 } YkLeafSource;
 
 // Makes other values of those of the channels, for the tape to compute; NULL if it cannot.

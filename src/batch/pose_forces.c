@@ -2,7 +2,6 @@
 #include "batch/pose_forces.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t count)
 {
@@ -90,16 +89,14 @@ void yk_pose_forces_follow(YkPoseForces *f)
 
 bool yk_pose_forces_run_one(YkPoseForces *f, const YkLanePose *at, double *const *outputs, size_t pose)
 {
-    const uint64_t exponent = (uint64_t)0x7ff << 52, one = (uint64_t)1 << 52;
     const double *const *result = yk_lane_forces_run_one(f->lanes, at);
-    uint64_t found = 0; // the highest bit is set if one is not finite
+    double sum = 0; // not finite if one of them is not
     for (size_t k = 0; k < f->count; k++) {
-        uint64_t bits;
-        memcpy(&bits, result[k], sizeof bits);
-        found |= (bits & exponent) + one;
-        outputs[f->place[k]][pose] = *result[k];
+        double value = *result[k];
+        sum += value;
+        outputs[f->place[k]][pose] = value;
     }
-    return found >> 63 == 0;
+    return sum - sum == 0 || yk_pose_forces_are_finite(f, outputs, pose);
 }
 
 // Runs one lane: the state's own space.

@@ -233,7 +233,7 @@ static void run_first_lane(YkTape *t, double *const *out)
         double *one = yk_tape_leaf_of_one(t, k);
         if (one) *one = *t->row[k];
     }
-    const double *const *result = yk_tape_run_one(t);
+    const double *const *result = yk_tape_run_one(t, NULL);
     for (size_t k = 0; k < t->root_count; k++) *out[k] = *result[k];
 }
 

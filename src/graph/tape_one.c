@@ -1,8 +1,10 @@
 // One lane of a tape: the same operations on single numbers, in an order in which operations of one kind stand together.
 //
 // Every value has a number of its own, so that operations may change places. Operations of one kind follow each other as
-// long as some are ready, that is, wait for no other; the next kind is then the one with the most operations ready. A
-// group of one kind costs one jump.
+// long as some are ready, that is, wait for no other; the next kind is then that of the operation from which most others
+// lead to a result, since the waiting for each other is half of the cost. A group of one kind costs one jump.
+//
+// Leaves that are numbers of a pose are read where they stand: the operations are told anew when the pose stands elsewhere.
 #include "graph/tape_one.h"
 
 typedef struct Maker {
@@ -13,6 +15,9 @@ typedef struct Maker {
     bool *is_taken;    // per step
     bool *is_known;    // per place: its number is computed before the steps that remain
     size_t *order;     // steps as they run
+    size_t *height;    // per step: how many follow it, each reading the one before
+    int32_t *maker;    // per place: the step that makes it, or YK_NONE
+    int32_t *leaf;     // per place: the leaf that stands there, or YK_NONE
     size_t step_count, place_count, place_capacity;
 } Maker;
 
@@ -108,21 +113,55 @@ static void take(Maker *m, size_t step, size_t at)
         if (call->results[k] != YK_NONE) m->is_known[call->results[k]] = true;
 }
 
-// Returns the kind of which most steps are ready.
-static YkTapeOp largest_kind(const Maker *m)
+static void raise(Maker *m, int32_t place, size_t height)
 {
-    size_t ready[YK_TAPE_COPY + 1] = {0}, best = 0;
-    for (size_t k = 0; k < m->step_count; k++)
-        if (!m->is_taken[k] && is_ready(m, &m->steps[k])) ready[m->steps[k].op]++;
-    for (size_t op = 1; op <= YK_TAPE_COPY; op++)
-        if (ready[op] > ready[best]) best = op;
-    return (YkTapeOp)best;
+    int32_t step = m->maker[place];
+    if (step != YK_NONE && m->height[step] < height) m->height[step] = height;
+}
+
+static void find_makers(Maker *m)
+{
+    for (size_t k = 0; k < m->place_count; k++) m->maker[k] = YK_NONE;
+    for (size_t k = 0; k < m->step_count; k++) {
+        const YkTapeStep *s = &m->steps[k];
+        const YkTapeCall *call = s->call == YK_NONE ? NULL : &m->one->calls[s->call];
+        m->maker[s->out] = (int32_t)k;
+        for (size_t i = 0; call && i < call->result_count; i++)
+            if (call->results[i] != YK_NONE) m->maker[call->results[i]] = (int32_t)k;
+    }
+}
+
+// Steps stand behind those that they read.
+static void find_heights(Maker *m)
+{
+    find_makers(m);
+    for (size_t k = m->step_count; k-- > 0;) {
+        const YkTapeStep *s = &m->steps[k];
+        const YkTapeCall *call = s->call == YK_NONE ? NULL : &m->one->calls[s->call];
+        for (size_t i = 0; call && i < call->argument_count; i++) raise(m, call->arguments[i], m->height[k] + 1);
+        for (size_t i = 0; !call && i < YK_TAPE_OPERANDS; i++)
+            if (s->in[i] != s->out) raise(m, s->in[i], m->height[k] + 1);
+    }
+}
+
+// Returns the kind of the highest step that is ready.
+static YkTapeOp next_kind(const Maker *m)
+{
+    const YkTapeStep *best = NULL;
+    size_t height = 0;
+    for (size_t k = 0; k < m->step_count; k++) {
+        if (m->is_taken[k] || (best && m->height[k] <= height) || !is_ready(m, &m->steps[k])) continue;
+        best = &m->steps[k];
+        height = m->height[k];
+    }
+    return best->op;
 }
 
 static void order_steps(Maker *m)
 {
+    find_heights(m);
     for (size_t count = 0; count < m->step_count;) {
-        YkTapeOp op = largest_kind(m);
+        YkTapeOp op = next_kind(m);
         for (size_t k = 0; k < m->step_count; k++)
             if (!m->is_taken[k] && m->steps[k].op == op && is_ready(m, &m->steps[k])) take(m, k, count++);
     }
@@ -132,6 +171,17 @@ static void add_to_groups(YkTapeOne *one, YkTapeOp op, const YkTapeOperation *en
 {
     if (one->group_count == 0 || one->groups[one->group_count - 1].op != op) one->group_count++;
     one->groups[one->group_count - 1] = (YkTapeGroup){end, op};
+}
+
+static void note_read(const Maker *m, int32_t place, const double **from)
+{
+    if (m->leaf[place] != YK_NONE) m->one->reads[m->one->read_count++] = (YkTapeRead){from, m->leaf[place]};
+}
+
+static void note_reads(const Maker *m, const YkTapeStep *s, YkTapeOperation *o)
+{
+    const double **const from[YK_TAPE_OPERANDS] = {&o->a, &o->b, &o->c, &o->d, &o->e};
+    for (size_t k = 0; k < YK_TAPE_OPERANDS; k++) note_read(m, s->in[k], from[k]);
 }
 
 static void sort_steps(Maker *m)
@@ -146,6 +196,7 @@ static void sort_steps(Maker *m)
             (YkTapeOperation){at[s->in[0]], at[s->in[1]], at[s->in[2]], at[s->in[3]], at[s->in[4]], one->at[s->out]};
         if (s->op == YK_TAPE_RARE) one->rare[rare++] = *s;
         add_to_groups(one, s->op, &one->operations[k + 1]);
+        note_reads(m, s, &one->operations[k]);
     }
 }
 
@@ -167,9 +218,14 @@ static bool start(Maker *m, YkArena *work)
     m->is_taken = YK_NEW(work, bool, steps);
     m->place = YK_NEW(work, int32_t, t->row_count + 1);
     m->is_known = YK_NEW(work, bool, m->place_capacity);
+    m->height = YK_NEW(work, size_t, steps);
+    m->maker = YK_NEW(work, int32_t, m->place_capacity);
+    m->leaf = YK_NEW(work, int32_t, m->place_capacity);
     one->value = YK_NEW(t->arena, double, m->place_capacity);
     one->at = YK_NEW(t->arena, double *, m->place_capacity);
     one->leaf = YK_NEW(t->arena, int32_t, t->leaf_count + 1);
+    one->number = YK_NEW(t->arena, size_t, t->leaf_count + 1);
+    one->reads = YK_NEW(t->arena, YkTapeRead, YK_TAPE_OPERANDS * steps + t->root_count);
     one->result = YK_NEW(t->arena, const double *, t->root_count + 1);
     one->numbers = YK_NEW(t->arena, YkTapeNumber, t->row_count + 1);
     one->operations = YK_NEW(t->arena, YkTapeOperation, steps);
@@ -179,7 +235,7 @@ static bool start(Maker *m, YkArena *work)
     if (yk_arena_failed(work) || yk_arena_failed(t->arena)) return false;
     for (size_t k = 0; k < m->place_capacity; k++) one->at[k] = &one->value[k];
     for (size_t k = 0; k < t->row_count; k++) m->place[k] = YK_NONE;
-    for (size_t k = 0; k < t->leaf_count; k++) one->leaf[k] = YK_NONE;
+    for (size_t k = 0; k < t->leaf_count; k++) one->leaf[k] = YK_NONE, one->number[k] = YK_TAPE_OWN;
     return true;
 }
 
@@ -193,7 +249,11 @@ bool yk_tape_make_one(YkTape *t, YkArena *work)
     for (size_t k = 0; k < t->root_count; k++)
         t->one->result[k] = &t->one->value[place_of(&m, (int32_t)(t->leaf_count + k))];
     if (yk_arena_failed(t->arena)) return false;
+    for (size_t k = 0; k < m.place_count; k++) m.leaf[k] = YK_NONE;
+    for (size_t k = 0; k < t->leaf_count; k++)
+        if (t->one->leaf[k] != YK_NONE) m.leaf[t->one->leaf[k]] = (int32_t)k;
     sort_steps(&m);
+    for (size_t k = 0; k < t->root_count; k++) note_read(&m, m.place[t->leaf_count + k], &t->one->result[k]);
     yk_tape_prepare_one(t);
     return true;
 }
@@ -201,6 +261,24 @@ bool yk_tape_make_one(YkTape *t, YkArena *work)
 double *yk_tape_leaf_of_one(YkTape *t, size_t leaf)
 {
     return t->one->leaf[leaf] == YK_NONE ? NULL : &t->one->value[t->one->leaf[leaf]];
+}
+
+void yk_tape_read_number(YkTape *t, size_t leaf, size_t number)
+{
+    t->one->number[leaf] = number;
+}
+
+void yk_tape_read_pose(YkTape *t, const double *pose)
+{
+    YkTapeOne *one = t->one;
+    one->pose = pose;
+    for (size_t k = 0; k < t->leaf_count; k++) {
+        if (one->leaf[k] == YK_NONE || one->number[k] == YK_TAPE_OWN) continue;
+        const double *at = pose ? pose + one->number[k] : &one->value[one->leaf[k]];
+        one->at[one->leaf[k]] = (double *)(uintptr_t)at; // only read
+    }
+    for (const YkTapeRead *r = one->reads, *end = r + one->read_count; r < end; r++)
+        *r->from = one->at[one->leaf[r->leaf]];
 }
 
 void yk_tape_prepare_one(YkTape *t)

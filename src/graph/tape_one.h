@@ -17,10 +17,21 @@ typedef struct YkTapeGroup { // operations of one kind
     YkTapeOp op;
 } YkTapeGroup;
 
+typedef struct YkTapeRead { // where the address of a leaf's number stands
+    const double **from;
+    int32_t leaf;
+} YkTapeRead;
+
+#define YK_TAPE_OWN ((size_t)-1)
+
 struct YkTapeOne {
-    double *value;         // per place
-    double **at;           // per place: its address, as rows of one lane
-    int32_t *leaf;         // per leaf: its place, or YK_NONE
+    double *value;      // per place
+    double **at;        // per place: its address, as rows of one lane
+    int32_t *leaf;      // per leaf: its place, or YK_NONE
+    size_t *number;     // per leaf: which of a pose's numbers it is, or YK_TAPE_OWN
+    const double *pose; // the numbers from which such leaves are read now; NULL: all have their own
+    YkTapeRead *reads;
+    size_t read_count;
     const double **result; // per root: its number
     YkTapeNumber *numbers; // what depends on parameters alone
     size_t number_count, group_count;

@@ -81,8 +81,9 @@ static void run_groups(const YkTape *t)
     }
 }
 
-const double *const *yk_tape_run_one(YkTape *t)
+const double *const *yk_tape_run_one(YkTape *t, const double *pose)
 {
+    if (pose != t->one->pose) yk_tape_read_pose(t, pose);
     run_groups(t);
     return t->one->result;
 }

@@ -1,5 +1,6 @@
 // Runs compiled steps over lanes: turns, sums, blocks and relations.
 #include "solve/run.h"
+#include "elementary/kernel.h"
 #include "solve/relations.h"
 #include "solve/single.h"
 #include <string.h>
@@ -14,18 +15,23 @@ static void begin_single(const YkRun *run)
     run->space->gap[0] = 0;
 }
 
-void yk_run_begin(const YkRun *run)
+// Apart, so that one pose does not pay for it.
+YK_APART void begin_lanes(const YkRun *run)
 {
     double *margin = run->space->margin;
     size_t n = run->lanes, inputs = run->mech->input_count;
-    if (n == 1) {
-        begin_single(run);
-        return;
-    }
     memset(run->space->gap, 0, n * sizeof(double));
     for (size_t i = 0; i < inputs; i++)
         yk_lanes_begin(margin, run->inputs[3 * i], run->inputs[3 * i + 1], run->inputs[3 * i + 2], i == 0, n);
     for (size_t k = 0; inputs == 0 && k < n; k++) margin[k] = 1;
+}
+
+void yk_run_begin(const YkRun *run)
+{
+    if (run->lanes == 1)
+        begin_single(run);
+    else
+        begin_lanes(run);
 }
 
 static void add_term(const YkRun *run, YkTerm term, YkPlane out)

@@ -295,6 +295,50 @@ static void test_equations(void **unused)
     end(&c);
 }
 
+// One lane reads leaves where a pose's numbers stand, in one place and in another, and its own ones between.
+static void check_poses(Case *c, YkTape *t)
+{
+    double pose[LANES][LEAVES];
+    run(c, t, 0, LANES);
+    for (size_t k = 0; k < LEAVES; k += 2) yk_tape_read_number(t, k, LEAVES - 1 - k);
+    for (size_t i = 0; i < LANES; i++) {
+        double lanes[ROOTS];
+        for (size_t k = 0; k < LEAVES; k++) {
+            double *own = yk_tape_leaf_of_one(t, k);
+            pose[i][LEAVES - 1 - k] = c->leaf[k][i];
+            if (own) *own = k % 2 == 0 ? NAN : c->leaf[k][i];
+        }
+        const double *const *result = yk_tape_run_one(t, pose[i]);
+        for (int k = 0; k < ROOTS; k++) {
+            lanes[k] = c->out[k][i];
+            assert_memory_equal(result[k], &lanes[k], sizeof(double));
+        }
+        if (i % 3 == 0) run(c, t, i, 1);
+        for (int k = 0; k < ROOTS; k++) assert_memory_equal(&c->out[k][i], &lanes[k], sizeof(double));
+    }
+}
+
+static void test_numbers_of_a_pose(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 12;
+    static const double factor = 2;
+    for (int round = 0; round < 40; round++) {
+        start(&c, &seed);
+        grow(&c, &seed);
+        int32_t call = yk_graph_call(
+            &c.graph, (YkCall){.kind = YK_CALL_LAW, .arguments = c.leaves + 2, .argument_count = 1, .result_count = 3});
+        c.roots[4] = yk_graph_result(&c.graph, call, 0);
+        c.roots[5] = c.leaves[0];
+        c.roots[6] = yk_graph_function(&c.graph, YK_SIN, c.leaves[4], YK_NONE);
+        YkTape *t = tape_of(&c, (YkTapeLaws){&factor, square});
+        check_poses(&c, t);
+        yk_tape_free(t);
+        end(&c);
+    }
+}
+
 static void test_what_a_tape_cannot_do(void **unused)
 {
     (void)unused;
@@ -320,6 +364,7 @@ int main(void)
         cmocka_unit_test(test_values_for_all_lanes),
         cmocka_unit_test(test_laws),
         cmocka_unit_test(test_equations),
+        cmocka_unit_test(test_numbers_of_a_pose),
         cmocka_unit_test(test_what_a_tape_cannot_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
