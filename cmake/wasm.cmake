@@ -53,11 +53,12 @@ set_target_properties(yoke PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${CM
 # What the page's panels need: the same flat functions as core.wasm, those of curves and simulations, and the verbs by which
 # panels are filled. The verbs that take their time or write files are in yoke.wasm alone.
 file(GLOB door CONFIGURE_DEPENDS web/core/*.c)
-set(left "/(new|explain|rest|study|report|code|synthesize|map|cognates|balance)/verb[.]c|/studio/in_browser[.]c|/gallery[.]c|/certify[.]c")
+set(left "/(new|explain|rest|study|report|code|synthesize|map|cognates|balance)/verb[.]c|/studio/in_browser[.]c|/gallery[.]c|/certify[.]c|/rolls?[.]c")
 target_sources(yoke PRIVATE ${door} ${YOKE_WASI}/start.c) # a page in one file has no panels.wasm
 target_include_directories(yoke PRIVATE web/core)
 target_link_options(yoke PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
-add_executable(panels ${door} ${YOKE_WASI}/start.c apps/cli/main.c apps/cli/watch.c web/core/small/verbs.c web/core/small/certify.c $<FILTER:$<TARGET_OBJECTS:yoke_command>,EXCLUDE,${left}>)
+add_executable(panels ${door} ${YOKE_WASI}/start.c apps/cli/main.c apps/cli/watch.c web/core/small/verbs.c web/core/small/certify.c
+  web/core/small/findings.c web/core/small/roll.c $<FILTER:$<TARGET_OBJECTS:yoke_command>,EXCLUDE,${left}>)
 target_include_directories(panels PRIVATE web/core apps/cli)
 target_link_libraries(panels PRIVATE yoke_core wasi-emulated-getpid wasi-emulated-signal)
 target_compile_definitions(panels PRIVATE $<TARGET_PROPERTY:yoke,COMPILE_DEFINITIONS>)

@@ -148,7 +148,9 @@ const tests = {
   async "panels.wasm answers its verbs as yoke.wasm does, and leaves it the others"() {
     const core = start(), alone = start({ panels: bytes(whole) }), files = { "m.yaml": machine("four-bar") };
     for (const words of [["check", "m.yaml"], ["solve", "m.yaml"], ["derive", "m.yaml"], ["sweep", "m.yaml", "--over", "t=0:1s"], ["draw", "m.yaml"], ["cam", "m.yaml"], ["gears", "m.yaml"],
-      ["rest", "m.yaml"], ["simulate", "m.yaml", "--to", "0.1s"], ["explain", "E0401"]])
+      ["rest", "m.yaml"], ["simulate", "m.yaml", "--to", "0.1s"], ["explain", "E0401"],
+      ["draw", "m.yaml", "--animate", "m.svg", "--to", "0.1s"], ["solve", "m.yaml", "--all"], ["solve", "m.yaml", "--all", "--within", "-1s"], ["solve", "m.yaml", "--solver", "paths"],
+      ["solve", "m.yaml", "--assembly", "2"]])
       assert.deepEqual(await core.run(words, files), await alone.run(words, files), words[0]);
     const group = { "m.yaml": machine("double-butterfly") }; // its motion is proved by yoke.wasm, which panels.wasm leaves it to
     for (const words of [["solve", "m.yaml", "--at", "lambda=20deg"], ["sweep", "m.yaml", "--over", "lambda=0:20deg", "--steps", "4", "--format", "json"]]) {
@@ -156,6 +158,9 @@ const tests = {
       assert.deepEqual(reply, await alone.run(words, group), words[0]);
       assert.match(reply.out, /\bcertified\b/);
     }
+    for (const words of [["solve", "m.yaml", "--trust"], ["solve", "m.yaml", "--all"]]) assert.deepEqual(await core.run(words, group), await alone.run(words, group), "names");
+    const short = { "m.yaml": machine("non-grashof") }, beyond = ["solve", "m.yaml", "--at", "theta2=170deg"]; // what closes there is counted
+    assert.deepEqual(await core.run(beyond, short), await alone.run(beyond, short));
     for (const words of [["new"], ["study", "m.yaml", "--vary", "b=110mm:130mm:3"], ["code", "m.yaml"], ["report", "m.yaml"], ["map", "m.yaml", "--over", "theta4"], ["cognates", "m.yaml"], ["balance", "m.yaml"], ["--version"]])
       assert.ok(!(await core.run(words, files)).err.includes("this module"), words[0]);
     const script = new TextEncoder().encode("var report = 1;\n"), moving = start({ report: script });

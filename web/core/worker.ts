@@ -17,7 +17,7 @@ const compile = async (source: Source): Promise<WebAssembly.Module> => WebAssemb
 // The verbs of panels.wasm, and the calls that core.wasm does not have.
 const PANELS = new Set(["check", "solve", "sweep", "simulate", "draw", "cam", "derive", "gears"]);
 const BEHIND = new Set(["curves", "forces", "trace", "release", "step", "hold"]);
-const LEAVES = "yoke: error: this module does not "; // what panels.wasm says of what it leaves to yoke.wasm
+const LEAVES = /^yoke: error: this module does not /m; // what panels.wasm says of what it leaves to yoke.wasm
 const SO_FAR = "--so-far"; // the command tells what it has found while it runs
 const PAUSE = 400; // ms after the first machine, before the module behind is fetched
 
@@ -61,7 +61,7 @@ export function serve(port: Port): void {
     const script = words.includes("report") ? await scriptOfReports() : null;
     const read = (path: string) => (path === REPORT_SCRIPT ? script : null);
     let reply = runCommand(command, { words, files, hear, read });
-    if (PANELS.has(words[0]) && decode.decode(reply.err).startsWith(LEAVES)) reply = runCommand(await module("whole"), { words, files, hear, read });
+    if (PANELS.has(words[0]) && LEAVES.test(decode.decode(reply.err))) reply = runCommand(await module("whole"), { words, files, hear, read });
     const written = [...files].filter(([name, bytes]) => given.get(name) !== bytes);
     return {
       exit: reply.exit, out: decode.decode(reply.out), err: decode.decode(reply.err), complete: true,
