@@ -170,11 +170,11 @@ size_t yk_meshed_count(const YkPiece *piece)
 void yk_meshed_solution(const YkPiece *piece, size_t index, YkVec *x)
 {
     const YkGeared *g = &piece->meshed->geared;
-    const double *pose = piece->meshed->found.poses + index * g->shape.unknowns;
     if (piece->meshed->is_listed) {
         x[0] = yk_vec((2 * YK_PI * (double)index - g->phase[0]) / g->factor[0][0], 0);
         return;
     }
+    const double *pose = piece->meshed->found.poses + index * g->shape.unknowns;
     for (size_t k = 0; k < g->shape.unknowns; k++)
         x[k] = yk_vec(pose[g->shape.column[k]] / (k < g->shape.angles ? 1 : g->size), 0);
 }
