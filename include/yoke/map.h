@@ -58,7 +58,7 @@ typedef struct YkMapEvent {
     size_t branch;     // a branch of the circuit on which it lies
 } YkMapEvent;
 YK_API YkMapEvent yk_map_event(const YkMap *map, size_t circuit, size_t event); // ascending in `at`
-// Returns the value of a coordinate at an event, NaN if there is no such event.
+// Returns the value of a coordinate at an event, or NaN if the circuit has no event of that number.
 YK_API double yk_map_event_value(const YkMap *map, size_t circuit, size_t event, size_t coordinate);
 
 // Returns the motion of a joint's angle on a circuit: its range, and whether it turns fully: the joint can go on

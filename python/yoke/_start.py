@@ -11,7 +11,7 @@ from ._watch import check, progress_of_host
 if TYPE_CHECKING:
     from ._core import Facts
 
-_CODES = {  # of what is no answer
+_CODES = {  # the error that each failing status stands for
     lib.YK_LIMIT: "E0602", lib.YK_NO_ASSEMBLY: "E0601", lib.YK_NOT_CONVERGED: "E0606", lib.YK_STOPPED: "E0608",
 }
 

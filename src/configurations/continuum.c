@@ -203,8 +203,8 @@ static bool step_aside(YkContinua *c, size_t dimension, uint64_t *seed, double *
     return take_step(c, c->x0, way, &miss);
 }
 
-// Finds the largest dimension of a continuum through x0, or where several cross there, beside it. *x: a pose on it at which
-// the kernel is no larger than that.
+// Finds the largest dimension of a continuum through x0, or beside it if several cross there. *x: a pose on the continuum
+// whose kernel has exactly that dimension.
 static void find_dimension(YkContinua *c, double *x, YkContinuum *found)
 {
     double way[UNKNOWNS_MAX];

@@ -36,7 +36,7 @@ static size_t closure_of(const YkMatroid *m, size_t set)
     return closure;
 }
 
-// Returns whether a set is no direct sum of two others.
+// Returns whether a set is connected: it is not the direct sum of two smaller sets.
 static bool is_connected(const YkMatroid *m, size_t set)
 {
     size_t one = set & -set, rest = set ^ one;

@@ -11,7 +11,7 @@ typedef struct YkExcluded { // the array is kept and reused
     double *alone; // [count][2 unknowns]: the middle and the half width of a box in which each is the only one
     size_t count, capacity, boxes;
     size_t left;      // boxes within YK_EXCLUDE_NEAR of a singular pose, which may hold poses
-    bool is_complete; // there are no poses but these and those in boxes that were left
+    bool is_complete; // every pose is listed here or lies in one of the boxes that were left
 } YkExcluded;
 
 // Returns false when out of memory. Being stopped by `pace` leaves it incomplete, as do poses that meet and cannot be told apart.
@@ -24,9 +24,10 @@ typedef struct YkExclusionPath {
     double half; // of the interval's length
 } YkExclusionPath;
 
-// Divides boxes, or the space of all unknowns, over the whole interval; `geared` has the coefficients all over it. `judge` is
-// asked of each box that is proved to hold exactly one pose for each of them, by its middle and half widths, whether that is
-// known; `keep` is given each box that is as small as `smallest`, of which nothing is proved or which `judge` does not know.
+// Divides boxes, or the space of all unknowns, over the whole interval; `geared` has the coefficients all over it. A box
+// is handed over by its middle and half widths. `judge` gets each box that is proved to hold exactly one pose at every
+// parameter of the interval, and returns whether it knows that pose. `keep` gets each box that has become as small as
+// `smallest` without being settled: nothing is proved of it, or `judge` did not know its pose.
 // Returns false after `most` boxes, when stopped, or when `keep` returns false.
 typedef struct YkExclusion {
     bool (*judge)(void *context, const double *at, const double *half);
