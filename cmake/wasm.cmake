@@ -39,8 +39,8 @@ set_property(SOURCE ${with_posix} APPEND PROPERTY COMPILE_OPTIONS -include posix
 find_program(YOKE_WASM_OPT wasm-opt)
 function(yoke_shrink target)
   if(YOKE_WASM_OPT)
-    add_custom_command(TARGET ${target} POST_BUILD COMMAND ${YOKE_WASM_OPT} --zero-filled-memory --low-memory-unused -Oz --flatten --rereloop -Oz --converge ${ARGN} $<TARGET_FILE:${target}>
-      -o $<TARGET_FILE:${target}> VERBATIM)
+    add_custom_command(TARGET ${target} POST_BUILD COMMAND ${YOKE_WASM_OPT} --zero-filled-memory --low-memory-unused
+      --flatten --rereloop --simplify-locals-nonesting -Oz -Oz $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}> VERBATIM)
   endif()
 endfunction()
 
@@ -76,7 +76,7 @@ target_link_libraries(core PRIVATE yoke_core)
 target_link_options(core PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
 set_target_properties(core PROPERTIES SUFFIX .wasm)
 yoke_warnings(core)
-yoke_shrink(core -Oz)
+yoke_shrink(core)
 
 # What tests in Node use of the page's side, bundled by the esbuild that bundled the report's script.
 if(YOKE_WEB AND YOKE_NODE AND YOKE_NPM)

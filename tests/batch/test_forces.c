@@ -208,14 +208,14 @@ static void test_random_machines(void **unused)
     (void)unused;
     static RandomMachine machine;
     machines_in_lanes = poses_compared = 0;
-    for (uint64_t number = 0; number < 150; number++) {
+    for (uint64_t number = 0; number < check_cases(150); number++) {
         random_machine(&machine, 7919 * number + 5);
         char name[40];
         snprintf(name, sizeof name, "random %d", (int)number);
         check_text(name, machine.text);
     }
     print_message("%zu random machines in lanes, %zu poses\n", machines_in_lanes, poses_compared);
-    assert_true(machines_in_lanes > 30 && poses_compared > 3000);
+    assert_true(machines_in_lanes > check_cases(30) && poses_compared > check_cases(3000));
 }
 
 static void test_forces_of_meshes(void **unused)
@@ -223,14 +223,14 @@ static void test_forces_of_meshes(void **unused)
     (void)unused;
     static Geared geared;
     machines_in_lanes = poses_compared = 0;
-    for (uint64_t number = 0; number < 60; number++) {
+    for (uint64_t number = 0; number < check_cases(60); number++) {
         geared_machine(&geared, 31 * number + 3);
         char name[40];
         snprintf(name, sizeof name, "geared %d", (int)number);
         check_text(name, geared.text);
     }
     print_message("%zu geared machines in lanes, %zu poses\n", machines_in_lanes, poses_compared);
-    assert_true(poses_compared > 500);
+    assert_true(poses_compared > check_cases(500));
 }
 
 // A kite whose moving pin comes to lie on the rocker's at 0: nothing tells the rocker's angle there, and forces grow

@@ -223,7 +223,7 @@ static void test_every_configuration_is_on_the_map(void **unused)
         assert_true(yk_map_is_complete(map));
         assert_int_equal(yk_map_circuit_count(map), machines[k].circuits);
         assert_true(yk_map_circuit(map, 0).contains_start);
-        compare(&m, map, machines[k].file, 60);
+        compare(&m, map, machines[k].file, (int)check_cases(60));
         yk_map_free(map);
         machine_free(&m);
     }
@@ -235,7 +235,7 @@ static void test_the_double_butterfly_is_mapped(void **unused)
     Machine m = open_over("double-butterfly", NULL);
     YkMap *map = map_of(&m);
     assert_true(yk_map_is_complete(map));
-    compare(&m, map, "double-butterfly", 40);
+    compare(&m, map, "double-butterfly", (int)check_cases(40));
     yk_map_free(map);
     machine_free(&m);
 }

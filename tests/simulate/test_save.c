@@ -120,7 +120,7 @@ static void save_at_random(Run *run, Run *fresh, double span, uint64_t *seed)
 static void check_machine(const char *example, const char *text, double span)
 {
     uint64_t seed = 20260;
-    for (int k = 0; k < 12; k++) {
+    for (int k = 0; k < 3 * (int)check_cases(4); k++) { // each integrator
         YkSimulationOptions options = run_options(1e-8);
         options.integrator = (YkIntegrator)(k % 3);
         options.step = span * 1e-3;

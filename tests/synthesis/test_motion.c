@@ -96,7 +96,7 @@ static void a_crank_rocker_is_found_again_among_the_candidates(void **state)
 {
     (void)state;
     uint64_t seed = 11;
-    for (int round = 0; round < 20; round++) {
+    for (uint64_t round = 0; round < check_cases(20); round++) {
         YkPose pose[5] = {{.angle = 0}};
         double lengths[4], nearest = INFINITY;
         char text[2000];
@@ -111,7 +111,7 @@ static void a_crank_rocker_is_found_again_among_the_candidates(void **state)
             nearest = fmin(nearest, off);
             check_passes(c.model, pose, 5, true);
         }
-        if (!(nearest < 1e-4)) print_error("round %d\n%s", round, text);
+        if (!(nearest < 1e-4)) print_error("round %d\n%s", (int)round, text);
         CHECK_NEAR(nearest, 0, 1e-4);
         answer_free(&a);
     }
@@ -153,13 +153,13 @@ static void signs_agree_with_the_engine(uint64_t seed, int rounds, size_t count,
         }
         answer_free(&a);
     }
-    assert_true(tried > 100);
+    assert_true(tried > check_cases(100));
 }
 
 static void what_the_signs_leave_out_the_engine_cannot_drive(void **state)
 {
     (void)state;
-    signs_agree_with_the_engine(12, 40, 5, "");
+    signs_agree_with_the_engine(12, (int)check_cases(40), 5, "");
     signs_agree_with_the_engine(16, 2, 4, "mechanisms: [slider-crank]\n");
     signs_agree_with_the_engine(21, 2, 4, "mechanisms: [inverted-slider-crank]\n");
 }
@@ -296,7 +296,7 @@ static void four_positions_of_an_inverted_slider_crank_give_its_block(void **sta
 {
     (void)state;
     uint64_t seed = 8;
-    for (int round = 0; round < 6; round++) {
+    for (uint64_t round = 0; round < check_cases(6); round++) {
         YkPose pose[4] = {{.angle = 0}};
         char text[2000];
         size_t blocks = 0;
@@ -371,7 +371,7 @@ static void rates_are_limits_of_positions(void **state)
 {
     (void)state;
     uint64_t seed = 31;
-    for (int round = 0; round < 8; round++) {
+    for (uint64_t round = 0; round < 2 * check_cases(4); round++) {
         YkPose pose[3], rate[2];
         char text[2000];
         double from = check_uniform(&seed, -3, 3), step = check_uniform(&seed, .4, .9);
