@@ -121,8 +121,7 @@ void yk_derive_put_meshes(const YkDeriveForces *f, YkPage *page)
     YkRing *ring = d->ring;
     if (page->told_in && page->told_in != page->section) return; // by an earlier section
     page->told_in = page->section;
-    for (size_t k = 0; k < d->tie_count; k++)
-        put_mesh(f, page, &f->meshes[k], yk_derive_row_name(f, f->row_count - d->tie_count + k));
+    for (size_t k = 0; k < d->tie_count; k++) put_mesh(f, page, &f->meshes[k], d->ties[k].name);
     for (size_t k = 0; k < f->length_count; k++) {
         const YkDeriveLength *l = &f->lengths[k];
         if (!l->word || !*l->word) continue;
