@@ -213,6 +213,7 @@ const YkDeriveLoop *yk_derive_loops(YkDerivation *d);
 // Takes an element from body form to joint form. In joint form the body's spin is the sum of B[k] * rate of
 // coordinate k, B[k] in -1, 0, 1; yk_derive_combination writes B (tree_count entries).
 const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a);
+YkRingChanges *yk_derive_to_joints(YkDerivation *d); // what leads to joint form; NULL: nothing does, or on failure
 void yk_derive_combination(const YkDerivation *d, int32_t body, int32_t *B);
 
 // Returns the name of a point, as short as is clear: "A"; "crank.A" if points called A do not all coincide. The

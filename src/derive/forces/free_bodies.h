@@ -222,6 +222,7 @@ YkEquationCount yk_derive_count(const YkDeriveForces *f, bool all_given);
 // --- Returns whether to show joint angles. Beyond a few links their sums are not readable, and body form is shown.
 bool yk_derive_shows_joints(const YkDerivation *d);
 const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a);
+YkRingChanges *yk_derive_shown_by(YkDerivation *d); // the changes that do this; NULL if there are none
 // Returns the acceleration of a coordinate as it is shown: its own, or in body form that of its body.
 int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate);
 // Says which angles are used, if they are the bodies' own.
