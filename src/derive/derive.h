@@ -190,6 +190,10 @@ bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning)
 // Returns a parameter in terms of others; NULL if it is a number of its own (or not a polynomial).
 const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter);
 
+// Join three texts, and a text with a number in decimals; "" with d->failed when out of memory (text.c).
+const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
+const char *yk_derive_numbered(YkDerivation *d, const char *stem, size_t number);
+
 // --- The machine (geometry.c, path.c)
 const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin
 const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);    // a slide's direction in its first body's axes

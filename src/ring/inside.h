@@ -94,7 +94,8 @@ typedef struct YkMark {
 typedef struct YkMarks {
     YkMark *items;
     size_t count, capacity;
-    bool failed; // one is missing
+    bool is_wanted; // of what is being written
+    bool failed;    // one is missing
 } YkMarks;
 
 enum { YK_RING_MADE_MAX = 48000000 }; // terms of all elements of a ring, 768 MB in total

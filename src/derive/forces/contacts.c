@@ -4,15 +4,6 @@
 
 // --- Names
 
-static const char *number_of(YkDerivation *d, size_t number)
-{
-    char digits[24], *first = digits + sizeof digits;
-    *--first = '\0';
-    do *--first = (char)('0' + number % 10);
-    while ((number /= 10) > 0);
-    return yk_derive_text(d, first, "", "");
-}
-
 static uint64_t pair_of(const int32_t body[2])
 {
     uint64_t a = (uint32_t)body[0], b = (uint32_t)body[1];
@@ -69,8 +60,8 @@ const char *yk_derive_between(const YkDeriveForces *f, const int32_t body[2], si
 {
     YkDerivation *d = f->d;
     const char *mark = d->model->body_count > 10 ? "_" : "";
-    const char *first = number_of(d, (size_t)body[0]), *second = number_of(d, (size_t)body[1]);
-    const char *pair = yk_derive_text(d, first, mark, second);
+    const char *first = yk_derive_numbered(d, "", (size_t)body[0]);
+    const char *pair = yk_derive_numbered(d, yk_derive_text(d, first, mark, ""), (size_t)body[1]);
     return f->is_double[index] ? yk_derive_text(d, pair, "_", name) : pair;
 }
 
@@ -128,7 +119,7 @@ static void add_junction_contact(YkDeriveForces *f, int32_t joint, int side)
     if (contact_on(f, junction, body)) return;
     YkDeriveJunction *of = &f->junctions[junction];
     const char *mark = d->model->body_count > 10 ? "_" : "";
-    const char *name = yk_derive_text(d, of->name, mark, number_of(d, (size_t)body));
+    const char *name = yk_derive_numbered(d, yk_derive_text(d, of->name, mark, ""), (size_t)body);
     const YkPoisson *force = unknown_vector(f, name, joint, body), *zero = yk_ring_rational(d->ring, 0, 1);
     add_at_junction(f, of,
                     (YkDeriveContact){.joint = joint,

@@ -295,7 +295,5 @@ const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side)
 const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkStrength *strength, const char *name,
                                       const char *ending);
 void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values);
-// Joins three texts; "" with d->failed when out of memory.
-const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
 
 #endif

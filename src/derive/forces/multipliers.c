@@ -5,15 +5,6 @@
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 
-static const char *multiplier_name(YkDerivation *d, size_t number)
-{
-    YkText text = {0};
-    yk_text_format(&text, "lambda%z", number);
-    const char *name = yk_derive_text(d, yk_text_get(&text), "", "");
-    yk_text_free(&text);
-    return name;
-}
-
 static void add_row(const YkDeriveForces *f, int32_t joint, const YkPoisson *row, const YkPoisson *is)
 {
     YkDeriveMultipliers *m = f->multipliers;
@@ -21,7 +12,7 @@ static void add_row(const YkDeriveForces *f, int32_t joint, const YkPoisson *row
     m->rows[k] = row;
     m->identities[k] = is;
     m->joint[k] = joint;
-    m->symbols[k] = yk_derive_symbol(f->d, multiplier_name(f->d, k + 1), YK_RING_FORCE);
+    m->symbols[k] = yk_derive_symbol(f->d, yk_derive_numbered(f->d, "lambda", k + 1), YK_RING_FORCE);
 }
 
 // What else acts across a joint that closes a loop. A spring along the joint's own distance also pulls: its energy is

@@ -4,16 +4,10 @@
 #include <string.h>
 #include "base/mix.h"
 
-// Machines of few symbols have few elements that are alike. Of long elements no pattern is kept, and at most
-// PATTERNS_MAX in all.
-enum {
-    RING_SYMBOLS_MIN = 128,
-    WORDS_MAX = 256,
-    SYMBOLS_MAX = 16,
-    PLACES = 1024,
-    PATTERNS_MAX = PLACES / 2,
-    PADDING = 16
-};
+// Machines of few symbols have few elements that are alike; others none, as long arms: signs are no longer made once
+// IN_VAIN_MAX more found nothing than found a pattern. Of long elements no pattern is kept.
+enum { RING_SYMBOLS_MIN = 128, IN_VAIN_MAX = 100 };
+enum { WORDS_MAX = 128, SYMBOLS_MAX = 16, PLACES = 1024, PATTERNS_MAX = PLACES / 2, PADDING = 16 };
 
 // What decides how an element is written, without names: its terms, its symbols numbered as they occur, their classes
 // and order, and what replaces them.
@@ -40,7 +34,7 @@ typedef struct Pattern {
 
 struct YkPatterns {
     Pattern *places[PLACES]; // open addressing
-    size_t count;
+    size_t count, found, in_vain;
     Sign sign; // of the element signed last
     const YkPoisson *of;
     const YkRingChanges *changes;
@@ -74,7 +68,8 @@ static uint64_t *put_powers(Sign *sign, uint64_t *end, const YkPower *powers, ui
 static void put_element(const YkRing *ring, Sign *sign, const YkPoisson *a)
 {
     uint64_t *end = sign->words + sign->word_count, *const last = sign->words + WORDS_MAX;
-    sign->is_good = sign->is_good && last - end > 2;
+    size_t least = 2 + (a ? 2 * a->count : 0);
+    sign->is_good = sign->is_good && least < (size_t)(last - end);
     if (!sign->is_good) return;
     *end++ = a ? a->count : UINT64_MAX;
     *end++ = a ? (uint64_t)a->denominator : 0;
@@ -124,6 +119,7 @@ static void sign_element(const YkRing *ring, const YkRingView *view, Sign *sign)
         put_element(ring, sign, change ? change->value : NULL);
         put_element(ring, sign, change ? change->unit : NULL);
     }
+    if (!sign->is_good) return;
     put_symbols(ring, sign);
     for (size_t k = 0; k < sign->word_count; k++) hash = (hash ^ sign->words[k]) * YK_MIX_STEP;
     sign->hash = yk_mix(hash);
@@ -150,25 +146,34 @@ static Pattern **place_of(YkPatterns *patterns, size_t kind)
     return &patterns->places[at];
 }
 
+// Writes the pattern with the names of the element signed last.
+static void fill(YkRing *ring, const Pattern *pattern, YkRingFormat format, YkText *text)
+{
+    const char *from = pattern->text;
+    for (size_t k = 0; k < pattern->slot_count; k++) {
+        yk_text_add_padded(text, from, pattern->slots[k].length);
+        yk_write_name(ring, ring->patterns->sign.symbols[pattern->slots[k].symbol], format, text);
+        from += pattern->slots[k].length;
+    }
+    yk_text_add_padded(text, from, pattern->tail);
+}
+
 bool yk_pattern_write(YkRing *ring, const YkRingView *view, YkRingFormat format, YkRingStyle style, YkText *text)
 {
+    ring->marks.is_wanted = false;
     if (ring->symbol_count < RING_SYMBOLS_MIN) return false;
     // Without memory for patterns everything is merely as slow as the first time.
     YkPatterns *patterns = ring->patterns ? ring->patterns : (ring->patterns = calloc(1, sizeof *patterns));
-    if (!patterns) return false;
+    if (!patterns || patterns->in_vain > IN_VAIN_MAX + patterns->found) return false;
     if (patterns->of != view->of || patterns->changes != view->changes) sign_element(ring, view, &patterns->sign);
     patterns->of = view->of;
     patterns->changes = view->changes;
     const Pattern *pattern = patterns->sign.is_good ? *place_of(patterns, kind_of(view, format, style)) : NULL;
-    if (!pattern) return false;
-    const char *from = pattern->text;
-    for (size_t k = 0; k < pattern->slot_count; k++) {
-        yk_text_add_padded(text, from, pattern->slots[k].length);
-        yk_write_name(ring, patterns->sign.symbols[pattern->slots[k].symbol], format, text);
-        from += pattern->slots[k].length;
-    }
-    yk_text_add_padded(text, from, pattern->tail);
-    return true;
+    patterns->found += pattern != NULL;
+    patterns->in_vain += pattern == NULL;
+    ring->marks.is_wanted = !pattern && patterns->sign.is_good && patterns->count < PATTERNS_MAX;
+    if (pattern) fill(ring, pattern, format, text);
+    return pattern != NULL;
 }
 
 // Copies the text without the names, and lists these. Returns NULL when out of memory.
@@ -204,8 +209,7 @@ void yk_pattern_keep(YkRing *ring, const YkRingView *view, YkRingFormat format, 
                      size_t start)
 {
     YkPatterns *patterns = ring->patterns;
-    bool is_signed = patterns && patterns->of == view->of && patterns->sign.is_good && patterns->count < PATTERNS_MAX;
-    if (!is_signed || ring->marks.failed) return;
+    if (ring->marks.failed) return;
     size_t kind = kind_of(view, format, style);
     Pattern **place = place_of(patterns, kind), *pattern = make(ring, text, start);
     if (!pattern) return;

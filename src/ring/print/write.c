@@ -46,7 +46,7 @@ static void put_name(const Pen *pen, int32_t symbol)
     size_t start = pen->text->length;
     YkMarks *marks = &pen->sheet->ring->marks;
     yk_write_name(pen->sheet->ring, symbol, pen->format, pen->text);
-    if (!pen->sheet->ring->patterns) return;
+    if (!marks->is_wanted) return;
     if (YK_ROOM(marks->items, marks->count, marks->capacity))
         marks->items[marks->count++] = (YkMark){start, pen->text->length - start, symbol};
     else
@@ -316,7 +316,7 @@ bool yk_ring_write_view(YkRing *ring, const YkRingView *view, YkRingFormat forma
     }
     const YkPoisson *a = yk_ring_view(ring, view);
     if (!a || !write_element(ring, a, format, style, text)) return false;
-    if (is_linear && ring->patterns && yk_ring_is_real(ring, a)) // i has another name where a symbol is called i
+    if (is_linear && ring->marks.is_wanted && yk_ring_is_real(ring, a)) // i has another name where a symbol is called i
         yk_pattern_keep(ring, view, format, style, text, start);
     return true;
 }

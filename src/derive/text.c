@@ -1,6 +1,6 @@
 // Names put together.
 #include <string.h>
-#include "derive/forces/free_bodies.h"
+#include "derive/derive.h"
 
 const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third)
 {
@@ -15,4 +15,13 @@ const char *yk_derive_text(YkDerivation *d, const char *first, const char *secon
     for (size_t k = 0; k < 3; end += lengths[k++]) memcpy(end, parts[k], lengths[k]);
     *end = '\0';
     return text;
+}
+
+const char *yk_derive_numbered(YkDerivation *d, const char *stem, size_t number)
+{
+    char digits[24], *first = digits + sizeof digits;
+    *--first = '\0';
+    do *--first = (char)('0' + number % 10);
+    while ((number /= 10) > 0);
+    return yk_derive_text(d, stem, first, "");
 }
