@@ -1,6 +1,7 @@
 // Roots and quotients that forces of gears and cams need: exact where they are polynomials, otherwise symbols whose
 // meaning is told. What they are is put back before anything is proved.
 #include "derive/forces/free_bodies.h"
+#include "derive/relations.h"
 
 // The same name with underscores behind it, where it is taken.
 static const char *free_name(YkDerivation *d, const char *name)
