@@ -78,7 +78,7 @@ static void put_sliding(YkDerivation *d, YkPage *page, int32_t joint)
         YkLine *part = yk_page_formula(page, NULL);
         yk_line_vector(page, part, "a", NULL, parts[k].name);
         yk_line_sign(page, part, "=");
-        yk_line_column(page, part, parts[k].value);
+        yk_line_column(page, part, parts[k].value, NULL);
     }
 }
 

@@ -161,16 +161,20 @@ static void note_lack(YkDerivation *d)
     d->failed |= yk_ring_status(d->ring) == YK_RING_OK;
 }
 
+YkRingChanges *yk_derive_to_joints(YkDerivation *d)
+{
+    if (d->change_count == 0) return NULL;
+    if (!d->to_joints && (d->changes || make_changes(d)))
+        d->to_joints = yk_ring_changes(d->ring, d->changes, d->change_count);
+    if (!d->to_joints) note_lack(d);
+    return d->to_joints;
+}
+
 const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a)
 {
     if (!a || d->change_count == 0) return a;
-    if (!d->to_joints && (d->changes || make_changes(d)))
-        d->to_joints = yk_ring_changes(d->ring, d->changes, d->change_count);
-    if (!d->to_joints) {
-        note_lack(d);
-        return NULL;
-    }
-    return yk_ring_change(d->ring, a, d->to_joints);
+    YkRingChanges *changes = yk_derive_to_joints(d);
+    return changes ? yk_ring_change(d->ring, a, changes) : NULL;
 }
 
 const YkPoisson *yk_derive_body_angle(YkDerivation *d, int32_t body)

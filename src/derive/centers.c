@@ -117,7 +117,7 @@ static void put_at_joint(Centers *c, const YkCenter *center)
     YkLine *line = yk_page_formula(c->page, yk_derive_text(c->d, "the pin ", joint->name, ""));
     put_point(c, line, center);
     yk_line_sign(c->page, line, "=");
-    yk_line_column(c->page, line, yk_derive_shown(c->d, at));
+    yk_line_column(c->page, line, yk_derive_shown(c->d, at), NULL);
     if (!line) return;
     line->left = place_of(c, center);
     line->right = at;
@@ -181,7 +181,7 @@ static void put_by_kennedy(Centers *c, const YkCenter *center)
     YkLine *line = yk_page_formula(c->page, NULL);
     put_point(c, line, center);
     yk_line_sign(c->page, line, "=");
-    yk_line_column(c->page, line, place);
+    yk_line_column(c->page, line, place, NULL);
 }
 
 static void put_center(Centers *c, const YkCenter *center)

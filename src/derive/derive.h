@@ -190,6 +190,10 @@ bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning)
 // Returns a parameter in terms of others; NULL if it is a number of its own (or not a polynomial).
 const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter);
 
+// Join three texts, and a text with a number in decimals; "" with d->failed when out of memory (text.c).
+const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
+const char *yk_derive_numbered(YkDerivation *d, const char *stem, size_t number);
+
 // --- The machine (geometry.c, path.c)
 const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin
 const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);    // a slide's direction in its first body's axes
@@ -213,6 +217,7 @@ const YkDeriveLoop *yk_derive_loops(YkDerivation *d);
 // Takes an element from body form to joint form. In joint form the body's spin is the sum of B[k] * rate of
 // coordinate k, B[k] in -1, 0, 1; yk_derive_combination writes B (tree_count entries).
 const YkPoisson *yk_derive_in_joints(YkDerivation *d, const YkPoisson *a);
+YkRingChanges *yk_derive_to_joints(YkDerivation *d); // what leads to joint form; NULL: nothing does, or on failure
 void yk_derive_combination(const YkDerivation *d, int32_t body, int32_t *B);
 
 // Returns the name of a point, as short as is clear: "A"; "crank.A" if points called A do not all coincide. The

@@ -47,19 +47,9 @@ static void define_vectors(YkDerivation *d, YkPage *page)
             const YkPoisson *value = yk_derive_in_joints(d, v->value);
             yk_line_vector(page, line, "p", name, NULL);
             yk_line_sign(page, line, "=");
-            yk_line_column(page, line, value);
+            yk_line_column(page, line, value, NULL);
         }
     yk_names_free(&seen);
-}
-
-void yk_line_column(YkPage *page, YkLine *line, const YkPoisson *vector)
-{
-    YkShownMatrix *column = yk_line_matrix(page, line, 2, 1);
-    if (!column) return;
-    column->entries[0] = yk_ring_real(page->ring, vector);
-    column->entries[1] = yk_ring_imaginary(page->ring, vector);
-    line->value = vector;
-    line->is_vector = true;
 }
 
 static void put_scalar_rows(YkDerivation *d, YkPage *page, const YkDeriveLoop *loop)
@@ -113,7 +103,7 @@ static void put_constraint(YkDerivation *d, YkPage *page, int32_t joint)
     yk_line_sign(page, line, ",");
     yk_line_vector(page, line, "e", NULL, j->name);
     yk_line_sign(page, line, "=");
-    yk_line_column(page, line, yk_derive_in_joints(d, along));
+    yk_line_column(page, line, yk_derive_in_joints(d, along), NULL);
     if (line) line->value = yk_derive_in_joints(d, yk_derive_slide(d, joint));
     YkLine *second = yk_page_formula(page, j->name);
     yk_line_vector(page, second, "e", NULL, j->name);

@@ -83,6 +83,25 @@ void yk_line_element(YkPage *page, YkLine *line, const YkPoisson *a, YkRingStyle
     if (piece) piece->over = a, piece->style = style;
 }
 
+// Beside numbers an element is needed at once: the order in which elements are made decides the last digits.
+static const YkPoisson *needed(const YkPage *page, const YkPoisson *a, YkRingChanges **changes)
+{
+    if (!page->has_numbers || !*changes) return a;
+    a = yk_ring_change(page->ring, a, *changes);
+    *changes = NULL;
+    return a;
+}
+
+void yk_line_changed(YkPage *page, YkLine *line, const YkPoisson *a, YkRingChanges *changes)
+{
+    a = needed(page, a, &changes);
+    yk_line_element(page, line, a, YK_RING_TEXTBOOK);
+    if (!line) return;
+    if (line->last) line->last->changes = changes;
+    line->value = a;
+    line->value_changes = changes;
+}
+
 void yk_line_factor(YkPage *page, YkLine *line, const YkPoisson *a)
 {
     yk_line_element(page, line, a, YK_RING_TEXTBOOK);
@@ -116,13 +135,13 @@ void yk_line_fraction(YkPage *page, YkLine *line, const YkPoisson *const *over, 
 void yk_line_vector(YkPage *page, YkLine *line, const char *base, const char *super, const char *sub)
 {
     YkPagePiece *piece = add_piece(page, line, YK_PIECE_VECTOR);
-    if (piece) piece->text = copy(page, base), piece->super = copy(page, super), piece->sub = copy(page, sub);
+    if (piece) piece->text = base, piece->super = copy(page, super), piece->sub = copy(page, sub);
 }
 
 void yk_line_sign(YkPage *page, YkLine *line, const char *sign)
 {
     YkPagePiece *piece = add_piece(page, line, YK_PIECE_SIGN);
-    if (piece) piece->text = copy(page, sign);
+    if (piece) piece->text = sign;
 }
 
 void yk_line_words(YkPage *page, YkLine *line, const char *words)
@@ -139,19 +158,42 @@ YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t co
         page->failed = true;
         return NULL;
     }
-    matrix->rows = rows, matrix->columns = columns;
-    matrix->entries = YK_NEW(memory_of(page), const YkPoisson *, rows *columns + 1);
-    matrix->row_cut = YK_NEW(memory_of(page), bool, rows + 1);
-    matrix->column_cut = YK_NEW(memory_of(page), bool, columns + 1);
-    matrix->row_labels = YK_NEW(memory_of(page), const char *, rows + 1);
-    matrix->column_symbols = YK_NEW(memory_of(page), int32_t, columns + 1);
-    if (!matrix->entries || !matrix->row_cut || !matrix->column_cut || !matrix->row_labels || !matrix->column_symbols) {
+    // One block: the arrays of pointers, then those of smaller things.
+    size_t pointers = (rows * columns + rows) * sizeof(void *), symbols = columns * sizeof(int32_t);
+    char *block = yk_arena_alloc(memory_of(page), pointers + symbols + rows + columns, 1);
+    if (!block) {
         page->failed = true;
         return NULL;
     }
+    matrix->rows = rows, matrix->columns = columns;
+    matrix->entries = (const YkPoisson **)(void *)block;
+    matrix->row_labels = (const char **)(void *)block + rows * columns;
+    matrix->column_symbols = (int32_t *)(void *)(block + pointers);
+    matrix->row_cut = (bool *)(block + pointers + symbols);
+    matrix->column_cut = matrix->row_cut + rows;
     for (size_t k = 0; k < columns; k++) matrix->column_symbols[k] = -1;
     piece->matrix = matrix;
     return matrix;
+}
+
+void yk_line_column(YkPage *page, YkLine *line, const YkPoisson *vector, YkRingChanges *changes)
+{
+    YkShownMatrix *column = yk_line_matrix(page, line, 2, 1);
+    vector = needed(page, vector, &changes);
+    page->failed |= !vector;
+    if (!column) return;
+    column->vector = page->has_numbers ? NULL : vector;
+    column->changes = changes;
+    for (size_t k = 0; k < 2 && page->has_numbers; k++)
+        column->entries[k] = (k ? yk_ring_imaginary : yk_ring_real)(page->ring, vector);
+    line->value = vector;
+    line->value_changes = changes;
+    line->is_vector = true;
+}
+
+const YkPoisson *yk_line_value(YkRing *ring, const YkLine *line)
+{
+    return line->value_changes ? yk_ring_change(ring, line->value, line->value_changes) : line->value;
 }
 
 YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right,

@@ -29,6 +29,8 @@ typedef bool (*YkPageDefine)(void *context, YkRingGraph *graph);
 typedef struct YkShownMatrix {
     size_t rows, columns;
     const YkPoisson **entries;
+    const YkPoisson *vector;    // not NULL: its x and y, one below the other, stand in place of entries
+    YkRingChanges *changes;     // then what it becomes by these; NULL: as it is
     bool *row_cut, *column_cut; // NULL: none
     const char **row_labels;
     int32_t *column_symbols; // NULL: none
@@ -42,6 +44,7 @@ typedef struct YkPagePiece YkPagePiece;
 struct YkPagePiece {
     YkPagePieceKind kind;
     const YkPoisson *over, *under;
+    YkRingChanges *changes;       // of an element: shown as what it becomes by these; NULL: as it is
     const YkPoisson **factors[2]; // of a quotient of products: over and under, in place of `over` and `under`
     size_t factor_count[2];
     YkRingStyle style;
@@ -72,7 +75,8 @@ struct YkLine {
     const YkPoisson *over, *under;
     // For values beside symbols: the element that has a number; under NULL: 1. NULL: none.
     const YkPoisson *value, *value_under;
-    bool is_vector;          // the value has x and y
+    YkRingChanges *value_changes; // the value is what it becomes by these; NULL: as it is
+    bool is_vector;               // the value has x and y
     const YkPoisson *within; // holds, and has its value, only where this lies in 0 to 1: a segment; NULL: everywhere
     YkLine *next;
 };
@@ -103,22 +107,36 @@ void yk_page_words(YkPage *page, const char *format, ...); // yk_text_format's
 YkLine *yk_page_formula(YkPage *page, const char *remark); // an empty formula; remark may be NULL
 
 void yk_line_element(YkPage *page, YkLine *line, const YkPoisson *a, YkRingStyle style);
+// Does the same with what it becomes by changes, which is worked out where it is needed, and gives the line this value.
+void yk_line_changed(YkPage *page, YkLine *line, const YkPoisson *a, YkRingChanges *changes);
 void yk_line_factor(YkPage *page, YkLine *line, const YkPoisson *a); // in brackets if it is a sum
 void yk_line_quotient(YkPage *page, YkLine *line, const YkPoisson *over, const YkPoisson *under);
 // Adds products of factors over each other, each in brackets if it is a sum; copies the lists.
 void yk_line_fraction(YkPage *page, YkLine *line, const YkPoisson *const *over, size_t over_count,
                       const YkPoisson *const *under, size_t under_count);
+// The base and the sign are literals, which are not copied.
 void yk_line_vector(YkPage *page, YkLine *line, const char *base, const char *super, const char *sub);
 void yk_line_sign(YkPage *page, YkLine *line, const char *sign);
 void yk_line_words(YkPage *page, YkLine *line, const char *words);
 // Adds a zeroed matrix with room for its entries, to be filled; NULL when out of memory.
 YkShownMatrix *yk_line_matrix(YkPage *page, YkLine *line, size_t rows, size_t columns);
+// Adds a vector, or what it becomes by changes (which may be NULL), as a column of x and y, which becomes the line's
+// value.
+void yk_line_column(YkPage *page, YkLine *line, const YkPoisson *vector, YkRingChanges *changes);
 // Adds left = right, both real elements; right may be NULL for 0. The value is set unless right is a number.
 YkLine *yk_page_equation(YkPage *page, const char *remark, const YkPoisson *left, const YkPoisson *right,
                          YkRingStyle style);
 // Adds symbol = over / under with common factors cancelled, with C and value. `under` NULL: 1.
 YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over,
                          const YkPoisson *under);
+// Returns the line's value as it is shown; NULL if it has none.
+const YkPoisson *yk_line_value(YkRing *ring, const YkLine *line);
+// Returns entry k of a matrix, row by row.
+static inline YkRingView yk_shown_entry(const YkShownMatrix *matrix, size_t k)
+{
+    if (!matrix->vector) return yk_ring_as_is(matrix->entries[k]);
+    return (YkRingView){matrix->vector, matrix->changes, k == 0 ? YK_RING_X : YK_RING_Y};
+}
 // Returns whether it prints as a product with a minus before it.
 bool yk_page_is_negative(YkRing *ring, const YkPoisson *a);
 // Divides both by what all their terms have in common. Returns false if the ring failed.

@@ -35,42 +35,20 @@ static void unite_places(YkDerivation *d, struct YkDeriveNames *names)
 // A name stands alone if all points of that name coincide.
 static bool find_ambiguous(YkDerivation *d, struct YkDeriveNames *names)
 {
+    size_t points = d->model->point_count;
+    int32_t *first = yk_derive_scratch(d, points + 1, sizeof *first); // point of this name
     YkNames table = {0};
-    bool well = true;
-    for (int pass = 0; pass < 2; pass++) // the second pass knows the first of each name
-        for (size_t p = 0; p < d->model->point_count && well; p++) {
-            int32_t other;
-            well = yk_names_add(&table, d->model->points[p].name, (int32_t)p, &other);
-            if (!well || other == YK_NONE || yk_root_of(names->root, other) == yk_root_of(names->root, (int32_t)p))
-                continue;
-            names->is_ambiguous[p] = names->is_ambiguous[other] = true;
-        }
-    for (size_t p = 0; p < d->model->point_count && well; p++) { // all of an ambiguous name
-        int32_t first;
-        yk_names_add(&table, d->model->points[p].name, (int32_t)p, &first);
-        if (first != YK_NONE) names->is_ambiguous[p] |= names->is_ambiguous[first];
+    bool well = first != NULL;
+    for (size_t p = 0; p < points && well; p++) {
+        well = yk_names_add(&table, d->model->points[p].name, (int32_t)p, &first[p]);
+        if (first[p] == YK_NONE) first[p] = (int32_t)p;
+        if (yk_root_of(names->root, first[p]) != yk_root_of(names->root, (int32_t)p))
+            names->is_ambiguous[first[p]] = true;
     }
+    for (size_t p = 0; p < points && well; p++) names->is_ambiguous[p] = names->is_ambiguous[first[p]];
     yk_names_free(&table);
+    free(first);
     return well;
-}
-
-static const char *join(YkDerivation *d, const char *first, const char *between, const char *second)
-{
-    YkText text = {0};
-    yk_text_format(&text, "%s%s%s", first, between, second);
-    const char *copy = yk_arena_copy(d->arena, yk_text_get(&text), text.length);
-    yk_text_free(&text);
-    if (!copy) d->failed = true;
-    return copy ? copy : "";
-}
-
-static const char *number_after(YkDerivation *d, const char *stem, size_t number)
-{
-    YkText text = {0};
-    yk_text_format(&text, "%z", number);
-    const char *name = join(d, stem, "", yk_text_get(&text));
-    yk_text_free(&text);
-    return name;
 }
 
 static bool is_point_name(const YkDerivation *d, const char *name)
@@ -91,7 +69,8 @@ static void name_origins(YkDerivation *d, struct YkDeriveNames *names)
         if (root < points)
             names->origin[b] = yk_derive_point_name(d, d->model->points[root].body, root);
         else
-            names->origin[b] = root == points && !has_O ? "O" : join(d, d->model->bodies[root - points].name, "", "0");
+            names->origin[b] =
+                root == points && !has_O ? "O" : yk_derive_text(d, d->model->bodies[root - points].name, "", "0");
     }
 }
 
@@ -107,7 +86,7 @@ static void name_centers(YkDerivation *d, struct YkDeriveNames *names)
         p = taken ? 0 : p + 1;
     }
     for (size_t b = 1; b < d->model->body_count; b++)
-        if (d->model->bodies[b].has_mass) names->center[b] = number_after(d, stems[stem], ++count);
+        if (d->model->bodies[b].has_mass) names->center[b] = yk_derive_numbered(d, stems[stem], ++count);
 }
 
 static struct YkDeriveNames *make_names(YkDerivation *d)
@@ -142,7 +121,7 @@ const char *yk_derive_point_name(YkDerivation *d, int32_t body, int32_t point)
     if (!names) return "";
     if (point == YK_NONE) return names->origin[body];
     const YkPoint *p = &d->model->points[point];
-    return names->is_ambiguous[point] ? join(d, d->model->bodies[p->body].name, ".", p->name) : p->name;
+    return names->is_ambiguous[point] ? yk_derive_text(d, d->model->bodies[p->body].name, ".", p->name) : p->name;
 }
 
 const char *yk_derive_center_name(YkDerivation *d, int32_t body)

@@ -20,7 +20,7 @@ static void put_motion(YkDerivation *d, YkPage *page, const char *name, const Yk
         YkLine *line = yk_page_formula(page, NULL);
         yk_line_vector(page, line, letters[order], name, NULL);
         yk_line_sign(page, line, "=");
-        yk_line_column(page, line, vector);
+        yk_line_column(page, line, vector, NULL);
         vector = yk_ring_time_derivative(d->ring, vector);
     }
 }

@@ -74,7 +74,7 @@ static void put_vector(Writer *w, const YkPolygonLink *link, YkPolygonPart part,
     yk_text_free(&words);
     put_name(w, line, link, part);
     yk_line_sign(w->page, line, "=");
-    yk_line_column(w->page, line, yk_derive_shown(w->d, value));
+    yk_line_column(w->page, line, yk_derive_shown(w->d, value), NULL);
 }
 
 static bool is_pole(const YkPolygonEnd *end)

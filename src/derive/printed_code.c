@@ -175,14 +175,15 @@ static YkRef sum_of_both(Branches *t, size_t i, size_t k)
 static YkRef rest_of(Branches *t, size_t k)
 {
     YkDerivation *d = t->f->d;
-    size_t count = t->n + t->f->row_count;
+    const YkDeriveMultipliers *m = yk_derive_multipliers(t->f);
+    size_t count = t->n + m->count;
     int32_t *symbols = YK_NEW(d->arena, int32_t, count + 1);
     if (!symbols) {
         t->graph->graph.failed = true;
         return 0;
     }
     for (size_t c = 0; c < t->n; c++) symbols[c] = yk_derive_freedom(d, c).acceleration;
-    for (size_t r = 0; r < t->f->row_count; r++) symbols[t->n + r] = t->f->multipliers[r];
+    for (size_t r = 0; r < m->count; r++) symbols[t->n + r] = m->symbols[r];
     const YkPoisson *left = yk_derive_lagrange(t->f, k).left;
     return yk_ring_graph_of(t->graph, yk_ring_split(d->ring, left, symbols, count, NULL, 0));
 }

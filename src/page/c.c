@@ -158,12 +158,13 @@ static void add_named(Code *code, const YkLine *line)
     YkRing *ring = code->page->ring;
     const char *name = line->target ? line->target : name_of(code, line->first);
     if (!add_result(code, name, -1, line->is_vector ? 2 : 0, 1)) return;
+    const YkPoisson *value = yk_line_value(ring, line);
     if (!line->is_vector) {
-        add_value(code, value_of(code, line->value, line->value_under));
+        add_value(code, value_of(code, value, line->value_under));
         return;
     }
-    add_value(code, value_of(code, yk_ring_real(ring, line->value), NULL));
-    add_value(code, value_of(code, yk_ring_imaginary(ring, line->value), NULL));
+    add_value(code, value_of(code, yk_ring_real(ring, value), NULL));
+    add_value(code, value_of(code, yk_ring_imaginary(ring, value), NULL));
 }
 
 static bool add_matrices(Code *code, const YkLine *line)

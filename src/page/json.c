@@ -4,11 +4,11 @@
 #include "page/print.h"
 #include "write/json.h"
 
-static void put_element(YkPrinting *printing, YkJson *json, const char *key, const YkPoisson *a)
+static void put_entry(YkPrinting *printing, YkJson *json, const YkRingView *entry)
 {
     YkText text = {0};
-    yk_print_element(printing, a, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
-    yk_json_string(json, key, yk_text_get(&text));
+    yk_print_view(printing, entry, YK_RING_TEXT, YK_RING_TEXTBOOK, &text);
+    yk_json_string(json, NULL, yk_text_get(&text));
     yk_text_free(&text);
 }
 
@@ -26,8 +26,10 @@ static void put_matrix(YkPrinting *printing, YkJson *json, const YkShownMatrix *
     yk_json_list(json, "entries", YK_JSON_LINES);
     for (size_t i = 0; i < matrix->rows; i++) {
         yk_json_list(json, NULL, YK_JSON_INLINE);
-        for (size_t k = 0; k < matrix->columns; k++)
-            put_element(printing, json, NULL, matrix->entries[i * matrix->columns + k]);
+        for (size_t k = 0; k < matrix->columns; k++) {
+            const YkRingView entry = yk_shown_entry(matrix, i * matrix->columns + k);
+            put_entry(printing, json, &entry);
+        }
         yk_json_end(json);
     }
     yk_json_end(json);
@@ -46,8 +48,10 @@ static void put_matrix(YkPrinting *printing, YkJson *json, const YkShownMatrix *
         yk_json_list(json, "values", YK_JSON_LINES);
         for (size_t i = 0; i < matrix->rows; i++) {
             yk_json_list(json, NULL, YK_JSON_INLINE);
-            for (size_t k = 0; k < matrix->columns; k++)
-                yk_json_number(json, NULL, yk_print_entry(printing, matrix->entries[i * matrix->columns + k]));
+            for (size_t k = 0; k < matrix->columns; k++) {
+                const YkRingView entry = yk_shown_entry(matrix, i * matrix->columns + k);
+                yk_json_number(json, NULL, yk_print_entry(printing, &entry));
+            }
             yk_json_end(json);
         }
         yk_json_end(json);

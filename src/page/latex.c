@@ -131,12 +131,12 @@ static void put_matrix(YkPrinting *printing, const YkShownMatrix *matrix, bool n
     yk_text_puts(text, "}");
     for (size_t i = 0; i < matrix->rows; i++) {
         for (size_t k = 0; k < matrix->columns; k++) {
-            const YkPoisson *entry = matrix->entries[i * matrix->columns + k];
+            const YkRingView entry = yk_shown_entry(matrix, i * matrix->columns + k);
             yk_text_puts(text, k ? " & " : " ");
             if (numbers)
-                put_number(text, yk_print_entry(printing, entry));
+                put_number(text, yk_print_entry(printing, &entry));
             else
-                yk_print_element(printing, entry, YK_RING_LATEX, YK_RING_TEXTBOOK, text);
+                yk_print_view(printing, &entry, YK_RING_LATEX, YK_RING_TEXTBOOK, text);
         }
         if (i + 1 < matrix->rows) yk_text_puts(text, matrix->row_cut[i] ? " \\\\ \\hline" : " \\\\");
     }
@@ -161,9 +161,10 @@ static void put_sign(YkText *text, const char *sign)
 
 static void put_element(YkPrinting *printing, const YkPagePiece *piece, YkText *text)
 {
-    bool brackets = piece->is_factor && yk_print_is_sum(printing, piece->over);
+    const YkRingView view = yk_print_piece(piece);
+    bool brackets = piece->is_factor && yk_print_is_sum(printing, &view);
     if (brackets) yk_text_puts(text, "\\left(");
-    yk_print_element(printing, piece->over, YK_RING_LATEX, piece->style, text);
+    yk_print_view(printing, &view, YK_RING_LATEX, piece->style, text);
     if (brackets) yk_text_puts(text, "\\right)");
 }
 

@@ -83,16 +83,16 @@ static void put_matrix(YkPrinting *printing, const YkShownMatrix *matrix, bool n
         for (size_t k = 0; k < matrix->columns; k++) {
             bool below = i + 1 < matrix->rows && matrix->row_cut[i],
                  beside = k + 1 < matrix->columns && matrix->column_cut[k];
-            const YkPoisson *entry = matrix->entries[i * matrix->columns + k];
+            const YkRingView entry = yk_shown_entry(matrix, i * matrix->columns + k);
             yk_text_format(text, "<mtd%s><mrow>",
                            below && beside ? " class=\"b r\""
                            : below         ? " class=\"b\""
                            : beside        ? " class=\"r\""
                                            : "");
             if (numbers)
-                put_number(text, yk_print_entry(printing, entry));
+                put_number(text, yk_print_entry(printing, &entry));
             else
-                yk_print_element(printing, entry, YK_RING_MATHML, YK_RING_TEXTBOOK, text);
+                yk_print_view(printing, &entry, YK_RING_MATHML, YK_RING_TEXTBOOK, text);
             yk_text_puts(text, "</mrow></mtd>");
         }
         yk_text_puts(text, "</mtr>");
@@ -100,23 +100,24 @@ static void put_matrix(YkPrinting *printing, const YkShownMatrix *matrix, bool n
     yk_text_puts(text, "</mtable><mo>]</mo></mrow>");
 }
 
-static void put_element(YkPrinting *printing, const YkPoisson *a, YkRingStyle style, bool is_factor, YkText *text)
+static void put_element(YkPrinting *printing, YkRingView view, YkRingStyle style, bool is_factor, YkText *text)
 {
-    bool brackets = is_factor && yk_print_is_sum(printing, a);
+    bool brackets = is_factor && yk_print_is_sum(printing, &view);
     yk_text_puts(text, brackets ? "<mrow><mo>(</mo>" : "<mrow>");
-    yk_print_element(printing, a, YK_RING_MATHML, style, text);
+    yk_print_view(printing, &view, YK_RING_MATHML, style, text);
     yk_text_puts(text, brackets ? "<mo>)</mo></mrow>" : "</mrow>");
 }
 
 static void put_side(YkPrinting *printing, const YkPagePiece *piece, int side, YkText *text)
 {
     if (!piece->factors[side]) {
-        put_element(printing, side == 0 ? piece->over : piece->under, YK_RING_TEXTBOOK, false, text);
+        put_element(printing, yk_ring_as_is(side == 0 ? piece->over : piece->under), YK_RING_TEXTBOOK, false, text);
         return;
     }
     yk_text_puts(text, "<mrow>");
     for (size_t k = 0; k < piece->factor_count[side]; k++)
-        put_element(printing, piece->factors[side][k], YK_RING_TEXTBOOK, piece->factor_count[side] > 1, text);
+        put_element(printing, yk_ring_as_is(piece->factors[side][k]), YK_RING_TEXTBOOK, piece->factor_count[side] > 1,
+                    text);
     yk_text_puts(text, "</mrow>");
 }
 
@@ -124,7 +125,7 @@ static void put_piece(YkPrinting *printing, const YkPagePiece *piece, YkText *te
 {
     switch (piece->kind) {
     case YK_PIECE_ELEMENT:
-        put_element(printing, piece->over, piece->style, piece->is_factor, text);
+        put_element(printing, yk_print_piece(piece), piece->style, piece->is_factor, text);
         break;
     case YK_PIECE_QUOTIENT:
         yk_text_puts(text, "<mfrac>");

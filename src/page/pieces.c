@@ -4,10 +4,22 @@
 #include "base/number.h"
 #include "page/print.h"
 
+void yk_print_view(YkPrinting *printing, const YkRingView *view, YkRingFormat format, YkRingStyle style, YkText *text)
+{
+    YkRingView shown = *view;
+    if (!shown.of) shown.of = yk_ring_rational(printing->ring, 0, 1);
+    if (!yk_ring_write_view(printing->ring, &shown, format, style, text)) printing->failed = true;
+}
+
 void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
 {
-    if (!a) a = yk_ring_rational(printing->ring, 0, 1);
-    if (!a || !yk_ring_write(printing->ring, a, format, style, text)) printing->failed = true;
+    const YkRingView view = yk_ring_as_is(a);
+    yk_print_view(printing, &view, format, style, text);
+}
+
+YkRingView yk_print_piece(const YkPagePiece *piece)
+{
+    return (YkRingView){piece->over, piece->changes, YK_RING_WHOLE};
 }
 
 bool yk_print_has_sum(const char *text)
@@ -39,18 +51,19 @@ void yk_print_brackets(YkText *text, size_t start)
     text->data[start] = '(';
 }
 
-bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a)
+bool yk_print_is_sum(YkPrinting *printing, const YkRingView *view)
 {
     YkText text = {0};
-    yk_print_element(printing, a, YK_RING_BOOK, YK_RING_TEXTBOOK, &text);
+    yk_print_view(printing, view, YK_RING_BOOK, YK_RING_TEXTBOOK, &text);
     bool is_sum = yk_print_has_sum(yk_text_get(&text));
     yk_text_free(&text);
     return is_sum;
 }
 
-double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry)
+double yk_print_entry(const YkPrinting *printing, const YkRingView *entry)
 {
-    return entry ? yk_ring_value(printing->ring, entry, printing->values).x : 0;
+    const YkPoisson *a = entry->of ? yk_ring_view(printing->ring, entry) : NULL;
+    return a ? yk_ring_value(printing->ring, a, printing->values).x : 0;
 }
 
 // Returns whether a quotient is a number in spite of rounding. Where its denominator vanishes, as at a dead point or a change
@@ -58,7 +71,7 @@ double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry)
 static bool is_determined(const YkPrinting *printing, const YkLine *line, double value, double under)
 {
     const double rounding = 4e-16, most = 1e-6;
-    double over_size = yk_ring_magnitude(printing->ring, line->value, printing->values);
+    double over_size = yk_ring_magnitude(printing->ring, yk_line_value(printing->ring, line), printing->values);
     double under_size = yk_ring_magnitude(printing->ring, line->value_under, printing->values);
     double ratio = fabs(under) / under_size, error = rounding * over_size / (fabs(under) * ratio * ratio);
     return error <= most * fmax(fabs(value), over_size / under_size);
@@ -69,7 +82,9 @@ bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value
     if (!printing->values || !line->value) return false;
     double within = line->within ? yk_ring_value(printing->ring, line->within, printing->values).x : 0;
     if (!(within >= 0 && within <= 1)) return false;
-    *value = yk_ring_value(printing->ring, line->value, printing->values);
+    const YkPoisson *shown = yk_line_value(printing->ring, line);
+    if (!shown) return false;
+    *value = yk_ring_value(printing->ring, shown, printing->values);
     if (line->value_under) {
         double under = yk_ring_value(printing->ring, line->value_under, printing->values).x;
         *value = yk_scale(1 / under, *value);

@@ -51,15 +51,17 @@ void yk_print_c(YkPrinting *printing, const YkPage *page);
 void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text);
 void yk_print_formula_latex(YkPrinting *printing, const YkLine *line, YkText *text);
 void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
-bool yk_print_has_sum(const char *text); // + or - outside of brackets
+void yk_print_view(YkPrinting *printing, const YkRingView *view, YkRingFormat format, YkRingStyle style, YkText *text);
+YkRingView yk_print_piece(const YkPagePiece *piece); // what a piece that is an element shows
+bool yk_print_has_sum(const char *text);             // + or - outside of brackets
 bool yk_print_is_one_factor(const char *text);
-void yk_print_brackets(YkText *text, size_t start);             // round what was written since `start`
-bool yk_print_is_sum(YkPrinting *printing, const YkPoisson *a); // does it need brackets as a factor?
+void yk_print_brackets(YkText *text, size_t start);                 // round what was written since `start`
+bool yk_print_is_sum(YkPrinting *printing, const YkRingView *view); // does it need brackets as a factor?
 // Returns the value of a line to 6 significant digits; false if there is none.
 bool yk_print_value(const YkPrinting *printing, const YkLine *line, YkVec *value);
 // Returns the matrix of a line that shows just one, otherwise NULL: its values may follow it.
 const YkShownMatrix *yk_print_only_matrix(const YkLine *line);
-double yk_print_entry(const YkPrinting *printing, const YkPoisson *entry);
+double yk_print_entry(const YkPrinting *printing, const YkRingView *entry);
 void yk_print_number(YkText *text, double value);
 // Returns whether a name is a letter with digits, which is set with a subscript; others are set as words.
 bool yk_print_is_letter_name(const char *name);

@@ -19,6 +19,7 @@ typedef struct YkTextSheet {
     YkText text, cells; // of the lines, and of a matrix's entries
     Slice *lines, *entries;
     size_t line_count, line_capacity, entry_count, entry_capacity;
+    size_t *widths, width_count, width_capacity; // of a matrix's columns
     Part *parts;
     size_t part_count, part_capacity;
     bool has_lines; // something was printed
@@ -41,6 +42,7 @@ void yk_print_text_end(YkPrinting *printing)
     yk_text_free(&sheet->cells);
     free(sheet->lines);
     free(sheet->entries);
+    free(sheet->widths);
     free(sheet->parts);
     free(sheet);
 }
@@ -182,6 +184,7 @@ static bool is_sign_of(const YkPagePiece *piece, const char *signs)
 
 static void put_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPagePiece *before, YkText *text)
 {
+    const YkRingView view = yk_print_piece(piece);
     bool is_spaced = before && !is_sign_of(piece, ",)]") && !is_sign_of(before, "([");
     if (before && before->kind == YK_PIECE_QUOTIENT && piece->kind == YK_PIECE_ELEMENT) yk_text_puts(text, " *");
     if (is_spaced) yk_text_puts(text, " ");
@@ -190,7 +193,7 @@ static void put_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPa
         if (piece->is_factor)
             put_factor(printing, piece->over, text);
         else
-            yk_print_element(printing, piece->over, YK_RING_BOOK, piece->style, text);
+            yk_print_view(printing, &view, YK_RING_BOOK, piece->style, text);
         break;
     case YK_PIECE_QUOTIENT:
         put_quotient(printing, piece, text);
@@ -216,10 +219,11 @@ static void write_entries(Sheet *sheet, const YkShownMatrix *matrix, bool number
     sheet->entry_count = 0;
     for (size_t k = 0; k < matrix->rows * matrix->columns; k++) {
         size_t start = sheet->cells.length;
+        const YkRingView entry = yk_shown_entry(matrix, k);
         if (numbers)
-            yk_print_number(&sheet->cells, yk_print_entry(printing, matrix->entries[k]));
+            yk_print_number(&sheet->cells, yk_print_entry(printing, &entry));
         else
-            yk_print_element(printing, matrix->entries[k], YK_RING_BOOK, YK_RING_TEXTBOOK, &sheet->cells);
+            yk_print_view(printing, &entry, YK_RING_BOOK, YK_RING_TEXTBOOK, &sheet->cells);
         if (!YK_ROOM(sheet->entries, sheet->entry_count, sheet->entry_capacity)) {
             printing->failed = true;
             return;
@@ -228,12 +232,15 @@ static void write_entries(Sheet *sheet, const YkShownMatrix *matrix, bool number
     }
 }
 
-static size_t column_width(const Sheet *sheet, const YkShownMatrix *matrix, size_t column)
+static void add_width(Sheet *sheet, const YkShownMatrix *matrix, size_t column)
 {
     size_t width = 1;
     for (size_t i = column; i < sheet->entry_count; i += matrix->columns)
         if (sheet->entries[i].length > width) width = sheet->entries[i].length;
-    return width;
+    if (YK_ROOM(sheet->widths, sheet->width_count, sheet->width_capacity))
+        sheet->widths[sheet->width_count++] = width;
+    else
+        sheet->printing->failed = true;
 }
 
 static void put_cell(Sheet *sheet, const Slice *cell, size_t width)
@@ -245,8 +252,9 @@ static void put_cell(Sheet *sheet, const Slice *cell, size_t width)
 }
 
 // Writes a row of entries, or of dashes below it.
-static void put_row(Sheet *sheet, const YkShownMatrix *matrix, size_t row, const size_t *widths, bool dashes)
+static void put_row(Sheet *sheet, const YkShownMatrix *matrix, size_t row, bool dashes)
 {
+    const size_t *widths = sheet->widths;
     YkText *text = &sheet->text;
     size_t start = text->length;
     yk_text_puts(text, "[ ");
@@ -264,17 +272,14 @@ static void put_row(Sheet *sheet, const YkShownMatrix *matrix, size_t row, const
 // Adds rows, with cuts between blocks as lines of dashes.
 static void add_matrix(Sheet *sheet, const YkShownMatrix *matrix, bool numbers)
 {
-    size_t *widths = calloc(matrix->columns + 1, sizeof *widths);
-    if (!widths) sheet->printing->failed = true;
-    if (widths) write_entries(sheet, matrix, numbers);
-    if (!sheet->printing->failed && add_part(sheet)) {
-        for (size_t k = 0; k < matrix->columns; k++) widths[k] = column_width(sheet, matrix, k);
-        for (size_t i = 0; i < matrix->rows; i++) {
-            put_row(sheet, matrix, i, widths, false);
-            if (matrix->row_cut[i] && i + 1 < matrix->rows) put_row(sheet, matrix, i, widths, true);
-        }
+    write_entries(sheet, matrix, numbers);
+    sheet->width_count = 0;
+    for (size_t k = 0; k < matrix->columns && !sheet->printing->failed; k++) add_width(sheet, matrix, k);
+    if (sheet->printing->failed || !add_part(sheet)) return;
+    for (size_t i = 0; i < matrix->rows; i++) {
+        put_row(sheet, matrix, i, false);
+        if (matrix->row_cut[i] && i + 1 < matrix->rows) put_row(sheet, matrix, i, true);
     }
-    free(widths);
 }
 
 static void put_matrix_names(YkPrinting *printing, const YkShownMatrix *matrix)
@@ -294,38 +299,47 @@ static void put_matrix_names(YkPrinting *printing, const YkShownMatrix *matrix)
 
 // --- Lines
 
-static void add_value(Sheet *sheet, const YkLine *line)
+static void put_remark(const YkLine *line, YkText *text)
+{
+    yk_text_add(text, "  ", 2);
+    if (!line->text) return;
+    yk_text_puts(text, line->text);
+    yk_text_add(text, ":  ", 3);
+}
+
+static void put_value(const YkPrinting *printing, const YkLine *line, YkText *text)
 {
     YkVec value;
+    if (!yk_print_value(printing, line, &value)) return;
+    yk_text_puts(text, line->is_vector ? " = [" : " = ");
+    yk_print_number(text, value.x);
+    if (!line->is_vector) return;
+    yk_text_puts(text, ", ");
+    yk_print_number(text, value.y);
+    yk_text_puts(text, "]");
+}
+
+static void add_value(Sheet *sheet, const YkLine *line, const YkShownMatrix *matrix)
+{
     YkText *text = &sheet->text;
     size_t start = text->length;
-    const YkShownMatrix *matrix = yk_print_only_matrix(line);
     if (sheet->printing->values && matrix) {
         yk_text_puts(text, " = ");
         add_line(sheet, start);
         add_matrix(sheet, matrix, true);
-    } else if (yk_print_value(sheet->printing, line, &value)) {
-        yk_text_puts(text, line->is_vector ? " = [" : " = ");
-        yk_print_number(text, value.x);
-        if (line->is_vector) {
-            yk_text_puts(text, ", ");
-            yk_print_number(text, value.y);
-            yk_text_puts(text, "]");
-        }
+    } else {
+        put_value(sheet->printing, line, text);
         add_line(sheet, start);
     }
 }
 
-static void put_formula(Sheet *sheet, const YkLine *line)
+// Writes a formula with matrices: side by side with what stands between them.
+static void put_tall(Sheet *sheet, const YkLine *line)
 {
     YkText *text = &sheet->text;
     const YkPagePiece *before = NULL;
     clear_sheet(sheet);
-    yk_text_puts(text, "  ");
-    if (line->text) {
-        yk_text_puts(text, line->text);
-        yk_text_puts(text, ":  ");
-    }
+    put_remark(line, text);
     size_t start = 0;
     for (const YkPagePiece *piece = line->first; piece; before = piece, piece = piece->next) {
         if (piece->kind != YK_PIECE_MATRIX) {
@@ -338,10 +352,33 @@ static void put_formula(Sheet *sheet, const YkLine *line)
         start = text->length;
     }
     add_line(sheet, start);
-    add_value(sheet, line);
-    put_rows(sheet);
     const YkShownMatrix *matrix = yk_print_only_matrix(line);
+    add_value(sheet, line, matrix);
+    put_rows(sheet);
     if (matrix) put_matrix_names(sheet->printing, matrix);
+}
+
+// Writes a formula of one line, without blanks at its end.
+static void put_low(YkPrinting *printing, const YkLine *line)
+{
+    YkText *out = printing->text;
+    const YkPagePiece *before = NULL;
+    put_remark(line, out);
+    for (const YkPagePiece *piece = line->first; piece; before = piece, piece = piece->next)
+        put_piece(printing, piece, before, out);
+    put_value(printing, line, out);
+    while (out->length > 0 && out->data[out->length - 1] == ' ') out->length--;
+    yk_text_add(out, "\n", 1);
+}
+
+static void put_formula(Sheet *sheet, const YkLine *line)
+{
+    const YkPagePiece *piece = line->first;
+    while (piece && piece->kind != YK_PIECE_MATRIX) piece = piece->next;
+    if (piece)
+        put_tall(sheet, line);
+    else
+        put_low(sheet->printing, line);
 }
 
 void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text)
@@ -354,7 +391,8 @@ void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *tex
         yk_text_puts(text, "[");
         for (size_t k = 0; k < matrix->rows * matrix->columns; k++) {
             if (k > 0) yk_text_puts(text, k % matrix->columns == 0 ? "; " : ", ");
-            yk_print_element(printing, matrix->entries[k], YK_RING_BOOK, YK_RING_TEXTBOOK, text);
+            const YkRingView entry = yk_shown_entry(matrix, k);
+            yk_print_view(printing, &entry, YK_RING_BOOK, YK_RING_TEXTBOOK, text);
         }
         yk_text_puts(text, "]");
     }

@@ -26,6 +26,16 @@ const YkPoisson *yk_ring_i(YkRing *ring)
     return yk_poisson_term(ring, YK_UNIT_I, 1, 1);
 }
 
+const YkPoisson *yk_ring_vector(YkRing *ring, int32_t x, int32_t y)
+{
+    if (!yk_ring_has_symbol(ring, x) || !yk_ring_has_symbol(ring, y)) return NULL;
+    uint32_t along = yk_ring_monomial_of(ring, x, 1), across = yk_ring_monomial_of(ring, y, 1);
+    if (along == YK_NO_PRODUCT || across == YK_NO_PRODUCT) return NULL;
+    const YkRingTerm terms[] = {{yk_key(0, along, 0), 1}, {yk_key(0, across, YK_UNIT_I), 1}};
+    const YkRingTerm swapped[] = {terms[1], terms[0]};
+    return yk_poisson_make(ring, terms[0].key < terms[1].key ? terms : swapped, 2, 1);
+}
+
 // Divides *rest by all powers of a prime: returns the root of its square part; *odd tells whether one factor is left
 // over.
 static int64_t take_prime(int64_t *rest, int64_t prime, bool *odd)

@@ -85,6 +85,19 @@ typedef struct YkGather {
     bool failed;
 } YkGather;
 
+typedef struct YkPatterns YkPatterns;
+// Where the names stand in what was written last.
+typedef struct YkMark {
+    size_t at, length; // in the text
+    int32_t symbol;
+} YkMark;
+typedef struct YkMarks {
+    YkMark *items;
+    size_t count, capacity;
+    bool is_wanted; // of what is being written
+    bool failed;    // one is missing
+} YkMarks;
+
 enum { YK_RING_MADE_MAX = 48000000 }; // terms of all elements of a ring, 768 MB in total
 
 struct YkRing {
@@ -101,7 +114,9 @@ struct YkRing {
     YkPowers monomials, phases;
     YkGather gather;
     const YkPoisson *zero, *one;
-    YkRingChanges *changes;  // the newest set of changes
+    YkRingChanges *changes; // the newest set of changes
+    YkPatterns *patterns;   // of elements in print: print/pattern.h; NULL: none yet
+    YkMarks marks;
     size_t derivative_names; // names that end in .rate or .accel
     size_t rule_count;       // rates, partial derivatives and roots declared so far
     // Marks of symbols with a rate; marks of symbols whose derivatives are not ready or have a denominator.
@@ -115,7 +130,7 @@ struct YkRing {
 enum {
     YK_WORK_SYMBOL = 1000,
     YK_WORK_ELEMENT = 30,
-    YK_WORK_TERM = 10,
+    YK_WORK_TERM = 12,
     YK_WORK_PRODUCT = 50,
     YK_WORK_PRINT = 2000,
     YK_WORK_VALUE = 30
@@ -131,6 +146,8 @@ bool yk_ring_has_symbol(YkRing *ring, int32_t symbol);
 bool yk_ring_typeset(YkRing *ring);
 
 // --- substitute.c
+// Returns what happens to a symbol, or NULL.
+const YkRingChange *yk_ring_change_of(const YkRingChanges *changes, int32_t symbol);
 void yk_ring_free_all_changes(YkRing *ring);
 
 // --- keys.c: products of keys. They return YK_NO_PRODUCT with the status on failure.

@@ -104,6 +104,7 @@ const YkPoisson *yk_ring_decimal(YkRing *ring, int64_t mantissa, int32_t exponen
 const YkPoisson *yk_ring_i(YkRing *ring);
 const YkPoisson *yk_ring_sqrt(YkRing *ring, int64_t square); // of 2^a 3^b n^2 only; others fail with YK_RING_POWER
 const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol);  // the symbol as an element; an angle outside of cos and sin
+const YkPoisson *yk_ring_vector(YkRing *ring, int32_t x, int32_t y); // x + i y
 const YkPoisson *yk_ring_unit(YkRing *ring, int32_t angle); // e^(i angle)
 // Returns e^(i pi numerator / denominator). Multiples of 15 deg are exact numbers. Any other is a power of the unit of
 // a constant angle `pi_7`, a symbol without relations: elements that come out equal are equal, but the ring does not

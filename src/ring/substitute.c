@@ -100,20 +100,20 @@ static const YkPoisson *image_of(YkRing *ring, YkRingChanges *changes, uint64_t 
 
 // --- Terms
 
-static const YkRingChange *change_of(const YkRingChanges *changes, int32_t symbol)
+const YkRingChange *yk_ring_change_of(const YkRingChanges *changes, int32_t symbol)
 {
     return (size_t)symbol < changes->symbol_count ? changes->of[symbol] : NULL;
 }
 
 static bool has_value(const void *changes, int32_t symbol)
 {
-    const YkRingChange *change = change_of(changes, symbol);
+    const YkRingChange *change = yk_ring_change_of(changes, symbol);
     return change && change->value;
 }
 
 static bool has_unit(const void *changes, int32_t symbol)
 {
-    const YkRingChange *change = change_of(changes, symbol);
+    const YkRingChange *change = yk_ring_change_of(changes, symbol);
     return change && change->unit;
 }
 

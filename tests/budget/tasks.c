@@ -164,6 +164,26 @@ static void run_derive(Machine *m)
     yk_text_free(&text);
 }
 
+// The free bodies of a long machine, streamed as the command does.
+static bool pass_on(void *context, const char *text, size_t length)
+{
+    (void)context, (void)text, (void)length;
+    return true;
+}
+
+static void run_free_bodies(Machine *m)
+{
+    bool *sections = calloc(yk_derivation_section_count(), sizeof *sections);
+    YkDerivation *d = yk_derivation_new(m->model, m->mech, m->problems);
+    if (!sections || !d) die("no derivation");
+    sections[yk_derivation_section_find("free-bodies")] = true;
+    YkPageOptions options = yk_default_page_options();
+    options.sections = sections, options.write = pass_on;
+    if (yk_derivation_page(d, &options, m->problems) != YK_OK) die("no page");
+    yk_derivation_free(d);
+    free(sections);
+}
+
 // Twenty equations of one derivation: what the first finds out serves the others.
 static void run_check(Machine *m)
 {
@@ -199,6 +219,7 @@ static const Task tasks[] = {
     {"four-bar-study", "four-bar", NULL, 0, run_study},
     {"check-andrews", "andrews", NULL, 0, run_check},
     {"derive-double-pendulum", "double-pendulum", NULL, 0, run_derive},
+    {"derive-n-four-bar", NULL, n_four_bar_text, LOOPS, run_free_bodies},
 };
 
 // Its name is what callgrind looks for.

@@ -119,9 +119,12 @@ static inline size_t check_page_reads_back(Machine *m)
     size_t count = 0;
     for (const YkLine *line = m->page.first; line; line = line->next)
         for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
-            if (piece->kind == YK_PIECE_ELEMENT) count += check_read_back(m, piece->over);
-            for (size_t k = 0; piece->matrix && k < piece->matrix->rows * piece->matrix->columns; k++)
-                if (piece->matrix->entries[k]) count += check_read_back(m, piece->matrix->entries[k]);
+            const YkRingView shown = {piece->over, piece->changes, YK_RING_WHOLE};
+            if (piece->kind == YK_PIECE_ELEMENT) count += check_read_back(m, yk_ring_view(m->d->ring, &shown));
+            for (size_t k = 0; piece->matrix && k < piece->matrix->rows * piece->matrix->columns; k++) {
+                const YkRingView entry = yk_shown_entry(piece->matrix, k);
+                if (entry.of) count += check_read_back(m, yk_ring_view(m->d->ring, &entry));
+            }
         }
     return count;
 }

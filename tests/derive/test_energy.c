@@ -50,8 +50,9 @@ static const YkPoisson *power_of(const YkDeriveForces *f, const YkDeriveLoad *lo
 static const YkPoisson *row_rate(const YkDeriveForces *f, size_t row)
 {
     YkRing *ring = f->d->ring;
-    if (f->rows[row]) return yk_ring_time_derivative(ring, f->rows[row]);
-    const YkDeriveRelation *tie = &f->d->ties[row - (f->row_count - f->d->tie_count)];
+    const YkDeriveMultipliers *m = yk_derive_multipliers(f);
+    if (m->rows[row]) return yk_ring_time_derivative(ring, m->rows[row]);
+    const YkDeriveRelation *tie = &f->d->ties[row - (m->count - f->d->tie_count)];
     const YkPoisson *rate = yk_ring_time_derivative(ring, tie->linear);
     if (tie->function < 0) return rate;
     const YkPoisson *slope = yk_ring_of(ring, tie->function + 1);
@@ -67,8 +68,10 @@ static void check_power(Machine *m, const char *name)
     const YkPoisson *E = yk_derive_potential(f), *power = yk_ring_rational(ring, 0, 1);
     for (size_t b = 1; b < m->d->model->body_count; b++) E = yk_ring_add(ring, E, yk_derive_kinetic(f, (int32_t)b));
     const YkPoisson *rate = yk_ring_time_derivative(ring, E);
-    for (size_t k = 0; k < f->row_count; k++)
-        rate = yk_ring_add(ring, rate, yk_ring_multiply(ring, yk_ring_of(ring, f->multipliers[k]), row_rate(f, k)));
+    const YkDeriveMultipliers *multipliers = yk_derive_multipliers(f);
+    for (size_t k = 0; k < multipliers->count; k++)
+        rate =
+            yk_ring_add(ring, rate, yk_ring_multiply(ring, yk_ring_of(ring, multipliers->symbols[k]), row_rate(f, k)));
     for (size_t k = 0; k < m->d->coordinate_count; k++) {
         YkDeriveLagrange sides = yk_derive_lagrange(f, k);
         const YkPoisson *u = yk_ring_of(ring, yk_derive_freedom(m->d, k).rate);

@@ -2,6 +2,7 @@
 // they end, and a page in parts is the same page.
 #include "derive/inside.h"
 #include "forces_check.h"
+#include "ring/inside.h"
 
 // n rods, each pinned to the one before.
 static Machine chain(int n)
@@ -104,6 +105,29 @@ static void a_ladder_is_written_body_by_body(void **state)
     machine_end(&m);
 }
 
+// Returns how many terms of elements printing the free bodies makes; each formula reads back as what it shows.
+static size_t print_free_bodies(int n)
+{
+    YkText text = {0};
+    Machine m = ladder(n);
+    write_section(&m, "free-bodies");
+    size_t before = m.d->ring->made;
+    assert_true(yk_page_write(&m.page, YK_PAGE_TEXT, "ladder", NULL, &text));
+    size_t made = m.d->ring->made - before;
+    assert_true(check_page_reads_back(&m) > 10 * (size_t)n);
+    yk_text_free(&text);
+    machine_end(&m);
+    return made;
+}
+
+static void alike_bodies_are_printed_from_one_pattern(void **state)
+{
+    (void)state;
+    size_t made = print_free_bodies(15);
+    assert_true(made > 0);
+    assert_int_equal(print_free_bodies(30), made);
+}
+
 static void what_speaks_of_all_bodies_says_where_it_ends(void **state)
 {
     (void)state;
@@ -189,6 +213,7 @@ int main(void)
         cmocka_unit_test(accelerations_far_from_the_ground_go_from_body_to_body),
         cmocka_unit_test(a_chain_takes_linear_room),
         cmocka_unit_test(a_ladder_is_written_body_by_body),
+        cmocka_unit_test(alike_bodies_are_printed_from_one_pattern),
         cmocka_unit_test(what_speaks_of_all_bodies_says_where_it_ends),
         cmocka_unit_test(angles_of_a_very_long_chain_have_no_joint_form),
         cmocka_unit_test(a_page_in_parts_is_the_page),

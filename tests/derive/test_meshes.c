@@ -344,9 +344,10 @@ static void a_wrong_push_is_no_longer_proved(void **state)
     (void)state;
     for (size_t k = 0; k < MACHINES; k++) {
         Machine m = machine_of(machines[k]);
-        YkDeriveForces *f = (YkDeriveForces *)forces_of(&m);
-        size_t bad = 0, last = f->row_count - 1;
-        f->identities[last] = yk_ring_scale(m.d->ring, f->identities[last], 2, 1);
+        const YkDeriveForces *f = forces_of(&m);
+        const YkDeriveMultipliers *multipliers = yk_derive_multipliers(f);
+        size_t bad = 0, last = multipliers->count - 1;
+        multipliers->identities[last] = yk_ring_scale(m.d->ring, multipliers->identities[last], 2, 1);
         for (size_t c = 0; c < m.d->coordinate_count; c++) bad += !yk_derive_do_methods_agree(f, c);
         assert_true(bad > 0);
         machine_end(&m);

@@ -34,7 +34,7 @@ static bool is_closed_by_pins(const Machine *m)
     for (size_t k = 0; k < m->mech->loop_count; k++) {
         YkPartKind kind = m->model->joints[m->mech->loops[k].joint].kind;
         if (kind != YK_PIN && kind != YK_SLIDE) return false;
-        if (kind == YK_SLIDE && !m->d->loops[k].angle) return false;
+        if (kind == YK_SLIDE && !yk_derive_loops(m->d)[k].angle) return false;
     }
     return true;
 }

@@ -98,7 +98,8 @@ static void compare_row(Machine *m, const Built *built, const Sample *sample, si
         check_entry(m, built->M[i * n + k], sample, entry, name);
         left = yk_ring_coefficient(ring, left, acceleration, 0);
     }
-    for (size_t r = 0; r < f->row_count; r++) left = yk_ring_coefficient(ring, left, f->multipliers[r], 0);
+    const YkDeriveMultipliers *multipliers = yk_derive_multipliers(f);
+    for (size_t r = 0; r < multipliers->count; r++) left = yk_ring_coefficient(ring, left, multipliers->symbols[r], 0);
     check_entry(m, built->h[i], sample, left, name);
 }
 

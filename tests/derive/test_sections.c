@@ -85,10 +85,13 @@ static void visit_print(Machine *m, const char *name)
     write_all(m, name);
     for (const YkLine *line = m->page.first; line; line = line->next)
         for (const YkPagePiece *piece = line->first; piece; piece = piece->next) {
-            check_back(m, piece->over);
+            const YkRingView shown = {piece->over, piece->changes, YK_RING_WHOLE};
+            check_back(m, yk_ring_view(m->d->ring, &shown));
             check_back(m, piece->under);
-            for (size_t k = 0; piece->matrix && k < piece->matrix->rows * piece->matrix->columns; k++)
-                check_back(m, piece->matrix->entries[k]);
+            for (size_t k = 0; piece->matrix && k < piece->matrix->rows * piece->matrix->columns; k++) {
+                const YkRingView entry = yk_shown_entry(piece->matrix, k);
+                check_back(m, yk_ring_view(m->d->ring, &entry));
+            }
         }
 }
 

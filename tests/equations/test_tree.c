@@ -181,14 +181,14 @@ static void check_against_dense(uint64_t seed, TreeRecipe recipe)
 static void test_trees_of_pins_agree_with_a_dense_mass_matrix(void **unused)
 {
     (void)unused;
-    for (uint64_t seed = 0; seed < 150; seed++)
+    for (uint64_t seed = 0; seed < check_cases(150); seed++)
         check_against_dense(seed, (TreeRecipe){.bodies = 2 + seed % 14, .pins_only = true, .is_chain = seed % 4 == 0});
 }
 
 static void test_trees_of_all_joints_agree_with_a_dense_mass_matrix(void **unused)
 {
     (void)unused;
-    for (uint64_t seed = 1000; seed < 1600; seed++)
+    for (uint64_t seed = 1000; seed < 1000 + check_cases(600); seed++)
         check_against_dense(seed, (TreeRecipe){.bodies = 2 + seed % 12, .is_chain = seed % 5 == 0});
 }
 
@@ -222,8 +222,9 @@ static void check_power(uint64_t seed, TreeRecipe recipe)
 static void test_energy_changes_by_the_power_of_the_efforts(void **unused)
 {
     (void)unused;
-    for (uint64_t seed = 5000; seed < 5200; seed++) check_power(seed, (TreeRecipe){.bodies = 2 + seed % 30});
-    for (uint64_t seed = 5200; seed < 5300; seed++)
+    for (uint64_t seed = 5000; seed < 5000 + check_cases(200); seed++)
+        check_power(seed, (TreeRecipe){.bodies = 2 + seed % 30});
+    for (uint64_t seed = 5200; seed < 5200 + check_cases(100); seed++)
         check_power(seed, (TreeRecipe){.bodies = 2 + seed % 40, .pins_only = true});
 }
 
@@ -231,7 +232,7 @@ static void test_energy_changes_by_the_power_of_the_efforts(void **unused)
 static void test_a_heavier_machine_falls_the_same(void **unused)
 {
     (void)unused;
-    for (uint64_t seed = 7000; seed < 7050; seed++) {
+    for (uint64_t seed = 7000; seed < 7000 + check_cases(50); seed++) {
         uint64_t s = seed;
         OpenTree t = random_tree(&s, (TreeRecipe){.bodies = 10});
         Motion m = random_motion(&t, &s);
@@ -255,7 +256,7 @@ static void test_a_heavier_machine_falls_the_same(void **unused)
 static void test_whole_turns_change_nothing(void **unused)
 {
     (void)unused;
-    for (uint64_t seed = 8000; seed < 8040; seed++) {
+    for (uint64_t seed = 8000; seed < 8000 + check_cases(40); seed++) {
         uint64_t s = seed;
         OpenTree t = random_tree(&s, (TreeRecipe){.bodies = 12, .pins_only = seed % 2});
         Motion m = random_motion(&t, &s);
@@ -368,32 +369,58 @@ static void test_a_coiled_chain_keeps_its_digits(void **unused)
 
 // --- forks
 
-// Arms on one hub, which is on the ground's point: with n equal arms, the hub feels n times one arm.
-static void test_like_arms_move_alike(void **unused)
+// Equal arms on one hub, which is on the ground's point; each weighs `weight` times as much as is written there.
+static OpenTree fork_of(int arms, int weight)
 {
-    (void)unused;
-    enum { ARMS = 200 };
     Text text = {0};
     add(&text, "gravity: [3, -9.81]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  hub: {points: {O: [0, 0]");
-    for (int k = 0; k < ARMS; k++) add(&text, ", A%d: [1, 0.5]", k);
+    for (int k = 0; k < arms; k++) add(&text, ", A%d: [1, 0.5]", k);
     add(&text, "}, mass: 5, center: [0.1, 0.2], inertia: 1}\n");
-    for (int k = 0; k < ARMS; k++) {
-        add(&text, "  arm%d: {points: {A%d: [0, 0], B%d: [1, 0]}, mass: 1, rod: [A%d, B%d]}\n", k, k, k, k, k);
-        add(&text, "  tip%d: {points: {B%d: [0, 0]}, mass: 2, center: [0, 1], inertia: 0.1}\n", k, k);
+    for (int k = 0; k < arms; k++) {
+        add(&text, "  arm%d: {points: {A%d: [0, 0], B%d: [1, 0]}, mass: %d, rod: [A%d, B%d]}\n", k, k, k, weight, k, k);
+        add(&text, "  tip%d: {points: {B%d: [0, 0]}, mass: %d, center: [0, 1], inertia: %d/10}\n", k, k, 2 * weight,
+            weight);
     }
     add(&text, "joints:\n  O: {pin: [ground, hub]}\n");
-    for (int k = 0; k < ARMS; k++)
+    for (int k = 0; k < arms; k++)
         add(&text, "  A%d: {pin: [hub, arm%d]}\n  B%d: {pin: [arm%d, tip%d]}\n", k, k, k, k, k);
     OpenTree t = open_tree(text.at);
     free(text.at);
-    assert_int_equal(t.n, 2 * ARMS + 1);
-    Motion m = {numbers(t.n), numbers(t.n), numbers(t.n), numbers(t.n), numbers(t.n)};
-    for (size_t i = 0; i < t.n; i++) {
+    assert_int_equal(t.n, 2 * arms + 1);
+    return t;
+}
+
+// Moves all arms alike and accelerates them.
+static Motion move_fork(const OpenTree *t)
+{
+    Motion m = {numbers(t->n), numbers(t->n), numbers(t->n), numbers(t->n), numbers(t->n)};
+    for (size_t i = 0; i < t->n; i++) {
         m.q[i] = i == 0 ? 0.3 : i % 2 ? -1 : 2;
         m.v[i] = i == 0 ? 1 : i % 2 ? 0.5 : -1.5;
     }
-    assert_int_equal(yk_tree_accelerate(t.tree, m.q, m.v, NULL, m.a), -1);
-    for (size_t i = 3; i < t.n; i++) CHECK_NEAR(m.a[i], m.a[i - 2], 1e-12 * largest(m.a, t.n));
+    assert_int_equal(yk_tree_accelerate(t->tree, m.q, m.v, NULL, m.a), -1);
+    return m;
+}
+
+static void test_like_arms_move_as_one_of_their_weight(void **unused)
+{
+    (void)unused;
+    enum { ARMS = 200 };
+    OpenTree many = fork_of(ARMS, 1), one = fork_of(1, ARMS);
+    Motion m = move_fork(&many), of_one = move_fork(&one);
+    for (size_t i = 3; i < many.n; i++) CHECK_NEAR(m.a[i], m.a[i - 2], 1e-12 * largest(m.a, many.n));
+    for (size_t i = 0; i < 3; i++) CHECK_NEAR(m.a[i], of_one.a[i], 1e-12 * largest(m.a, many.n));
+    free_motion(&m);
+    free_motion(&of_one);
+    open_tree_free(&many);
+    open_tree_free(&one);
+}
+
+static void test_like_arms_agree_with_a_dense_mass_matrix(void **unused)
+{
+    (void)unused;
+    OpenTree t = fork_of(20, 1);
+    Motion m = move_fork(&t);
     accelerate_densely(&t, m.q, m.v, m.effort, m.dense);
     for (size_t i = 0; i < t.n; i++) CHECK_NEAR(m.a[i], m.dense[i], 1e-10 * largest(m.a, t.n));
     free_motion(&m);
@@ -626,7 +653,8 @@ int main(void)
         cmocka_unit_test(test_chains_of_any_length_follow_the_recursion),
         cmocka_unit_test(test_a_chain_of_100000_links_follows_the_recursion),
         cmocka_unit_test(test_a_coiled_chain_keeps_its_digits),
-        cmocka_unit_test(test_like_arms_move_alike),
+        cmocka_unit_test(test_like_arms_move_as_one_of_their_weight),
+        cmocka_unit_test(test_like_arms_agree_with_a_dense_mass_matrix),
         cmocka_unit_test(test_welded_to_the_ground_nothing_moves),
         cmocka_unit_test(test_welded_halves_are_the_whole),
         cmocka_unit_test(test_a_freedom_without_inertia_is_named),

@@ -29,30 +29,57 @@ static bool use(YkRing *r, YkRingFormat format, YkText *out)
     return well && yk_ring_write(r, changed, format, YK_RING_TEXTBOOK, out) && yk_ring_status(r) == YK_RING_OK;
 }
 
+// So many symbols that patterns are kept, and elements that are alike.
+static bool write_alike(YkRing *r, YkRingFormat format, YkText *out)
+{
+    enum { PAIRS = 66 };
+    int32_t mass[PAIRS], length[PAIRS];
+    bool well = true;
+    for (int k = 0; k < PAIRS; k++) {
+        char names[2][8];
+        snprintf(names[0], sizeof names[0], "m%d", k);
+        snprintf(names[1], sizeof names[1], "l%d", k);
+        mass[k] = yk_ring_symbol(r, names[0], YK_RING_MASS);
+        length[k] = yk_ring_symbol(r, names[1], YK_RING_CONSTANT);
+    }
+    for (int k = 0; k < 8; k++) {
+        Element of[] = {yk_ring_of(r, mass[k]), yk_ring_of(r, mass[k + 1]), yk_ring_of(r, length[k])};
+        Element a = yk_ring_multiply(r, yk_ring_add(r, of[0], of[1]), yk_ring_power(r, of[2], 1 + k % 2));
+        well = well && yk_ring_write(r, a, format, YK_RING_TEXTBOOK, out);
+    }
+    return well && yk_ring_status(r) == YK_RING_OK;
+}
+
+static void check_each_failure(bool (*use_of)(YkRing *r, YkRingFormat format, YkText *out), YkRingFormat format)
+{
+    YkText whole = {0};
+    YkRing *ring = yk_ring_new();
+    assert_true(use_of(ring, format, &whole));
+    yk_ring_free(ring);
+    long start = live, k = 0;
+    for (bool reached = true; reached; k++) {
+        YkText text = {0};
+        countdown = k;
+        ring = yk_ring_new();
+        bool well = ring && use_of(ring, format, &text);
+        reached = countdown < 0;
+        countdown = -1;
+        if (well) assert_string_equal(yk_text_get(&text), yk_text_get(&whole));
+        assert_true(well || reached);
+        yk_text_free(&text);
+        yk_ring_free(ring);
+        assert_int_equal(live, start);
+    }
+    yk_text_free(&whole);
+}
+
 static void any_one_failed_allocation_is_told_and_leaks_nothing(void **state)
 {
     (void)state;
     skip_unless_interposed();
     for (int format = 0; format < YK_RING_FORMATS; format++) {
-        YkText whole = {0};
-        YkRing *ring = yk_ring_new();
-        assert_true(use(ring, (YkRingFormat)format, &whole));
-        yk_ring_free(ring);
-        long start = live, k = 0;
-        for (bool reached = true; reached; k++) {
-            YkText text = {0};
-            countdown = k;
-            ring = yk_ring_new();
-            bool well = ring && use(ring, (YkRingFormat)format, &text);
-            reached = countdown < 0;
-            countdown = -1;
-            if (well) assert_string_equal(yk_text_get(&text), yk_text_get(&whole));
-            assert_true(well || reached);
-            yk_text_free(&text);
-            yk_ring_free(ring);
-            assert_int_equal(live, start);
-        }
-        yk_text_free(&whole);
+        check_each_failure(use, (YkRingFormat)format);
+        check_each_failure(write_alike, (YkRingFormat)format);
     }
 }
 

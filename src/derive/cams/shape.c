@@ -98,7 +98,7 @@ static void put_vector(const Shape *shape, const char *name, const YkPoisson *ve
     YkLine *line = yk_page_formula(shape->page, name);
     yk_line_vector(shape->page, line, "c", NULL, NULL);
     yk_line_sign(shape->page, line, "=");
-    yk_line_column(shape->page, line, vector);
+    yk_line_column(shape->page, line, vector, NULL);
 }
 
 static void put_quotient(const Shape *shape, const char *remark, const char *left, const YkPoisson *over,

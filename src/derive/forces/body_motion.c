@@ -48,8 +48,7 @@ static void enter_step(YkDeriveForces *f, int32_t b)
     const char *stem = yk_derive_text(d, "a_", yk_derive_center_name(d, b), "");
     m->symbols[0] = yk_derive_symbol(d, yk_derive_text(d, stem, "x", ""), YK_RING_ACCELERATION);
     m->symbols[1] = yk_derive_symbol(d, yk_derive_text(d, stem, "y", ""), YK_RING_ACCELERATION);
-    const YkPoisson *x = yk_ring_of(ring, m->symbols[0]), *y = yk_ring_of(ring, m->symbols[1]), *i = yk_ring_i(ring);
-    m->acceleration = yk_ring_add(ring, x, yk_ring_multiply(ring, i, y));
+    m->acceleration = yk_ring_vector(ring, m->symbols[0], m->symbols[1]);
 }
 
 void yk_derive_put_step(const YkDeriveForces *f, YkPage *page, int32_t body)
@@ -137,6 +136,11 @@ bool yk_derive_shows_joints(const YkDerivation *d)
 const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a)
 {
     return yk_derive_shows_joints(d) ? yk_derive_in_joints(d, a) : a;
+}
+
+YkRingChanges *yk_derive_shown_by(YkDerivation *d)
+{
+    return yk_derive_shows_joints(d) ? yk_derive_to_joints(d) : NULL;
 }
 
 int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate)

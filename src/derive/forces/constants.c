@@ -1,6 +1,7 @@
 // Roots and quotients that forces of gears and cams need: exact where they are polynomials, otherwise symbols whose
 // meaning is told. What they are is put back before anything is proved.
 #include "derive/forces/free_bodies.h"
+#include "derive/relations.h"
 
 // The same name with underscores behind it, where it is taken.
 static const char *free_name(YkDerivation *d, const char *name)
@@ -121,8 +122,7 @@ void yk_derive_put_meshes(const YkDeriveForces *f, YkPage *page)
     YkRing *ring = d->ring;
     if (page->told_in && page->told_in != page->section) return; // by an earlier section
     page->told_in = page->section;
-    for (size_t k = 0; k < d->tie_count; k++)
-        put_mesh(f, page, &f->meshes[k], yk_derive_row_name(f, f->row_count - d->tie_count + k));
+    for (size_t k = 0; k < d->tie_count; k++) put_mesh(f, page, &f->meshes[k], d->ties[k].name);
     for (size_t k = 0; k < f->length_count; k++) {
         const YkDeriveLength *l = &f->lengths[k];
         if (!l->word || !*l->word) continue;

@@ -4,15 +4,6 @@
 
 // --- Names
 
-static const char *number_of(YkDerivation *d, size_t number)
-{
-    char digits[24], *first = digits + sizeof digits;
-    *--first = '\0';
-    do *--first = (char)('0' + number % 10);
-    while ((number /= 10) > 0);
-    return yk_derive_text(d, first, "", "");
-}
-
 static uint64_t pair_of(const int32_t body[2])
 {
     uint64_t a = (uint32_t)body[0], b = (uint32_t)body[1];
@@ -69,37 +60,35 @@ const char *yk_derive_between(const YkDeriveForces *f, const int32_t body[2], si
 {
     YkDerivation *d = f->d;
     const char *mark = d->model->body_count > 10 ? "_" : "";
-    const char *first = number_of(d, (size_t)body[0]), *second = number_of(d, (size_t)body[1]);
-    const char *pair = yk_derive_text(d, first, mark, second);
+    const char *first = yk_derive_numbered(d, "", (size_t)body[0]);
+    const char *pair = yk_derive_numbered(d, yk_derive_text(d, first, mark, ""), (size_t)body[1]);
     return f->is_double[index] ? yk_derive_text(d, pair, "_", name) : pair;
 }
 
 const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part)
 {
     const char *mark = f->d->model->body_count > 10 ? "_" : "";
-    return yk_derive_text(f->d, letter, mark, yk_derive_text(f->d, name, part, ""));
+    return yk_derive_text(f->d, letter, mark, *part ? yk_derive_text(f->d, name, part, "") : name);
 }
 
-// An unknown of a joint (of a junction: on a body).
-static const YkPoisson *unknown(YkDeriveForces *f, const char *letter, const char *name, char part, int32_t joint,
-                                int32_t body)
+// An unknown of a joint (of a junction: on a body): its symbol.
+static int32_t unknown(YkDeriveForces *f, const char *letter, const char *name, char part, int32_t joint, int32_t body)
 {
     YkDerivation *d = f->d;
     const char *ending = part == 'x' ? "x" : part == 'y' ? "y" : "";
     int32_t symbol = yk_derive_symbol(d, yk_derive_force_name(f, letter, name, ending), YK_RING_FORCE);
-    if (symbol < 0) return NULL;
+    if (symbol < 0) return symbol;
     f->reaction_joint[f->reaction_count] = joint;
     f->reaction_body[f->reaction_count] = body;
     f->reaction_part[f->reaction_count] = part;
     f->reactions[f->reaction_count++] = symbol;
-    return yk_ring_of(d->ring, symbol);
+    return symbol;
 }
 
 static const YkPoisson *unknown_vector(YkDeriveForces *f, const char *name, int32_t joint, int32_t body)
 {
-    YkRing *ring = f->d->ring;
-    const YkPoisson *x = unknown(f, "F", name, 'x', joint, body), *y = unknown(f, "F", name, 'y', joint, body);
-    return yk_ring_add(ring, x, yk_ring_multiply(ring, yk_ring_i(ring), y));
+    int32_t x = unknown(f, "F", name, 'x', joint, body), y = unknown(f, "F", name, 'y', joint, body);
+    return yk_ring_vector(f->d->ring, x, y);
 }
 
 // --- Junctions' contacts
@@ -130,7 +119,7 @@ static void add_junction_contact(YkDeriveForces *f, int32_t joint, int side)
     if (contact_on(f, junction, body)) return;
     YkDeriveJunction *of = &f->junctions[junction];
     const char *mark = d->model->body_count > 10 ? "_" : "";
-    const char *name = yk_derive_text(d, of->name, mark, number_of(d, (size_t)body));
+    const char *name = yk_derive_numbered(d, yk_derive_text(d, of->name, mark, ""), (size_t)body);
     const YkPoisson *force = unknown_vector(f, name, joint, body), *zero = yk_ring_rational(d->ring, 0, 1);
     add_at_junction(f, of,
                     (YkDeriveContact){.joint = joint,
@@ -193,12 +182,12 @@ static void enter_joint(YkDeriveForces *f, int32_t joint)
     const char *name = yk_derive_between(f, j->body, (size_t)joint, j->name), *letter = part->slides ? "N" : "F";
     const YkPoisson *force, *moment = yk_ring_rational(d->ring, 0, 1);
     if (part->slides) {
-        const YkPoisson *size = unknown(f, "N", name, 'n', joint, YK_NONE);
+        const YkPoisson *size = yk_ring_of(d->ring, unknown(f, "N", name, 'n', joint, YK_NONE));
         force = yk_ring_multiply(d->ring, size, normal_of(d, joint));
     } else {
         force = unknown_vector(f, name, joint, YK_NONE);
     }
-    if (!part->turns) moment = unknown(f, "M", name, 'm', joint, YK_NONE);
+    if (!part->turns) moment = yk_ring_of(d->ring, unknown(f, "M", name, 'm', joint, YK_NONE));
     f->joint_force[joint] = force;
     f->joint_moment[joint] = moment;
     for (int side = 0; side < 2; side++) {

@@ -83,15 +83,13 @@ const char *yk_derive_load_point(const YkDeriveForces *f, const YkDeriveLoad *lo
 static void put_column(YkDerivation *d, YkPage *page, YkLine *line, const YkPoisson *vector)
 {
     yk_line_sign(page, line, "=");
-    yk_line_column(page, line, yk_derive_shown(d, vector));
+    yk_line_column(page, line, vector, yk_derive_shown_by(d));
 }
 
 static void put_couple(YkDerivation *d, YkPage *page, YkLine *line, const YkPoisson *moment)
 {
-    const YkPoisson *shown = yk_derive_shown(d, moment);
     yk_line_sign(page, line, "=");
-    yk_line_element(page, line, shown, YK_RING_TEXTBOOK);
-    if (line) line->value = shown;
+    yk_line_changed(page, line, moment, yk_derive_shown_by(d));
 }
 
 const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *contact)

@@ -122,6 +122,15 @@ typedef struct YkDeriveLump {
     struct YkDeriveLump *next;
 } YkDeriveLump;
 
+// Lagrange: a row for each scalar equation of the loops, then for each relation; its multiplier, and what that is as a
+// joint force or as what the relation transmits.
+typedef struct YkDeriveMultipliers {
+    bool is_made;
+    size_t count;
+    const YkPoisson **rows, **identities; // row: NULL of a relation
+    int32_t *symbols, *joint;             // joint: YK_NONE of a relation
+} YkDeriveMultipliers;
+
 struct YkDeriveLagrange;
 typedef struct YkDeriveForces {
     YkDerivation *d;
@@ -151,11 +160,7 @@ typedef struct YkDeriveForces {
     size_t length_count;
     YkDeriveRatio *ratios;
     size_t ratio_count;
-    // Lagrange: a row for each scalar equation of the loops, then for each relation; its multiplier, and what that is
-    // as a joint force or as what the relation transmits.
-    const YkPoisson **rows, **identities; // row: NULL of a relation
-    int32_t *multipliers, *row_joint;     // row_joint: YK_NONE of a relation
-    size_t row_count;
+    YkDeriveMultipliers *multipliers;                          // memo: yk_derive_multipliers
     const YkPoisson **kinetic, **newton, **euler, **potential; // memo: per body, [0]
                                                                // of kinetic: in total; [1]
     const YkPoisson **closing; // memo: second derivatives of what closes loops, as shown
@@ -199,6 +204,9 @@ const YkPoisson *yk_derive_kinetic_total(const YkDeriveForces *f);
 const YkPoisson *yk_derive_potential(const YkDeriveForces *f);
 const char *yk_derive_energy_name(const YkDeriveForces *f, size_t load); // of a load's, behind V_
 
+// Returns the multipliers, made at first use.
+const YkDeriveMultipliers *yk_derive_multipliers(const YkDeriveForces *f);
+
 // --- Lagrange: equation of a coordinate of the body form, left = right: inertia, potential, dampers and multipliers on
 // the left; efforts and forces on the right.
 typedef struct YkDeriveLagrange {
@@ -214,6 +222,7 @@ YkEquationCount yk_derive_count(const YkDeriveForces *f, bool all_given);
 // --- Returns whether to show joint angles. Beyond a few links their sums are not readable, and body form is shown.
 bool yk_derive_shows_joints(const YkDerivation *d);
 const YkPoisson *yk_derive_shown(YkDerivation *d, const YkPoisson *a);
+YkRingChanges *yk_derive_shown_by(YkDerivation *d); // the changes that do this; NULL if there are none
 // Returns the acceleration of a coordinate as it is shown: its own, or in body form that of its body.
 int32_t yk_derive_shown_acceleration(const YkDerivation *d, size_t coordinate);
 // Says which angles are used, if they are the bodies' own.
@@ -260,11 +269,11 @@ const char *yk_derive_load_point(const YkDeriveForces *f, const YkDeriveLoad *lo
 // --- parts of entering
 bool yk_derive_enter_masses(YkDeriveForces *f);
 bool yk_derive_enter_loads(YkDeriveForces *f);
+bool yk_derive_allocate_multipliers(YkDeriveForces *f);
 bool yk_derive_enter_contacts(YkDeriveForces *f);
 bool yk_derive_find_junctions(YkDeriveForces *f); // of contacts; false when out of memory
 bool yk_derive_enter_meshes(YkDeriveForces *f);   // the contacts of relations, after those of joints
-bool yk_derive_enter_multipliers(YkDeriveForces *f);
-bool yk_derive_sort_contacts(YkDeriveForces *f); // false when out of memory
+bool yk_derive_sort_contacts(YkDeriveForces *f);  // false when out of memory
 bool yk_derive_sort_pushes(YkDeriveForces *f);
 // Makes a new symbol of a joint's or relation's force: letter, bodies ("12"), part.
 const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part);
@@ -286,7 +295,5 @@ const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side)
 const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkStrength *strength, const char *name,
                                       const char *ending);
 void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values);
-// Joins three texts; "" with d->failed when out of memory.
-const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
 
 #endif

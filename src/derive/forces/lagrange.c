@@ -9,7 +9,8 @@ enum { COORDINATES_SHOWN_MAX = 24, LUMPED_MAX = 12 };
 static void put_multipliers(const YkDeriveForces *f, YkPage *page)
 {
     YkDerivation *d = f->d;
-    if (f->row_count == 0) return;
+    const YkDeriveMultipliers *m = yk_derive_multipliers(f);
+    if (m->count == 0) return;
     yk_page_heading(page, 2, "Multipliers");
     if (d->loop_count > 0)
         yk_page_words(
@@ -19,9 +20,9 @@ static void put_multipliers(const YkDeriveForces *f, YkPage *page)
         yk_page_words(
             page, "Every gear, rack, belt, cam and law has a multiplier%s: minus what it transmits, times its lever.",
             d->loop_count > 0 ? ", too" : ", M q'' + h + J^T lambda = Q");
-    for (size_t k = 0; k < f->row_count; k++) {
-        const YkPoisson *lambda = yk_ring_of(d->ring, f->multipliers[k]);
-        YkLine *line = yk_page_equation(page, yk_derive_row_name(f, k), lambda, yk_derive_shown(d, f->identities[k]),
+    for (size_t k = 0; k < m->count; k++) {
+        const YkPoisson *lambda = yk_ring_of(d->ring, m->symbols[k]);
+        YkLine *line = yk_page_equation(page, yk_derive_row_name(f, k), lambda, yk_derive_shown(d, m->identities[k]),
                                         YK_RING_TEXTBOOK);
         if (line) line->value = lambda;
     }
@@ -38,8 +39,9 @@ static const char *name_of(const YkDeriveForces *f, size_t coordinate)
 static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLagrange *equations)
 {
     YkDerivation *d = f->d;
+    const YkDeriveMultipliers *m = yk_derive_multipliers(f);
     size_t n = d->tree_count;
-    YkLine *mass = yk_page_formula(page, f->row_count ? "M q'' + h + J^T lambda = Q" : "M q'' + h = Q");
+    YkLine *mass = yk_page_formula(page, m->count ? "M q'' + h + J^T lambda = Q" : "M q'' + h = Q");
     yk_line_vector(page, mass, "M", NULL, NULL);
     yk_line_sign(page, mass, "=");
     YkShownMatrix *M = yk_line_matrix(page, mass, n, n);
@@ -54,13 +56,13 @@ static void put_matrices(const YkDeriveForces *f, YkPage *page, const YkDeriveLa
     M->code_remark = "M q'' + h, the coordinates q";
     for (size_t k = 0; k < n; k++)
         M->code_remark = yk_derive_text(d, M->code_remark, k ? ", " : " = ", d->coordinates[k].name);
-    int32_t *symbols = YK_NEW(d->arena, int32_t, n + f->row_count + 1); // accelerations, multipliers
+    int32_t *symbols = YK_NEW(d->arena, int32_t, n + m->count + 1); // accelerations, multipliers
     if (!symbols) return;
     for (size_t k = 0; k < n; k++) symbols[k] = M->column_symbols[k] = yk_derive_shown_acceleration(d, k);
-    for (size_t k = 0; k < f->row_count; k++) symbols[n + k] = f->multipliers[k];
+    for (size_t k = 0; k < m->count; k++) symbols[n + k] = m->symbols[k];
     for (size_t i = 0; i < n; i++) {
         M->row_labels[i] = h->row_labels[i] = name_of(f, i);
-        h->entries[i] = yk_ring_split(d->ring, equations[i].left, symbols, n + f->row_count, M->entries + i * n, n);
+        h->entries[i] = yk_ring_split(d->ring, equations[i].left, symbols, n + m->count, M->entries + i * n, n);
     }
 }
 

@@ -14,21 +14,22 @@ static const YkPoisson *inertia_of(const YkDeriveForces *f, const YkDeriveFreedo
 static const YkPoisson *slope_of(const YkDeriveForces *f, size_t row, int32_t position)
 {
     YkDerivation *d = f->d;
-    if (f->row_joint[row] == YK_NONE)
-        return yk_derive_tie_slope(d, &d->ties[row - (f->row_count - d->tie_count)], position);
-    if (!yk_ring_mentions(d->ring, f->rows[row], position)) return yk_ring_rational(d->ring, 0, 1);
-    return yk_ring_partial(d->ring, f->rows[row], position);
+    const YkDeriveMultipliers *m = yk_derive_multipliers(f);
+    if (m->joint[row] == YK_NONE) return yk_derive_tie_slope(d, &d->ties[row - (m->count - d->tie_count)], position);
+    if (!yk_ring_mentions(d->ring, m->rows[row], position)) return yk_ring_rational(d->ring, 0, 1);
+    return yk_ring_partial(d->ring, m->rows[row], position);
 }
 
 // Returns what relations and joints that close loops add: lambda dPhi/dq.
 static const YkPoisson *multiplied_rows(const YkDeriveForces *f, int32_t position)
 {
     YkRing *ring = f->d->ring;
+    const YkDeriveMultipliers *m = yk_derive_multipliers(f);
     const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
-    for (size_t k = 0; k < f->row_count; k++) {
+    for (size_t k = 0; k < m->count; k++) {
         const YkPoisson *slope = slope_of(f, k, position);
         if (slope && yk_ring_is_zero(slope)) continue;
-        sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, slope, yk_ring_of(ring, f->multipliers[k])));
+        sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, slope, yk_ring_of(ring, m->symbols[k])));
     }
     return sum;
 }

@@ -14,7 +14,7 @@ static const YkPoisson *by_open_loops(const YkDeriveForces *f, int32_t position)
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
     const YkPoisson *sum = yk_ring_rational(ring, 0, 1);
-    const YkPoisson *const *is = f->identities;
+    const YkPoisson *const *is = yk_derive_multipliers(f)->identities;
     for (size_t k = 0; k < d->loop_count; k++) {
         const YkDeriveLoop *loop = &d->loops[k];
         const YkDeriveBody *axes = &d->bodies[loop->axes];
@@ -32,12 +32,13 @@ bool yk_derive_do_methods_agree(const YkDeriveForces *f, size_t coordinate)
 {
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
-    YkRingChange *changes = YK_NEW(d->arena, YkRingChange, f->row_count + 1);
+    const YkDeriveMultipliers *m = yk_derive_multipliers(f);
+    YkRingChange *changes = YK_NEW(d->arena, YkRingChange, m->count + 1);
     if (!changes) return false;
-    for (size_t k = 0; k < f->row_count; k++) changes[k] = (YkRingChange){f->multipliers[k], f->identities[k], NULL};
+    for (size_t k = 0; k < m->count; k++) changes[k] = (YkRingChange){m->symbols[k], m->identities[k], NULL};
     YkDeriveLagrange sides = yk_derive_lagrange(f, coordinate);
     const YkPoisson *lagrange = yk_ring_subtract(ring, sides.left, sides.right);
-    if (f->row_count > 0) lagrange = yk_ring_substitute(ring, lagrange, changes, f->row_count);
+    if (m->count > 0) lagrange = yk_ring_substitute(ring, lagrange, changes, m->count);
     lagrange = yk_ring_subtract(ring, lagrange, by_open_loops(f, yk_derive_freedom(d, coordinate).position));
     return yk_derive_is_nothing(f, yk_ring_add(ring, lagrange, yk_derive_projected(f, coordinate)));
 }

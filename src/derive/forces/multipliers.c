@@ -5,22 +5,14 @@
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 
-static const char *multiplier_name(YkDerivation *d, size_t number)
+static void add_row(const YkDeriveForces *f, int32_t joint, const YkPoisson *row, const YkPoisson *is)
 {
-    YkText text = {0};
-    yk_text_format(&text, "lambda%z", number);
-    const char *name = yk_derive_text(d, yk_text_get(&text), "", "");
-    yk_text_free(&text);
-    return name;
-}
-
-static void add_row(YkDeriveForces *f, int32_t joint, const YkPoisson *row, const YkPoisson *is)
-{
-    size_t k = f->row_count++;
-    f->rows[k] = row;
-    f->identities[k] = is;
-    f->row_joint[k] = joint;
-    f->multipliers[k] = yk_derive_symbol(f->d, multiplier_name(f->d, k + 1), YK_RING_FORCE);
+    YkDeriveMultipliers *m = f->multipliers;
+    size_t k = m->count++;
+    m->rows[k] = row;
+    m->identities[k] = is;
+    m->joint[k] = joint;
+    m->symbols[k] = yk_derive_symbol(f->d, yk_derive_numbered(f->d, "lambda", k + 1), YK_RING_FORCE);
 }
 
 // What else acts across a joint that closes a loop. A spring along the joint's own distance also pulls: its energy is
@@ -59,7 +51,7 @@ static Across across(const YkDeriveForces *f, int32_t joint)
     return sum;
 }
 
-static void enter_loop(YkDeriveForces *f, const YkDeriveLoop *loop)
+static void enter_loop(const YkDeriveForces *f, const YkDeriveLoop *loop)
 {
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
@@ -78,25 +70,33 @@ static void enter_loop(YkDeriveForces *f, const YkDeriveLoop *loop)
     add_row(f, loop->joint, angle, yk_ring_negate(ring, all.moment));
 }
 
-bool yk_derive_enter_multipliers(YkDeriveForces *f)
+bool yk_derive_allocate_multipliers(YkDeriveForces *f)
+{
+    YkArena *arena = f->d->arena;
+    size_t most = 3 * f->d->mech->loop_count + f->d->mech->relation_count + 1;
+    YkDeriveMultipliers *m = f->multipliers = YK_NEW(arena, YkDeriveMultipliers, 1);
+    if (!m) return false;
+    m->rows = YK_NEW(arena, const YkPoisson *, most);
+    m->identities = YK_NEW(arena, const YkPoisson *, most);
+    m->symbols = YK_NEW(arena, int32_t, most);
+    m->joint = YK_NEW(arena, int32_t, most);
+    return !yk_arena_failed(arena);
+}
+
+const YkDeriveMultipliers *yk_derive_multipliers(const YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
+    if (f->multipliers->is_made) return f->multipliers;
+    f->multipliers->is_made = true;
     const YkDeriveLoop *loops = yk_derive_loops(d);
-    if (!loops) return false;
-    size_t most = 3 * d->loop_count + d->tie_count + 1;
-    f->rows = YK_NEW(d->arena, const YkPoisson *, most);
-    f->identities = YK_NEW(d->arena, const YkPoisson *, most);
-    f->multipliers = YK_NEW(d->arena, int32_t, most);
-    f->row_joint = YK_NEW(d->arena, int32_t, most);
-    if (yk_arena_failed(d->arena)) return false;
     for (size_t k = 0; k < d->loop_count; k++) enter_loop(f, &loops[k]);
     for (size_t k = 0; k < d->tie_count; k++) add_row(f, YK_NONE, NULL, yk_ring_negate(d->ring, f->meshes[k].effort));
-    return yk_derivation_is_well(d);
+    return f->multipliers;
 }
 
 const char *yk_derive_row_name(const YkDeriveForces *f, size_t row)
 {
     const YkDerivation *d = f->d;
-    int32_t joint = f->row_joint[row];
-    return joint != YK_NONE ? d->model->joints[joint].name : d->ties[row - (f->row_count - d->tie_count)].name;
+    int32_t joint = f->multipliers->joint[row];
+    return joint != YK_NONE ? d->model->joints[joint].name : d->ties[row - (f->multipliers->count - d->tie_count)].name;
 }

@@ -128,8 +128,8 @@ static void add_closing_row(const YkDeriveForces *f, const char *name, const YkP
 int yk_derive_closing_rows(const YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
-    const YkPoisson *const *zeros = f->rows;
     if (*f->closing_count >= 0) return *f->closing_count;
+    const YkPoisson *const *zeros = yk_derive_multipliers(f)->rows;
     *f->closing_count = 0;
     for (size_t k = 0; k < d->loop_count; k++) {
         const YkDeriveLoop *loop = &d->loops[k];

@@ -175,8 +175,8 @@ void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dyna
     for (size_t k = 0; k < f->reaction_count; k++)
         if (f->reaction_part[k] != 'r') fill_reaction(f, k, dynamics, values);
     for (size_t k = 0; k < f->d->tie_count; k++) fill_mesh(f, k, state, dynamics, values);
-    for (size_t k = 0; k < f->row_count; k++)
-        values[f->multipliers[k]] = yk_ring_value(f->d->ring, f->identities[k], values).x;
+    const YkDeriveMultipliers *m = f->multipliers; // those that a section has made
+    for (size_t k = 0; k < m->count; k++) values[m->symbols[k]] = yk_ring_value(f->d->ring, m->identities[k], values).x;
 }
 
 // --- Relations, for equations derived by hand
@@ -208,6 +208,7 @@ static void relate_step(const YkDeriveForces *f, int32_t body)
 static bool add_relations(const YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
+    const YkDeriveMultipliers *m = yk_derive_multipliers(f);
     for (size_t k = 0; k < f->length_count; k++) relate_length(d, &f->lengths[k]);
     for (size_t b = 1; b < d->model->body_count; b++) {
         relate(d, yk_derive_newton(f, (int32_t)b));
@@ -215,11 +216,11 @@ static bool add_relations(const YkDeriveForces *f)
         relate_step(f, (int32_t)b);
     }
     for (size_t k = 0; k < f->junction_count; k++) relate(d, f->junctions[k].force);
-    for (size_t k = 0; k < f->row_count; k++)
-        relate(d, yk_ring_subtract(d->ring, yk_ring_of(d->ring, f->multipliers[k]), f->identities[k]));
+    for (size_t k = 0; k < m->count; k++)
+        relate(d, yk_ring_subtract(d->ring, yk_ring_of(d->ring, m->symbols[k]), m->identities[k]));
     for (size_t k = 0; k < f->reaction_count; k++) yk_derive_add_unknown(d, f->reactions[k]);
     for (size_t k = 0; k < f->effort_count; k++) yk_derive_add_unknown(d, f->efforts[k]);
-    for (size_t k = 0; k < f->row_count; k++) yk_derive_add_unknown(d, f->multipliers[k]);
+    for (size_t k = 0; k < m->count; k++) yk_derive_add_unknown(d, m->symbols[k]);
     return yk_derivation_is_well(d);
 }
 
@@ -229,7 +230,7 @@ static YkDeriveForces *make(YkDerivation *d)
     if (!f) return NULL;
     *f = (YkDeriveForces){.d = d};
     bool well = yk_derive_enter_masses(f) && yk_derive_enter_loads(f) && yk_derive_enter_contacts(f) &&
-                yk_derive_enter_multipliers(f);
+                yk_derive_allocate_multipliers(f);
     return well && yk_derive_add_source(d, yk_derive_fill_forces, f) ? f : NULL;
 }
 

@@ -157,6 +157,8 @@ static inline int64_t yk_surd_square(unsigned surd) // 2, 3 or 6
 {
     return (surd & YK_UNIT_SQRT2 ? 2 : 1) * (surd & YK_UNIT_SQRT3 ? 3 : 1);
 }
+// Writes a symbol's name.
+void yk_write_name(YkRing *ring, int32_t symbol, YkRingFormat format, YkText *text);
 void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text); // TEXT, BOOK, LATEX, C
 void yk_write_mathml(const YkSheet *sheet, const YkShow *sum, YkText *text);
 // The angle of a function: its terms in order, each with sign and multiple, including pi.

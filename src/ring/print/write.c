@@ -1,5 +1,6 @@
 // Writes the tree as a line of text: TEXT, BOOK, LATEX and C.
 #include "ring/print/write.h"
+#include "ring/print/pattern.h"
 #include "ring/print/shown.h"
 
 typedef struct Pen {
@@ -31,14 +32,25 @@ static void put_whole(const Pen *pen, int64_t value)
     if (pen->format == YK_RING_C) yk_text_puts(pen->text, ".0");
 }
 
+void yk_write_name(YkRing *ring, int32_t symbol, YkRingFormat format, YkText *text)
+{
+    const YkRingSymbol *named = &ring->symbols[symbol];
+    if (format == YK_RING_TEXT || format == YK_RING_BOOK)
+        yk_text_add_padded(text, named->name, named->name_length); // an arena's memory comes in multiples of 16 bytes
+    else
+        yk_text_puts(text, yk_ring_name_in(ring, symbol, format));
+}
+
 static void put_name(const Pen *pen, int32_t symbol)
 {
-    const YkRingSymbol *named = &pen->sheet->ring->symbols[symbol];
-    if (pen->is_plain)
-        // An arena's memory comes in multiples of 16 bytes.
-        yk_text_add_padded(pen->text, named->name, named->name_length);
+    size_t start = pen->text->length;
+    YkMarks *marks = &pen->sheet->ring->marks;
+    yk_write_name(pen->sheet->ring, symbol, pen->format, pen->text);
+    if (!marks->is_wanted) return;
+    if (YK_ROOM(marks->items, marks->count, marks->capacity))
+        marks->items[marks->count++] = (YkMark){start, pen->text->length - start, symbol};
     else
-        yk_text_puts(pen->text, yk_ring_name_in(pen->sheet->ring, symbol, pen->format));
+        marks->failed = true;
 }
 
 static void put_ratio(const Pen *pen, YkRatio ratio)
@@ -262,18 +274,14 @@ void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text)
     put_sum(&pen, sum);
 }
 
-bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
+static bool write_element(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
 {
-    if (!a) return false;
-    if (a->count == 0 && format != YK_RING_MATHML) { // as most entries of a matrix
-        yk_text_puts(text, format == YK_RING_C ? "0.0" : "0");
-        if (text->failed) yk_ring_fail(ring, YK_RING_MEMORY);
-        return !text->failed;
-    }
     if (!yk_ring_spend(ring, (1 + a->count) * YK_WORK_PRINT)) return false;
     YkSheet sheet = {ring, ring->sheet, format, style, false};
     size_t count = 0;
     yk_arena_clear(ring->sheet);
+    ring->marks.count = 0;
+    ring->marks.failed = false;
     YkShownTerm *terms = yk_shown_terms(&sheet, a, &count);
     const YkShow *sum = terms ? yk_show_element(&sheet, terms, count) : NULL;
     if (sum && !yk_arena_failed(sheet.arena) && format == YK_RING_MATHML)
@@ -283,6 +291,40 @@ bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRing
     bool well = sum && !yk_arena_failed(sheet.arena) && !text->failed;
     if (!well && (text->failed || yk_ring_status(ring) == YK_RING_OK)) yk_ring_fail(ring, YK_RING_MEMORY);
     return well;
+}
+
+const YkPoisson *yk_ring_view(YkRing *ring, const YkRingView *view)
+{
+    const YkPoisson *a = view->changes ? yk_ring_change(ring, view->of, view->changes) : view->of;
+    if (!a || view->side == YK_RING_WHOLE) return a;
+    return view->side == YK_RING_X ? yk_ring_real(ring, a) : yk_ring_imaginary(ring, a);
+}
+
+bool yk_ring_write_view(YkRing *ring, const YkRingView *view, YkRingFormat format, YkRingStyle style, YkText *text)
+{
+    size_t start = text->length;
+    bool is_linear = format != YK_RING_MATHML;
+    if (!view->of) return false;
+    if (view->of->count == 0 && is_linear) { // as most entries of a matrix
+        yk_text_puts(text, format == YK_RING_C ? "0.0" : "0");
+        if (text->failed) yk_ring_fail(ring, YK_RING_MEMORY);
+        return !text->failed;
+    }
+    if (is_linear && yk_pattern_write(ring, view, format, style, text)) {
+        if (text->failed) yk_ring_fail(ring, YK_RING_MEMORY);
+        return yk_ring_spend(ring, YK_WORK_PRINT) && !text->failed;
+    }
+    const YkPoisson *a = yk_ring_view(ring, view);
+    if (!a || !write_element(ring, a, format, style, text)) return false;
+    if (is_linear && ring->marks.is_wanted && yk_ring_is_real(ring, a)) // i has another name where a symbol is called i
+        yk_pattern_keep(ring, view, format, style, text, start);
+    return true;
+}
+
+bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text)
+{
+    const YkRingView view = yk_ring_as_is(a);
+    return yk_ring_write_view(ring, &view, format, style, text);
 }
 
 static bool is_whole(const YkShownTerm *term)

@@ -22,10 +22,26 @@ typedef enum YkRingStyle {
     YK_RING_STYLES
 } YkRingStyle;
 
+// An element that is worked out where it is needed: what `of` becomes by the changes, or x or y of that.
+typedef enum YkRingSide { YK_RING_WHOLE, YK_RING_X, YK_RING_Y } YkRingSide;
+typedef struct YkRingView {
+    const YkPoisson *of;
+    YkRingChanges *changes; // NULL: none
+    YkRingSide side;
+} YkRingView;
+static inline YkRingView yk_ring_as_is(const YkPoisson *a)
+{
+    return (YkRingView){a, NULL, YK_RING_WHOLE};
+}
+const YkPoisson *yk_ring_view(YkRing *ring, const YkRingView *view);
+
 // Adds the element to text and returns whether it did. If not (no memory, YK_RING_NOT_REAL for C), the ring's status
 // tells. Every term is written with its exact coefficient: what is written reads back as the identical element. The
 // order depends only on the order of the symbols.
 bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
+// Does the same without making the element, if one that is alike - that differs in its symbols' names alone - was
+// written before.
+bool yk_ring_write_view(YkRing *ring, const YkRingView *view, YkRingFormat format, YkRingStyle style, YkText *text);
 // Returns half of an element if, written term by term, the half has no fraction and no denominator except those of pi;
 // otherwise NULL.
 const YkPoisson *yk_ring_half_if_whole(YkRing *ring, const YkPoisson *a);
