@@ -1,5 +1,6 @@
 // A run's steps that the verbs share.
 #include "certify.h"
+#include "held_places.h"
 #include "idle_starts.h"
 #include "ranks.h"
 #include "roll.h"
@@ -166,7 +167,10 @@ static bool load(YkSession *session, bool compiles, const char *const *swept)
         yk_problems_free(problems);
     }
     bool good = session->model && (session->mech || !compiles);
-    if (good && compiles) yk_warn_of_idle_starts(session);
+    if (good && compiles) {
+        yk_warn_of_idle_starts(session);
+        yk_warn_of_held_places(session);
+    }
     if (!good && !is_told) return run_out(session);
     return good;
 }

@@ -3,6 +3,7 @@
 #define YOKE_BALANCING_H
 
 #include <yoke/dynamics.h>
+#include <yoke/laws.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -14,6 +15,7 @@ typedef struct YkBalancingOptions {
     // Of shaking force, shaking moment and input effort, each over its root mean square before: what a compromise keeps
     // small. All 0, the default: the force alone, in full where counterweights can.
     double weight[3];
+    YkLawWatch *laws; // of the state's model; looks at the cycle's poses, each at its input's position. NULL: none does
 } YkBalancingOptions;
 YK_API YkBalancingOptions yk_default_balancing_options(void);
 

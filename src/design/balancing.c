@@ -40,7 +40,9 @@ static YkStatus balance(YkBalancing *balancing, const YkState *state, const YkBa
     if (status < 0) return status;
     double *torques = calloc(cycle.count, sizeof *torques);
     YkVec *forces = calloc(cycle.count, sizeof *forces);
+    cycle.laws = options->laws;
     status = torques && forces ? yk_cycle_peaks(&cycle, state, &balancing->before, torques, forces) : YK_NO_MEMORY;
+    cycle.laws = NULL; // the model with its counterweights has the same laws
     if (status >= 0) {
         balancing->turns = cycle.repeats ? cycle.turns : 0;
         yk_cycle_orders(&cycle, forces, balancing->order[0]);

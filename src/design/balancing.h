@@ -11,8 +11,9 @@ enum { YK_WEIGHTS_MAX = 16 };
 typedef struct YkCycle {
     double from, step, rate;
     size_t count;
-    size_t turns; // 0: not round
-    bool repeats; // after these turns; otherwise nothing does within YK_TURNS_MAX, and one turn is taken
+    size_t turns;     // 0: not round
+    bool repeats;     // after these turns; otherwise nothing does within YK_TURNS_MAX, and one turn is taken
+    YkLawWatch *laws; // that looks at each pose whose peaks are measured, or NULL
 } YkCycle;
 enum { YK_TURNS_MAX = 12 };
 

@@ -217,6 +217,8 @@ static YkStatus run_cycle(Measure *m, Measure *beside, double *peak, double *tor
     for (size_t k = 0; k < count + (m->cycle->repeats ? 2 : 0); k++) {
         YkStatus status = measure(m, (double)k);
         if (status < 0) return status;
+        if (m->cycle->laws && k < count)
+            yk_law_watch_look(m->cycle->laws, m->state, m->dynamics, yk_state_input(m->state, 0).position);
         memmove(size, size + 1, 2 * sizeof *size);
         memcpy(size[2], m->size, sizeof *size);
         for (size_t i = 0; i < PEAKS; i++) peak[i] = fmax(peak[i], m->size[i]);

@@ -82,8 +82,10 @@ static bool hold_joints(const Engaging *e, int32_t a, int32_t b)
     YkModel *model = e->loader->model;
     bool any = false, turns_unnamed = false;
     for (size_t k = 0; k < model->joint_count; k++) {
-        YkJoint *joint = &model->joints[k];
-        bool is_between = (joint->body[0] == a && joint->body[1] == b) || (joint->body[0] == b && joint->body[1] == a);
+        const YkJoint *joint = &model->joints[k], *first = joint, *second = joint; // two halves of a free joint
+        if (joint->is_free) *(joint->kind == YK_SLIDE ? &second : &first) = &model->joints[joint->partner];
+        int32_t from = first->body[0], to = second->body[1];
+        bool is_between = (from == a && to == b) || (from == b && to == a);
         if (!is_between) continue;
         any = true;
         if (joint->angle != YK_NONE) hold_coordinate(e, joint->angle);

@@ -61,18 +61,24 @@ bool yk_rest_differentiate(YkRest *rest, const double *q, double *matrix)
     return differences_within(rest, q, &unit, matrix);
 }
 
-// Returns the largest difference of two matrices of derivatives, over the largest entry; both in units of the inputs.
-static double gap_of(const YkRest *rest, const double *A, const double *B)
+// Returns the largest entry of A - B, of A alone where B is NULL, in units of the inputs.
+static double distance(const YkRest *rest, const double *A, const double *B)
 {
     size_t f = rest->freedom;
-    double gap = 0, size = 0;
+    double largest = 0;
     for (size_t i = 0; i < f; i++)
         for (size_t j = 0; j < f; j++) {
             double unit = rest->scale[j] / rest->scale[i];
-            gap = fmax(gap, unit * fabs(A[i * f + j] - B[i * f + j]));
-            size = fmax(size, unit * fabs(B[i * f + j]));
+            largest = fmax(largest, unit * fabs(A[i * f + j] - (B ? B[i * f + j] : 0)));
         }
-    return size > 0 ? gap / size : 0;
+    return largest;
+}
+
+// Returns the largest difference of two matrices of derivatives, over the largest entry; both in units of the inputs.
+static double gap_of(const YkRest *rest, const double *A, const double *B)
+{
+    double size = distance(rest, B, NULL);
+    return size > 0 ? distance(rest, A, B) / size : 0;
 }
 
 // Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts them
@@ -88,6 +94,30 @@ static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
         if (gap <= 1e-9 || gap >= last) return true; // the finer one has more rounding
         memcpy(matrix, finer, f * f * sizeof *matrix);
         last = gap;
+    }
+    return true;
+}
+
+// Differentiates by rates at rest->q, where accelerations are quadratic in them unless a load has a corner at rest, as a drag
+// by rate*abs(rate) has, or changes within small rates. Then takes ever shorter steps, removes what is in proportion to
+// the step, and keeps the matrix that agrees best with the one before. `size` is that of rates of change here.
+static bool differentiate_by_rates(YkRest *rest, double size, double *matrix)
+{
+    enum { SHORTENED = 10 };
+    size_t entries = rest->freedom * rest->freedom;
+    double *coarse = YK_NEW(rest->arena, double, entries), *fine = YK_NEW(rest->arena, double, entries);
+    double *limit = YK_NEW(rest->arena, double, entries), *last = YK_NEW(rest->arena, double, entries);
+    double unit = 1e-3, best = HUGE_VAL;
+    if (!coarse || !fine || !limit || !last || !differences(rest, rest->q, true, unit, matrix)) return false;
+    memcpy(coarse, matrix, entries * sizeof *coarse);
+    for (int k = 0; k < SHORTENED && best > 1e-9; k++) {
+        if (!differences(rest, rest->q, true, unit /= 4, fine)) return false;
+        if (k == 0 && distance(rest, coarse, fine) <= 1e-9 * fmax(size, distance(rest, fine, NULL))) return true;
+        for (size_t i = 0; i < entries; i++) limit[i] = fine[i] + (fine[i] - coarse[i]) / 3;
+        double gap = k > 0 ? distance(rest, limit, last) / fmax(size, distance(rest, limit, NULL)) : HUGE_VAL;
+        if (k == 0 || gap < best) memcpy(matrix, limit, entries * sizeof *matrix), best = gap;
+        memcpy(last, limit, entries * sizeof *last);
+        memcpy(coarse, fine, entries * sizeof *coarse);
     }
     return true;
 }
@@ -228,8 +258,8 @@ bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
     size_t f = rest->freedom;
     double *by_position = YK_NEW(rest->arena, double, f *f), *by_rate = YK_NEW(rest->arena, double, f *f);
     if (!by_position || !by_rate || !find_mass(rest, p->mass)) return false;
-    if (!differentiate_finely(rest, by_position, by_rate) || !differences(rest, rest->q, true, 1e-3, by_rate))
-        return false;
+    if (!differentiate_finely(rest, by_position, by_rate)) return false;
+    if (!differentiate_by_rates(rest, sqrt(distance(rest, by_position, NULL)), by_rate)) return false;
     times_mass(f, p->mass, by_position, p->stiffness);
     times_mass(f, p->mass, by_rate, p->damping);
     if (!find_modes(rest, p) || !find_roots(rest, p, by_position, by_rate)) return false;

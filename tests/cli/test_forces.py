@@ -175,6 +175,22 @@ start: {p: 0, q: 0}
         self.assertIn("at 130 mm it keeps its end value, -100 N [W0860]", pose.err)
         self.assertNotIn("W0860", self.good("solve", file, "--at", "theta=180deg", "--quiet").err)
 
+    def test_balancing_tells_a_law_that_the_cycle_leaves(self):
+        file = self.write("press.yaml", PRESS)
+        stroke = lambda angle: 50 * math.cos(angle) + math.sqrt(180 ** 2 - (50 * math.sin(angle)) ** 2)
+        turn = [60 + k for k in range(360)]
+        outside = [angle for angle in turn if not 150 <= stroke(math.radians(angle)) <= 200]
+        told = self.good("balance", file, "--format", "json")
+        [left] = told.json()["laws_left"]
+        self.assertEqual([left[key] for key in ("law", "user", "of", "poses")], ["cutting", "effort", "s", len(outside)])
+        self.assertAlmostEqual(left["at"], math.radians(outside[0]), places=12)
+        self.assertIn("press.yaml:16:11: warning: the effort of `s` leaves the range of law `cutting`, 150 mm to 200 mm", told.err)
+        self.assertIn("first at theta = %d deg, in %d poses [W0860]" % (outside[0], len(outside)), told.err)
+        whole = self.write("whole.yaml", PRESS.replace("[150 mm, -100 N], [180", "[120 mm, -100 N], [180").replace("[200 mm, -500 N]", "[230.1 mm, -500 N]"))
+        inside = self.good("balance", whole, "--format", "json")
+        self.assertNotIn("laws_left", inside.json())
+        self.assertNotIn("W0860", inside.err)
+
     def test_a_study_tells_a_law_that_the_own_design_leaves(self):
         file = self.write("press.yaml", PRESS)
         words = ("study", file, "--vary", "r=48mm:50mm:3", "--of", "theta.effort")
@@ -610,6 +626,29 @@ class Rest(Machine):
         self.assertAlmostEqual(below["M"][0][0], 2, places=10)
         self.assertAlmostEqual(below["K"][0][0], 2 * GRAVITY, places=6)
         self.assertEqual(len(below["roots"]), 2)
+
+    def test_an_equilibrium_outside_the_range_of_a_law_is_told(self):
+        file = self.write("hung.yaml", """parameters: {m: 1}
+gravity: [0, -9.81]
+laws: {coil: {between: linear, table: [[20 mm, -8 N], [60 mm, 0 N], [100 mm, 12 N]]}}
+bodies: {ground: {points: {O: [0, 0]}}, load: {points: {P: [0, 0]}, mass: m}}
+joints: {S: {slide: [ground, load], along: -90 deg, distance: y}}
+springs:
+  coil: {along: y, force: {law: coil, of: length}}
+  soft: {along: y, stiffness: 20 N/m, length: 50 mm}
+""")
+        inside = self.good("rest", file, "--format", "json")
+        self.assertAlmostEqual(inside.json()["equilibria"][0]["coordinates"]["y"], (9.81 + 20 * 0.05 + 300 * 0.06) / 320, places=12)
+        self.assertNotIn("laws_left", inside.json())
+        self.assertNotIn("W0860", inside.err)
+        outside = self.good("rest", file, "--param", "m=3kg", "--format", "json")
+        place = 0.05 + (3 * 9.81 - 12) / 20
+        self.assertAlmostEqual(outside.json()["equilibria"][0]["coordinates"]["y"], place, places=12)
+        [left] = outside.json()["laws_left"]
+        self.assertEqual([left[key] for key in ("law", "user", "of", "value", "at", "poses")], ["coil", "spring", "coil", 12, 1, 1])
+        self.assertAlmostEqual(left["argument"], place, places=12)
+        self.assertIn("hung.yaml:7:3: warning: the spring `coil` leaves the range of law `coil`, 0.02 m to 0.1 m: at %.4f m it keeps "
+                      "its end value, 12 N; first at equilibrium = 1 [W0860]" % place, outside.err)
 
     def test_text_tells_frequencies_and_with_modes_the_matrices(self):
         text = self.good("rest", example("double-pendulum")).out

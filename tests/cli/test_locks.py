@@ -55,6 +55,37 @@ class Locks(Case):
             self.assertAlmostEqual(rows[2][1], 6 / inertia * 2, delta=1e-8)
             self.assertAlmostEqual(rows[2][2], 6 / inertia * 2 / (3 if lock == "held" else 1), delta=1e-8)
 
+    def test_a_lock_that_puts_a_body_elsewhere_is_told(self):
+        hoist = """units: {length: mm, angle: deg}
+bodies:
+  ground: {points: {A: [0, 0], B: [200, 0], G: [200, 40]}}
+  motor: {points: {A: [0, 0]}, mass: 1, inertia: 0.001 kg*m^2}
+  drum: {points: {B: [0, 0]}, mass: 3, inertia: 0.01 kg*m^2}
+  rack: {mass: 2}
+joints: {A: {pin: [ground, motor], angle: a}, B: {pin: [ground, drum], angle: b}, S: {slide: [ground, rack], along: x, from: G, distance: d}}
+belts: {v: {between: [motor, drum], radii: [30, 75], crossed: true}}
+racks: {z: {pinion: drum, rack: rack, radius: 40}}
+locks: {brake: [drum], motor: [motor]}
+start: {a: %s}
+"""
+        away = Run("solve", self.write("hoist.yaml", hoist % "50, b: -20"), "--format", "json")  # its own place: -50*30/75
+        free = self.write("free.yaml", hoist % "50")
+        told = Run("solve", free, "--lock", "brake", "--format", "json")
+        self.assertEqual(told.code, 0)
+        self.assertIn("free.yaml:10:9: warning: lock `brake` holds `b` at 0, since `start:` gives it no value; without the lock the "
+                      "machine starts at -20 deg [W0618]", told.err)
+        self.assertIn("hint: give `b` its value under `start:`", told.err)
+        self.assertNotIn("W0618", away.err + Run("solve", free).err + Run("solve", free, "--lock", "motor").err)
+        placed = Run("solve", self.write("placed.yaml", hoist % "50, b: -20"), "--lock", "brake", "--format", "json")
+        self.assertNotIn("W0618", placed.err)
+        for name in ("a", "b", "d"):  # the lock moves nothing
+            self.assertAlmostEqual(placed.json()["configurations"][0]["coordinates"][name]["position"],
+                                   away.json()["configurations"][0]["coordinates"][name]["position"], places=12)
+        zero = self.write("zero.yaml", hoist % "0")
+        self.assertNotIn("W0618", Run("solve", zero, "--lock", "brake").err)
+        self.assertIn("W0618", Run("sweep", free, "--lock", "brake", "--over", "t=0s:1s").err)
+        self.assertNotIn("W0618", Run("solve", free, "--lock", "brake", "--quiet").err)
+
     def test_what_holds_is_an_effort(self):
         path = self.write("planetary.yaml", PLANETARY)
         steady = self.answer("solve", path, "--lock", "held", "--effort", "s=3", "--effort", "c=-9")  # as the teeth: 1, 2, -3

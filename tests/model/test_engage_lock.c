@@ -55,6 +55,34 @@ static void named_freedoms_are_driven_and_unnamed_turns_tied(void **state)
     check_counts("[]", 0, 0);
 }
 
+// A body that floats has three coordinates in one joint, to the ground or to another body, in either order.
+static void floating_bodies_are_held_with_all_three_coordinates(void **state)
+{
+    (void)state;
+    static const char *const locks[] = {"[puck]", "{join: [[plate, table]]}", "{join: [[table, plate]]}",
+                                        "{hold: [a, b, c]}"};
+    static const char *const names[][3] = {{"x", "y", "u"}, {"a", "b", "c"}, {"a", "b", "c"}, {"a", "b", "c"}};
+    for (size_t k = 0; k < sizeof locks / sizeof *locks; k++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "bodies: {table: {}, puck: {}, plate: {}}\njoints: {T: {pin: [ground, table], angle: s},\n"
+                 "  F: {free: [ground, puck], at: [x, y, u]}, G: {free: [table, plate], at: [a, b, c]}}\n"
+                 "start: {x: 0.1, y: 0.2, u: 0.3, a: 0.1, b: 0.2, c: 0.3}\nlocks: {l: %s}\n",
+                 locks[k]);
+        YkModel *model = fixture_load_with(text, &(YkLoadOptions){.lock = "l"});
+        assert_int_equal(model->drive_count, 3);
+        assert_int_equal(model->belt_count, 0);
+        for (size_t i = 0; i < 3; i++) {
+            int32_t drive = fixture_coordinate(model, names[k][i])->drive;
+            YkJet jet;
+            assert_true(drive != YK_NONE && model->drives[drive].is_hold);
+            assert_int_equal(yk_model_drive(model, (size_t)drive, 5, &jet, NULL), YK_OK);
+            CHECK_NEAR(jet.d[0], 0.1 * (double)(i + 1), 1e-16);
+        }
+        yk_model_free(model);
+    }
+}
+
 // Of bodies with many joints between them the turn is tied once; a file may name a body thousands of times.
 static void a_body_named_often_makes_a_tie_each_time_and_no_more(void **state)
 {
@@ -102,6 +130,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(named_freedoms_are_driven_and_unnamed_turns_tied),
+        cmocka_unit_test(floating_bodies_are_held_with_all_three_coordinates),
         cmocka_unit_test(a_body_named_often_makes_a_tie_each_time_and_no_more),
         cmocka_unit_test(what_cannot_be_held_is_said),
     };

@@ -82,6 +82,28 @@ static void negative_friction_is_refused(void **state)
     refused("slide: [ground, a], friction: {viscous: -2}", YK_CODE_BAD_DAMPING, 47, "-2");
 }
 
+static void what_is_refused_is_told_in_the_units_of_the_file(void **state)
+{
+    (void)state;
+    static const char units[] = "units: {length: mm, angle: deg, force: N}\n" MACHINE;
+    static const struct {
+        const char *joint, *told;
+        int code;
+    } bad[] = {{"O: {pin: [ground, a], friction: {coulomb: mu, radius: -3}}", "-3 mm;", YK_CODE_BAD_FRICTION},
+               {"O: {pin: [ground, a], friction: {viscous: -2}}", "-2 N*mm*s/deg;", YK_CODE_BAD_DAMPING},
+               {"O: {slide: [ground, a], friction: {viscous: -2}}", "-2 N*s/mm;", YK_CODE_BAD_DAMPING}};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        char text[600];
+        snprintf(text, sizeof text, "%s  %s\n  B: {pin: [a, b]}\n  C: {pin: [b, c]}\n  D: {pin: [c, d]}\n", units,
+                 bad[k].joint);
+        YkProblems *problems = fixture_refuse(text);
+        const YkProblem *problem = fixture_problem(problems, bad[k].code);
+        assert_non_null(problem);
+        assert_non_null(strstr(problem->message, bad[k].told));
+        yk_problems_free(problems);
+    }
+}
+
 static void its_values_are_constants_of_their_dimension(void **state)
 {
     (void)state;
@@ -102,6 +124,7 @@ int main(void)
         cmocka_unit_test(only_a_pin_has_a_radius),
         cmocka_unit_test(a_weld_does_not_rub),
         cmocka_unit_test(negative_friction_is_refused),
+        cmocka_unit_test(what_is_refused_is_told_in_the_units_of_the_file),
         cmocka_unit_test(its_values_are_constants_of_their_dimension),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

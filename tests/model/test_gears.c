@@ -110,6 +110,8 @@ static void gears_that_cannot_exist_are_refused(void **state)
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, N2], modul: 2}}", YK_CODE_UNKNOWN_KEY, "module");
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, 36, 3]}}", YK_CODE_COMPONENTS, "3");
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, N2], module: 0 mm}}", YK_CODE_BAD_MODULE, "positive");
+    refused("units: {length: mm}\ngears: {g: {mesh: [sun, planet], teeth: [N1, N2], module: -2}}", YK_CODE_BAD_MODULE,
+            "-2 mm;");
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, N2], pressure_angle: 60 deg}}", YK_CODE_BAD_MODULE, "60");
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, N2], planets: 2.5}}", YK_CODE_BAD_TEETH, "2.5");
     refused("gears: {g: {mesh: [sun, planet], teeth: [N1, N2], internal: yes}}", YK_CODE_WRONG_WORD, "true");
@@ -187,6 +189,7 @@ static void radii_of_belts_are_kept_exactly(void **state)
     assert_int_equal(belt->exact_radius[1].denominator, 80);
     yk_model_free(model);
     refused("belts: {b: {between: [sun, planet], radii: [0.3, -1]}}", YK_CODE_BAD_RADIUS, "-1");
+    refused("units: {length: mm}\nbelts: {b: {between: [sun, planet], radii: [3, -5]}}", YK_CODE_BAD_RADIUS, "-5 mm;");
 }
 
 static void exact_values_know_units_and_pi(void **state)
@@ -232,6 +235,7 @@ static void a_racks_sense_depends_on_the_side_of_its_pinion(void **state)
     refused("racks: {r: {pinion: planet, rack: bar, radius: 1}}", YK_CODE_NO_CARRIER, "slide");
     refused("racks: {r: {pinion: sun, rack: sun, radius: 1}}", YK_CODE_SELF_MESH, "sun");
     refused("racks: {r: {pinion: sun, rack: bar, radius: 0}}", YK_CODE_BAD_RADIUS, "0");
+    refused("units: {length: mm}\nracks: {r: {pinion: sun, rack: bar, radius: -5}}", YK_CODE_BAD_RADIUS, "-5 mm;");
 }
 
 // Returns how many problems of this code the text has.

@@ -26,7 +26,7 @@ static void planets_share_a_load(void **state)
     (void)state;
     YkProblems *problems = yk_problems_new();
     YkModel *model =
-        model_of(SET(", inertia: 1e-5", ", friction: {viscous: 2}", "", "", "", "efforts: {p: 1}\n"), problems);
+        model_of(SET(", inertia: 1e-5", ", friction: {viscous: 2}", "", "", "", "efforts: {s: 1}\n"), problems);
     assert_int_equal(yk_problems_count(problems), 0);
     const YkBody *planet = &model->bodies[yk_model_find_body(model, "planet")],
                  *others = &model->bodies[yk_model_find_body(model, "planet_others")];
@@ -96,9 +96,14 @@ static void what_keeps_planets_from_sharing_is_told(void **state)
     } cases[] = {
         {SET(", center: [1e-3, 0]", "", "", "", "", ""), "centre of mass of `planet`"},
         {SET("", ", friction: {coulomb: 0.1, radius: 2 mm}", "", "", "", ""), "dry friction"},
-        {SET("", "", "", "", "", "forces: {f: {body: planet, at: E, value: [1, 0]}}\n"), "force or a spring"},
+        {SET("", "", "", "", "", "forces: {f: {body: planet, at: E, value: [1, 0]}}\n"),
+         "more than gears acts on `planet`"},
         {SET("", "", "", "", "", "springs: {k: {between: [ground.F, planet.E], stiffness: 3, length: 1}}\n"),
-         "force or a spring"},
+         "more than gears acts on `planet`"},
+        {SET("", "", "", "", "", "springs: {k: {along: p, stiffness: 3, angle: 1}}\n"),
+         "more than gears acts on `planet`"},
+        {SET("", "", "", "", "", "efforts: {p: 2 N*m}\n"), "more than gears acts on `planet`"},
+        {SET("", "", "", "", "", "drives: {p: 3 rad/s * t}\n"), "more than gears acts on `planet`"},
         {SET("", "", "  bar: {points: {E: [0, 0]}}\n", "  E: {pin: [planet, bar], angle: e}\n", "", ""),
          "no wheel is held by one pin alone"},
         {SET("", "", "  wheel: {}\n", "  W: {pin: [arm, wheel], at: Q}\n",

@@ -46,6 +46,40 @@ static void a_double_pendulum_rests_in_four_places(void **unused)
     yk_model_free(model);
 }
 
+// A pendulum of J = 0.26 kg m^2 and m g l = 4.905 N m, with a drag about its pin.
+#define DRAGGED(torque)                                                                                                \
+    "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"                                                  \
+    "  bob: {points: {O: [0, 0]}, mass: 1, center: [0, -0.5], inertia: 0.01}\njoints: {O: {pin: [ground, bob], "       \
+    "angle: th}}\nsprings: {d: {along: th, torque: '" torque "'}}\nstart: {th: 5 deg}\n"
+
+static void drags_damp_by_their_slope_at_rest(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *text;
+        double slope, within;
+    } drags[] = {{DRAGGED("0.3 N*m*s^2/rad^2 * rate*abs(rate)"), 0, 1e-12},                        // a corner
+                 {DRAGGED("0.3 N*m * tanh(rate/(1e-4 rad/s))"), 3000, 1e-6},                       // within 1e-4 rad/s
+                 {DRAGGED("0.2 N*m*s/rad * rate + 5 N*m*s^2/rad^2 * rate*abs(rate)"), 0.2, 1e-10}, // both
+                 {DRAGGED("0.2 N*m*s/rad * rate - 4 N*m*s^3/rad^3 * rate^3"), 0.2, 1e-10}};
+    for (size_t k = 0; k < sizeof drags / sizeof *drags; k++) {
+        YkModel *model;
+        YkRest *rest = rest_of(drags[k].text, &model);
+        assert_int_equal(yk_rest_count(rest), 2);
+        double c = yk_rest_damping(rest, 0)[0], half = drags[k].slope / (2 * 0.26), square = half * half - 4.905 / 0.26;
+        CHECK_NEAR(c, drags[k].slope, drags[k].within);
+        double slowest = square > 0 ? -half + sqrt(square) : -half, found = -HUGE_VAL;
+        for (size_t r = 0; r < 2; r++) {
+            double real, imaginary;
+            yk_rest_root(rest, 0, r, &real, &imaginary);
+            found = fmax(found, real);
+        }
+        CHECK_NEAR(found, slowest, 1e-9);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
 // A block that x^2 + 1 pushes from 1e5 m away: nowhere at rest, though the least force is 1e-10 of the largest; that
 // x^2 - 1 pushes: at -1, stable, and at 1.
 #define PUSHED(constant)                                                                                               \
@@ -273,6 +307,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_double_pendulum_rests_in_four_places),
+        cmocka_unit_test(drags_damp_by_their_slope_at_rest),
         cmocka_unit_test(the_least_force_is_no_equilibrium),
         cmocka_unit_test(a_toggle_beside_its_limit_has_the_frequency_of_its_closed_form),
         cmocka_unit_test(a_floating_plate_has_three_small_motions),

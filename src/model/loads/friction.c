@@ -47,15 +47,13 @@ static void check_friction(YkLoader *loader, const YkJoint *joint)
         yk_problem(loader->problems, YK_CODE_BAD_FRICTION, friction->coulomb_expr->place,
                    "the coefficient `coulomb` of %q is %g; it cannot be negative", joint->name, friction->coulomb);
     }
-    if (friction->radius_expr && friction->radius <= 0) {
-        yk_problem(loader->problems, YK_CODE_BAD_FRICTION, friction->radius_expr->place,
-                   "the radius of %q, at which its friction acts, is %g; it must be positive", joint->name,
-                   friction->radius);
-    }
-    if (friction->viscous_expr && friction->viscous < 0) {
-        yk_problem(loader->problems, YK_CODE_BAD_DAMPING, friction->viscous_expr->place,
-                   "the viscous friction of %q is %g; it cannot be negative", joint->name, friction->viscous);
-    }
+    if (friction->radius_expr && friction->radius <= 0)
+        yk_load_refuse_amount(loader, YK_CODE_BAD_FRICTION, friction->radius_expr, friction->radius, YK_DIM_LENGTH,
+                              "the %s of %q is %e %s; it must be positive", "friction radius", joint->name);
+    if (friction->viscous_expr && friction->viscous < 0)
+        yk_load_refuse_amount(loader, YK_CODE_BAD_DAMPING, friction->viscous_expr, friction->viscous,
+                              yk_part(joint->kind)->slides ? YK_DIM_DAMPING : YK_DIM_TURN_DAMPING,
+                              "the %s of %q is %e %s; it cannot be negative", "viscous friction", joint->name);
 }
 
 void yk_load_finish_friction(YkLoader *loader)

@@ -58,8 +58,8 @@ void yk_load_finish_belts(YkLoader *loader)
             if (!belt->radius_expr[k]) continue;
             belt->exact_radius[k] = yk_model_exact(model, belt->radius_expr[k]);
             if (!(belt->radius[k] <= 0)) continue;
-            yk_problem(loader->problems, YK_CODE_BAD_RADIUS, belt->radius_expr[k]->place,
-                       "a radius of belt %q is %g; it must be positive", belt->name, belt->radius[k]);
+            yk_load_refuse_amount(loader, YK_CODE_BAD_RADIUS, belt->radius_expr[k], belt->radius[k], YK_DIM_LENGTH,
+                                  "the %s of %q is %e %s; it must be positive", "radius", belt->name);
         }
         check_room(loader, belt, distance);
     }

@@ -88,10 +88,9 @@ static void check_ring(YkLoader *loader, const YkGear *gear)
 static void check_sizes(YkLoader *loader, YkGear *gear)
 {
     if (!gear->pressure_angle_expr) gear->pressure_angle = default_pressure_angle;
-    if (gear->module_expr && gear->module <= 0) {
-        yk_problem(loader->problems, YK_CODE_BAD_MODULE, gear->module_expr->place,
-                   "the module of gears %q is %g; it must be positive", gear->name, gear->module);
-    }
+    if (gear->module_expr && gear->module <= 0)
+        yk_load_refuse_amount(loader, YK_CODE_BAD_MODULE, gear->module_expr, gear->module, YK_DIM_LENGTH,
+                              "the %s of %q is %e %s; it must be positive", "module", gear->name);
     if (gear->pressure_angle <= 0 || gear->pressure_angle > YK_PI / 4) {
         yk_problem(loader->problems, YK_CODE_BAD_MODULE, gear->pressure_angle_expr->place,
                    "the pressure angle of gears %q is %e deg; it must be above 0 and at most 45 deg", gear->name,

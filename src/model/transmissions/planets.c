@@ -166,37 +166,33 @@ static void check_gears(Planets *p)
     }
 }
 
-// Refuse a planet to which something else is tied, and one on which a load acts.
-static void tie(Planets *p, int32_t body)
+// Refuses a planet on which more acts than gears.
+static void act(Planets *p, int32_t body)
 {
-    if (body != YK_NONE && p->of[body].copies > 0) refuse(&p->of[body], "a rack, a belt, a cam or a law moves %q");
-}
-
-static void pull(Planets *p, int32_t body)
-{
-    if (body != YK_NONE && p->of[body].copies > 0) refuse(&p->of[body], "a force or a spring pulls at %q");
-}
-
-static void tie_coordinate(Planets *p, int32_t coordinate)
-{
-    const YkJoint *joint = &p->model->joints[p->model->coordinates[coordinate].joint];
-    for (int k = 0; k < 2; k++) {
-        const YkPlanet *planet = &p->of[joint->body[k]];
-        if (planet->copies > 0 && &p->model->joints[planet->joint] == joint) tie(p, joint->body[k]);
-    }
+    if (body != YK_NONE && p->of[body].copies > 0) refuse(&p->of[body], "more than gears acts on %q");
 }
 
 static void check_neighbours(Planets *p)
 {
     const YkModel *m = p->model;
-    for (size_t i = 0; i < m->rack_count; i++) tie(p, m->racks[i].pinion), tie(p, m->racks[i].rack);
-    for (size_t i = 0; i < m->belt_count; i++) tie(p, m->belts[i].body[0]), tie(p, m->belts[i].body[1]);
-    for (size_t i = 0; i < m->cam_count; i++) tie(p, m->cams[i].cam), tie(p, m->cams[i].follower);
-    for (size_t i = 0; i < m->follow_count; i++)
-        tie_coordinate(p, m->follows[i].coordinate), tie_coordinate(p, m->follows[i].of);
-    for (size_t i = 0; i < m->force_count; i++) pull(p, m->forces[i].body);
+    for (size_t i = 0; i < m->rack_count; i++) act(p, m->racks[i].pinion), act(p, m->racks[i].rack);
+    for (size_t i = 0; i < m->belt_count; i++) act(p, m->belts[i].body[0]), act(p, m->belts[i].body[1]);
+    for (size_t i = 0; i < m->cam_count; i++) act(p, m->cams[i].cam), act(p, m->cams[i].follower);
+    for (size_t i = 0; i < m->force_count; i++) act(p, m->forces[i].body);
     for (size_t i = 0; i < m->spring_count; i++)
-        if (m->springs[i].coordinate == YK_NONE) pull(p, m->springs[i].body[0]), pull(p, m->springs[i].body[1]);
+        for (int k = 0; k < 2; k++) act(p, m->springs[i].body[k]);
+}
+
+// Returns whether anything moves a coordinate, or loads it.
+static bool is_acted_on(const YkModel *m, int32_t coordinate)
+{
+    if (coordinate == YK_NONE) return false;
+    bool is = m->coordinates[coordinate].drive != YK_NONE;
+    for (size_t i = 0; i < m->follow_count; i++)
+        is = is || m->follows[i].coordinate == coordinate || m->follows[i].of == coordinate;
+    for (size_t i = 0; i < m->effort_count; i++) is = is || m->efforts[i].coordinate == coordinate;
+    for (size_t i = 0; i < m->spring_count; i++) is = is || m->springs[i].coordinate == coordinate;
+    return is;
 }
 
 static bool is_zero(const YkExpr *expr, double value)
@@ -215,6 +211,7 @@ static void check_bodies(Planets *p)
         if (body->rod[0] != YK_NONE || !is_centred) refuse(planet, "the centre of mass of %q is not on its axis");
         if (pin->at[planet->side].x != 0 || pin->at[planet->side].y != 0)
             refuse(planet, "the pin of %q is not at its origin");
+        if (is_acted_on(p->model, pin->angle)) act(p, (int32_t)b);
         if (pin->friction.coulomb_expr) refuse(planet, "the pin of %q has dry friction");
         if (p->model->carriage_count > 0) refuse(planet, "the machine of %q has free joints");
     }

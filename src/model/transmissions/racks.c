@@ -130,10 +130,9 @@ static void finish_rack(YkLoader *loader, YkRack *rack)
 {
     YkModel *model = loader->model;
     if (rack->radius_expr) rack->exact_radius = yk_model_exact(model, rack->radius_expr);
-    if (rack->radius_expr && rack->radius <= 0) {
-        yk_problem(loader->problems, YK_CODE_BAD_RADIUS, rack->radius_expr->place,
-                   "the radius of rack %q is %g; it must be positive", rack->name, rack->radius);
-    }
+    if (rack->radius_expr && rack->radius <= 0)
+        yk_load_refuse_amount(loader, YK_CODE_BAD_RADIUS, rack->radius_expr, rack->radius, YK_DIM_LENGTH,
+                              "the %s of %q is %e %s; it must be positive", "radius", rack->name);
     if (rack->pinion == YK_NONE || rack->rack == YK_NONE || rack->carrier == YK_REPORTED || loader->has_bad_joint)
         return;
     if (find_slide(loader, rack)) return;

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "answer.h"
 #include "base/number.h"
+#include "laws_left.h"
 #include "reach.h"
 #include "write/file_set.h"
 #include "write/folder.h"
@@ -155,7 +156,7 @@ static void add_orders_json(YkJson *json, const YkBalancing *b)
     yk_json_end(json);
 }
 
-static void write_json(const YkSession *session, const YkBalancing *b, double fluctuation, YkText *text)
+static void write_json(const YkSession *session, const YkBalancing *b, const YkBalancingOptions *options, YkText *text)
 {
     YkJson json = {.text = text};
     yk_json_object(&json, NULL, YK_JSON_LINES);
@@ -184,19 +185,20 @@ static void write_json(const YkSession *session, const YkBalancing *b, double fl
     yk_json_end(&json);
     yk_json_object(&json, "flywheel", YK_JSON_INLINE);
     yk_json_number(&json, "inertia", yk_balancing_flywheel(b));
-    yk_json_number(&json, "fluctuation", fluctuation);
+    yk_json_number(&json, "fluctuation", options->fluctuation);
     yk_json_end(&json);
+    yk_add_laws_json(&json, options->laws, true);
     yk_json_string(&json, "balanced", yk_balancing_model(b));
     yk_json_end(&json);
 }
 
 // --- the verb
 
-static bool write_files(YkSession *session, const YkBalancing *b, double fluctuation)
+static bool write_files(YkSession *session, const YkBalancing *b, const YkBalancingOptions *options)
 {
     YkFileEntry files[2] = {{.name = "balanced.yaml"}, {.name = "balance.json"}};
     yk_text_puts(&files[0].text, yk_balancing_model(b));
-    write_json(session, b, fluctuation, &files[1].text);
+    write_json(session, b, options, &files[1].text);
     bool good = yk_files_write(session->request->output, files, 2, session->problems);
     for (size_t k = 0; k < 2; k++) yk_text_free(&files[k].text);
     return good;
@@ -238,20 +240,27 @@ static bool read_options(YkSession *session, YkBalancingOptions *options)
     return !request->output || yk_folder_is_free(request->output, session->problems);
 }
 
-static int write_answer(YkSession *session, const YkBalancing *b, double fluctuation)
+static int write_answer(YkSession *session, const YkBalancing *b, const YkBalancingOptions *options)
 {
     const YkRequest *request = session->request;
     YkRequest own = *request;
-    if (request->output && !write_files(session, b, fluctuation)) return YK_EXIT_WRONG;
+    if (request->output && !write_files(session, b, options)) return YK_EXIT_WRONG;
     if (request->format == YK_FORMAT_JSON)
-        write_json(session, b, fluctuation, &session->out);
+        write_json(session, b, options, &session->out);
     else
-        write_text(session, b, fluctuation);
+        write_text(session, b, options->fluctuation);
     own.output = NULL; // it named the folder
     session->request = &own;
     int exit_code = yk_session_finish(session, YK_EXIT_DONE);
     session->request = request;
     return exit_code;
+}
+
+static void warn_of_laws(YkSession *session, const YkLawWatch *laws)
+{
+    const YkMechanism *mech = yk_state_mechanism(session->state);
+    YkCoordinateInfo input = yk_coordinate_info(mech, yk_input_coordinate(mech, 0));
+    yk_warn_of_laws(session, laws, input.name, input.is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE, "");
 }
 
 int yk_run_balance(YkSession *session)
@@ -264,9 +273,14 @@ int yk_run_balance(YkSession *session)
         yk_reach_tell(session, status);
         return yk_status_exit(status);
     }
-    YkBalancing *b = yk_balancing_new(session->state, &options, session->problems);
-    if (!b) return yk_ran_out(session->problems) ? YK_EXIT_WRONG : YK_EXIT_NO_ANSWER;
-    int exit_code = write_answer(session, b, options.fluctuation);
+    options.laws = yk_session_watch_laws(session);
+    YkBalancing *b = options.laws ? yk_balancing_new(session->state, &options, session->problems) : NULL;
+    int exit_code = options.laws && !yk_ran_out(session->problems) ? YK_EXIT_NO_ANSWER : YK_EXIT_WRONG;
+    if (b) {
+        warn_of_laws(session, options.laws);
+        exit_code = write_answer(session, b, &options);
+    }
     yk_balancing_free(b);
+    yk_law_watch_free(options.laws);
     return exit_code;
 }

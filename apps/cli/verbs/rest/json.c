@@ -86,5 +86,6 @@ void yk_rest_json(const YkRestAnswer *answer)
     yk_json_list(&json, "equilibria", YK_JSON_LINES);
     for (size_t i = 0; i < yk_rest_count(answer->rest); i++) add_equilibrium(answer, &json, i);
     yk_json_end(&json);
+    yk_add_laws_json(&json, answer->laws, true);
     yk_json_end(&json);
 }

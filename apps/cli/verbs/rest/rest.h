@@ -2,12 +2,17 @@
 #ifndef CLI_REST_H
 #define CLI_REST_H
 #include "answer.h"
+#include "laws_left.h"
 
 typedef struct YkRestAnswer {
     YkSession *session;
     YkRest *rest;
     const YkMechanism *mech; // the one of the search, whose coordinates are written
+    YkLawWatch *laws;        // that equilibria have left, each at its number
 } YkRestAnswer;
+
+// laws.c: looks at all equilibria. Returns false when out of memory.
+bool yk_rest_watch_laws(YkRestAnswer *answer);
 
 const char *yk_stability_word(YkStability stability); // "stable", "unstable", "neutral"
 // Returns the frequency of the undamped motion, Hz; NaN if the mode does not vibrate.

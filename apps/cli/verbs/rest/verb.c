@@ -75,8 +75,15 @@ int yk_run_rest(YkSession *session)
     if (!find(&answer)) return has_no_assembly(session->problems) ? YK_EXIT_NO_ANSWER : YK_EXIT_WRONG;
     bool has_some = yk_rest_count(answer.rest) > 0;
     if (!has_some) tell_none(session);
-    write_answer(&answer);
-    int exit_code = yk_session_finish(session, has_some ? YK_EXIT_DONE : YK_EXIT_NO_ANSWER);
+    int exit_code = YK_EXIT_WRONG;
+    if (yk_rest_watch_laws(&answer)) {
+        yk_warn_of_laws(session, answer.laws, "equilibrium", YK_QUANTITY_NUMBER, "");
+        write_answer(&answer);
+        exit_code = yk_session_finish(session, has_some ? YK_EXIT_DONE : YK_EXIT_NO_ANSWER);
+    } else {
+        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    }
+    yk_law_watch_free(answer.laws);
     yk_rest_free(answer.rest);
     return exit_code;
 }

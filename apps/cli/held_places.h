@@ -1,0 +1,9 @@
+// Where a lock holds what the file does not place.
+#ifndef CLI_HELD_PLACES_H
+#define CLI_HELD_PLACES_H
+#include "cli.h"
+
+// Warns of every coordinate that the engaged lock holds at 0 while the machine without the lock starts elsewhere (W0618).
+void yk_warn_of_held_places(YkSession *session);
+
+#endif
