@@ -53,8 +53,10 @@ static void reset(YkPlan *plan)
     mech->has_groups = false;
     mech->source_count = mech->reference_count = mech->derived_count = 0;
     mech->relation_term_count = mech->own_term_count;
-    for (size_t k = 0; k < mech->relation_count; k++)
+    for (size_t k = 0; k < mech->relation_count; k++) {
         mech->relations[k].is_solved = mech->relations[k].is_redundant = false;
+        mech->relations[k].weight = 0;
+    }
     for (size_t j = 0; j < mech->model->joint_count; j++) plan->angle_input[j] = plan->distance_input[j] = YK_NONE;
     for (size_t i = 0; i < mech->input_count; i++) {
         const YkTreeCoordinate *c = &mech->coordinates[mech->inputs[i]];

@@ -221,13 +221,16 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
 }
 
-// Makes a check: everything that the relation ties is known, so it repeats others, and the pose has to fit it.
+// Makes a check: everything that the relation ties is known, so it repeats others, and the pose has to fit it. Factors that
+// are rounding would turn hundreds of turns of an input into a miss.
 static void check(YkPlan *plan, size_t index)
 {
     YkRelation *r = &plan->mech->relations[index];
     r->is_redundant = true;
     r->weight = yk_relation_weight(plan->mech, r);
     write_sources(plan, r, r->weight, &(Columns){0});
+    for (size_t k = r->first_source; k < plan->mech->source_count; k++)
+        if (fabs(plan->mech->sources[k].factor) < 1e-12 * plan->mech->size) plan->mech->sources[k].factor = 0;
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_CHECK, .target = (int32_t)index});
     plan->mech->redundant_relation_count++;
 }
@@ -269,7 +272,8 @@ void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *colum
 // each row that can have a single unknown has it. Each row remembers the relations of which it is the sum.
 typedef struct Rows {
     size_t count, columns;
-    int32_t *relation;       // [row]
+    int32_t *relation;       // [share]
+    int32_t *own;            // [row]: the relation that it was at first
     YkRelationTerm *unknown; // [column]
     double *factor;          // [row][column]
     double *share;           // [row][row]
@@ -308,10 +312,12 @@ static bool gather(YkPlan *plan, Rows *rows)
     rows->unknown = YK_NEW(plan->arena, YkRelationTerm, unknowns + 1);
     rows->factor = YK_NEW(plan->arena, double, rows->count *(unknowns + 1));
     rows->share = YK_NEW(plan->arena, double, rows->count * rows->count);
+    rows->own = YK_NEW(plan->arena, int32_t, rows->count);
     if (yk_arena_failed(plan->arena)) return false;
     for (int pass = 0; pass < 2; pass++) // first the columns, then, once their number is known, the factors
         for (size_t i = 0; i < rows->count; i++) {
             const YkRelation *r = &mech->relations[rows->relation[i]];
+            rows->own[i] = rows->relation[i];
             rows->share[i * rows->count + i] = 1;
             for (uint32_t k = 0; k < r->term_count; k++) {
                 YkRelationTerm term = mech->relation_terms[r->first_term + k];
@@ -335,6 +341,9 @@ static void subtract_row(Rows *rows, size_t i, size_t from, double times)
 
 static void swap_rows(Rows *rows, size_t i, size_t j)
 {
+    int32_t own = rows->own[i];
+    rows->own[i] = rows->own[j];
+    rows->own[j] = own;
     for (size_t c = 0; c < rows->columns; c++) {
         double x = rows->factor[i * rows->columns + c];
         rows->factor[i * rows->columns + c] = rows->factor[j * rows->columns + c];
@@ -389,33 +398,15 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
     return index;
 }
 
-// Drops the rounding that remains in the factors of a row's other unknowns: it must not hide the row's single unknown.
-static void drop_rounding(YkPlan *plan, const YkRelation *sum, YkRelationTerm wanted)
+// Drops the rounding that remains in the factors of distances that a row does not determine. Angles keep theirs: the root of
+// a group cancels, but not what its orientations turn relative to each other, which is known.
+static void drop_rounding(const YkPlan *plan, const YkRelation *sum, YkRelationTerm wanted)
 {
     for (uint32_t k = 0; k < sum->term_count; k++) {
-        YkRelationTerm *term = &plan->mech->relation_terms[sum->first_term + k], root = root_of(plan, *term);
-        bool is_wanted = root.is_distance == wanted.is_distance && root.index == wanted.index;
-        if (!is_wanted && !is_known(plan, *term)) term->factor = 0;
+        YkRelationTerm *term = &plan->mech->relation_terms[sum->first_term + k];
+        bool is_wanted = wanted.is_distance && wanted.index == term->index;
+        if (term->is_distance && !is_wanted && !plan->distance_known[term->index]) term->factor = 0;
     }
-}
-
-// Handles a row without unknowns: its relations repeat each other. Checks the sum in place of the relation with the
-// largest share.
-static void check_row(YkPlan *plan, const Rows *rows, size_t row)
-{
-    YkRelation *relations = plan->mech->relations;
-    size_t most = rows->count;
-    for (size_t k = 0; k < rows->count; k++) {
-        double share = fabs(rows->share[row * rows->count + k]);
-        if (share == 0 || relations[rows->relation[k]].is_redundant) continue;
-        if (most == rows->count || share > fabs(rows->share[row * rows->count + most])) most = k;
-    }
-    if (most == rows->count) return;
-    size_t index = derive(plan, rows, row);
-    drop_rounding(plan, &relations[index], (YkRelationTerm){true, YK_NONE, 0});
-    relations[index].name = relations[rows->relation[most]].name;
-    relations[rows->relation[most]].is_redundant = true;
-    check(plan, index);
 }
 
 // Solves what the relations determine together; returns whether there was anything.
@@ -433,7 +424,8 @@ static bool solve_together(YkPlan *plan)
                 single = c;
                 count++;
             }
-        if (count == 0) check_row(plan, &rows, i);
+        if (count == 0)
+            plan->mech->relations[rows.own[i]].is_redundant = true; // checked once all that it ties is known
         if (count != 1 || is_known(plan, rows.unknown[single])) continue;
         size_t index = derive(plan, &rows, i);
         YkRelationTerm unknown = rows.unknown[single];
@@ -458,10 +450,10 @@ bool yk_plan_relations(YkPlan *plan)
     for (size_t k = 0; k < mech->relation_count && !plan->failed; k++) {
         YkRelation *r = &mech->relations[k];
         YkRelationTerm unknown = {0};
-        if (r->is_solved || r->is_redundant) continue;
+        if (r->is_solved || r->weight > 0) continue; // one that is checked has a weight
         size_t count = find_unknown(plan, r, &unknown);
         if (count == 0) check(plan, k);
-        if (count != 1) continue;
+        if (count != 1 || r->is_redundant) continue;
         solve(plan, k, unknown);
         solved = true;
     }

@@ -113,6 +113,60 @@ static void ends_that_meet_have_no_rate(void **unused)
     rig_free(&rig);
 }
 
+// Springs tell the arguments of their laws at the pose that stands, whatever forces were computed before.
+static void laws_of_springs_are_asked_at_the_pose(void **unused)
+{
+    (void)unused;
+    Rig rig = rig_with("  s: {between: [lever.T, crank.A], force: {law: line, of: length - 0.3 m}}\n"
+                       "  t: {along: d, force: {law: line, of: 2 * length + 1 m}}\n");
+    size_t T = yk_model_find_point(rig.model, "lever.T"), A = yk_model_find_point(rig.model, "crank.A");
+    for (int turn = 0; turn < 6; turn++) {
+        yk_state_set_input(rig.state, 0, (YkMotion){0.5 + 0.2 * turn, 1, 0});
+        assert_int_equal(yk_state_solve(rig.state), YK_OK);
+        YkPointMotion a = yk_state_point(rig.state, T), b = yk_state_point(rig.state, A);
+        const double due[] = {hypot(a.position[0] - b.position[0], a.position[1] - b.position[1]) - 0.3,
+                              2 * yk_state_coordinate(rig.state, yk_coordinate_find(rig.mech, "d")).position + 1};
+        for (size_t k = 0; k < 2; k++) {
+            YkLoads *loads = rig.dynamics->loads;
+            CHECK_NEAR(yk_loads_law_argument(loads, rig.state, &rig.state->space, k, 0), due[k], 1e-13);
+        }
+        move(&rig, -0.3 * turn, 2); // another pose, whose values stay behind
+    }
+    rig_free(&rig);
+}
+
+// Efforts between bodies without mass pass through them as through bodies of all but none.
+static void bodies_without_mass_pass_efforts_on(void **unused)
+{
+    (void)unused;
+    static const char *const joints[] = {"[crank, coupler]", "[coupler, crank]"};
+    for (int way = 0; way < 2; way++) {
+        Rig rigs[2];
+        for (int k = 0; k < 2; k++) {
+            char text[1500];
+            const char *mass = k ? ", mass: 1e-9, inertia: 1e-9" : "";
+            snprintf(
+                text, sizeof text,
+                "bodies:\n  ground: {points: {O: [0, 0], Q: [2, 0]}}\n  crank: {points: {O: [0, 0], A: [0.7, 0]}%s}\n"
+                "  coupler: {points: {A: [0, 0], B: [2.1, 0]}%s}\n"
+                "  rocker: {points: {Q: [0, 0], B: [1.8, 0]}, mass: 2, center: [1, 0.1], inertia: 0.3}\njoints:\n"
+                "  Q: {pin: [ground, rocker], angle: v}\n  O: {pin: [ground, crank], angle: q}\n"
+                "  A: {pin: %s, angle: u}\n  B: {pin: [coupler, rocker]}\n"
+                "efforts: {u: 3 N*m}\nstart: {v: 1.8, q: 1.8, u: %s}\n",
+                mass, mass, joints[way], way ? "0.4" : "-0.4");
+            rigs[k] = rig_of_text(text);
+            assert_int_equal(yk_dynamics_solve(rigs[k].dynamics, rigs[k].state, YK_METHOD_REDUCED), YK_OK);
+        }
+        static const char *const names[] = {"v.accel", "A.force.x", "A.force.y", "O.force.x", "O.force.y", "Q.force.x"};
+        for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+            double due = value_at(&rigs[1], names[n]);
+            CHECK_NEAR(value_at(&rigs[0], names[n]), due, 1e-6 * (1 + fabs(due)));
+            assert_true(fabs(due) > 1e-3);
+        }
+        for (int k = 0; k < 2; k++) rig_free(&rigs[k]);
+    }
+}
+
 // Inputs without an effort of their own have the effort 0, whatever stood there before.
 static void inputs_without_efforts_have_none(void **unused)
 {
@@ -130,13 +184,45 @@ static void inputs_without_efforts_have_none(void **unused)
     rig_free(&rig);
 }
 
+// One of three efforts has a value from 1 s on: before, that one is named, and what it gives, and to whom, after.
+static void the_effort_without_a_value_is_named(void **unused)
+{
+    (void)unused;
+    static const char *const formulas[] = {"4 N", "2 N * sqrt(t/(1 s) - 1)", "3 N"};
+    for (int k = 0; k < 3; k++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "bodies: {a: {mass: 1}, b: {mass: 2}, c: {mass: 3}}\njoints:\n"
+                 "  A: {slide: [ground, a], along: x, distance: x}\n  B: {slide: [ground, b], along: x, distance: y}\n"
+                 "  C: {slide: [ground, c], along: x, distance: z}\nefforts: {x: \"%s\", y: \"%s\", z: \"%s\"}\n",
+                 formulas[(k + 1) % 3], formulas[(k + 2) % 3], formulas[k]);
+        Rig rig = rig_of_text(text);
+        const double rate[3] = {5, 6, 7}, due[3] = {4, 2 * sqrt(4), 3};
+        double effort[3], power[3];
+        size_t culprit = 9;
+        assert_false(yk_loads_efforts(rig.dynamics->loads, rig.state, rate, effort, power, &culprit));
+        assert_int_equal((culprit + (size_t)k + 1) % 3, 1); // the second formula's place
+        rig.state->time = 5;
+        assert_true(yk_loads_efforts(rig.dynamics->loads, rig.state, rate, effort, power, &culprit));
+        for (int i = 0; i < 3; i++) {
+            double own = due[(k + 1 + i) % 3];
+            CHECK_NEAR(effort[i], own, 1e-14);
+            CHECK_NEAR(power[i], own * rate[i], 1e-13);
+        }
+        rig_free(&rig);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_straight_law_is_a_spring),
         cmocka_unit_test(a_law_of_the_length_does_the_work_that_it_stores),
         cmocka_unit_test(ends_that_meet_have_no_rate),
+        cmocka_unit_test(laws_of_springs_are_asked_at_the_pose),
+        cmocka_unit_test(bodies_without_mass_pass_efforts_on),
         cmocka_unit_test(inputs_without_efforts_have_none),
+        cmocka_unit_test(the_effort_without_a_value_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

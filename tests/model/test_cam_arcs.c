@@ -84,12 +84,38 @@ static void angle_and_flank_say_the_same(void **state)
     }
 }
 
+// The rise of a symmetrical cam begins at `from`; its fall is the mirror image and ends after the angle of action.
+static void a_symmetrical_cam_rises_from_where_it_is_told(void **state)
+{
+    (void)state;
+    for (double from = -150; from <= 170; from += 40) {
+        const double angle = 130, rad = acos(-1) / 180;
+        char text[1000];
+        snprintf(text, sizeof text, CAM("{nose: 6, lift: 12, angle: %g, from: %g}"), angle, from);
+        YkModel *model = fixture_load(text);
+        const YkLaw *law = model->laws[model->cams[0].law].law;
+        double middle[YK_LAW_ORDER + 1];
+        yk_law_eval(law, (from + angle / 2) * rad, middle);
+        CHECK_NEAR(middle[0], 0.012, 1e-12);
+        for (double t = -60; t < angle / 2; t += 5) {
+            double rise[YK_LAW_ORDER + 1], fall[YK_LAW_ORDER + 1];
+            yk_law_eval(law, (from + t) * rad, rise);
+            yk_law_eval(law, (from + angle - t) * rad, fall);
+            CHECK_NEAR(rise[0], fall[0], 1e-12);
+            CHECK_NEAR(rise[1], -fall[1], 1e-12);
+            assert_true(t > 1e-9 ? rise[0] > 1e-6 : fabs(rise[0]) < 1e-12);
+        }
+        yk_model_free(model);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(arcs_that_do_not_join_are_told_at_their_place),
         cmocka_unit_test(a_symmetrical_cam_needs_sizes_that_go_together),
         cmocka_unit_test(angle_and_flank_say_the_same),
+        cmocka_unit_test(a_symmetrical_cam_rises_from_where_it_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -61,6 +61,7 @@ static void fractions_follow_the_rules_of_school(void **state)
         {"0.1 + 0.2", true, 3, 10, 0},
         {"30 deg", true, 1, 6, 1},
         {"30 rpm * 1 s", true, 1, 1, 1},
+        {"1 deg/ms * 1 s", true, 50, 9, 1},
         {"25 mm", true, 1, 40, 0},
         {"2 in", true, 127, 2500, 0},
         {"50 %", true, 1, 2, 0},

@@ -45,6 +45,8 @@ static void a_bare_gravity_unlike_any_planets_warns_and_says_what_may_be_meant(v
     warns("units: {length: ft}\ngravity: [0, -9.81]\n", "`-9.81 m/s^2`");
     warns("gravity: [0, -386]\n", "`-386 in/s^2`");
     warns("gravity: [0, -1e9]\n", "`-9.81 m/s^2`");
+    warns("units: {length: mm}\ngravity: [0, -24.8]\n", "`-24.8 m/s^2`"); // Jupiter's
+    warns("gravity: [0, -32.17]\n", "`-32.17 ft/s^2`");
 }
 
 static void gravity_with_a_unit_or_of_a_planet_is_taken_as_it_is(void **state)

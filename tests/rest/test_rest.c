@@ -105,6 +105,35 @@ static void the_least_force_is_no_equilibrium(void **unused)
     yk_model_free(model);
 }
 
+// Two drives push one after the other, and a spring of 5 m draws the last block to 5 - 1 - 2 from the second.
+static void drives_are_held_at_their_start(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest =
+        rest_of("bodies:\n  ground: {points: {O: [0, 0]}}\n  a: {}\n  b: {}\n"
+                "  c: {points: {P: [0, 0]}, mass: 2}\njoints:\n"
+                "  Z: {slide: [b, c], along: x, distance: z}\n  X: {slide: [ground, a], along: x, distance: x}\n"
+                "  Y: {slide: [a, b], along: x, distance: y}\n"
+                "springs: {k: {between: [ground.O, c.P], stiffness: 50, length: 5}}\n"
+                "drives: {x: 1 m + 3 m/s * t, y: 2 m + 7 m/s * t}\nstart: {z: 1.5}\n",
+                &model);
+    const YkMechanism *mech = yk_rest_mechanism(rest);
+    static const struct {
+        const char *name;
+        double at;
+    } due[] = {{"x", 1}, {"y", 2}, {"z", 2}};
+    assert_true(yk_rest_count(rest) > 0);
+    for (int k = 0; k < 3; k++) {
+        YkMotion q = yk_state_coordinate(yk_rest_state(rest, 0), yk_coordinate_find(mech, due[k].name));
+        CHECK_NEAR(q.position, due[k].at, 1e-9);
+        assert_true(q.velocity == 0 && q.acceleration == 0);
+    }
+    CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 5, 1e-7);
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
 // A plate on two springs: sideways a pendulum of their length, up and down, and about its centre.
 static void a_floating_plate_has_three_small_motions(void **unused)
 {
@@ -310,6 +339,7 @@ int main(void)
         cmocka_unit_test(drags_damp_by_their_slope_at_rest),
         cmocka_unit_test(the_least_force_is_no_equilibrium),
         cmocka_unit_test(a_toggle_beside_its_limit_has_the_frequency_of_its_closed_form),
+        cmocka_unit_test(drives_are_held_at_their_start),
         cmocka_unit_test(a_floating_plate_has_three_small_motions),
         cmocka_unit_test(every_equilibrium_keeps_its_mesh),
         cmocka_unit_test(a_damped_spring_has_its_roots),

@@ -215,6 +215,20 @@ static inline void add_extra(Drawn *d, uint64_t *seed)
     }
 }
 
+// Writes every third pin and weld from its second body to the first: from a link to the ground, too.
+static inline void turn_some_round(Drawn *d, uint64_t *seed)
+{
+    for (int k = 0; k < d->joints; k++) {
+        Joint *j = &d->joint[k], old = *j;
+        if ((j->kind != PIN && j->kind != WELD) || draw_below(seed, 3) > 0) continue;
+        for (int end = 0; end < 2; end++) {
+            j->body[end] = old.body[1 - end];
+            j->at[end] = old.at[1 - end];
+        }
+        j->turned = -old.turned;
+    }
+}
+
 // A tree of bodies, then joints that close loops.
 static inline void draw_machine(Drawn *d, uint64_t seed, int bodies, int extras)
 {
@@ -224,6 +238,7 @@ static inline void draw_machine(Drawn *d, uint64_t seed, int bodies, int extras)
         join_anyhow(d, &seed, draw_below(&seed, b), b, true);
     }
     for (int k = 0; k < extras; k++) add_extra(d, &seed);
+    turn_some_round(d, &seed);
 }
 
 // --- the file

@@ -1,17 +1,20 @@
 // Three equal cranks on one bar, and a block that slides on the bar and up and down: where crank and bar are in line two of
-// the cranks alone could fold, and rates come from all loops together. In closed form the bar only translates.
+// the cranks alone could fold, and rates come from all loops together, those of a wheel in mesh with a crank too. In closed
+// form the bar only translates.
 #include "machine.h"
 
 static const char text[] =
-    "parameters: {from: 1 rad}\nbodies:\n  ground: {points: {O: [0, 0], Q: [3, 0], P: [2, 1.5], G: [2, 0]}}\n  a: "
+    "parameters: {from: 1 rad}\nbodies:\n  ground: {points: {O: [0, 0], Q: [3, 0], P: [2, 1.5], G: [2, 0], W: [5, "
+    "0]}}\n  a: "
     "{points: {O: [0, 0], A: [0.8, "
     "0]}}\n"
     "  b: {points: {A: [0, 0], B: [3, 0], D: [2, 1.5]}}\n  c: {points: {Q: [0, 0], B: [0.8, 0]}}\n"
-    "  d: {points: {P: [0, 0], D: [0.8, 0]}}\n  block: {points: {S: [0, 0]}}\njoints:\n"
+    "  d: {points: {P: [0, 0], D: [0.8, 0]}}\n  block: {points: {S: [0, 0]}}\n  w: {points: {W: [0, 0]}}\njoints:\n"
     "  O: {pin: [ground, a], angle: th}\n  Q: {pin: [ground, c], angle: ps}\n  P: {pin: [ground, d], angle: ph}\n"
     "  A: {pin: [a, b], angle: u}\n  B: {pin: [b, c]}\n  D: {pin: [b, d]}\n"
     "  G: {slide: [ground, block], along: y, from: G, to: S, distance: y}\n"
     "  S: {pin-slot: [b, block], along: x, from: A, at: S}\n"
+    "  W: {pin: [ground, w], angle: we}\ngears: {g: {mesh: [c, w], teeth: [20, 30]}}\n"
     "drives: {th: from}\nstart: {ps: from, ph: from, u: -from, y: 0.8 m * sin(from)}\n";
 
 static void check_pose(const Machine *m, double theta, double w, double a)
@@ -23,6 +26,7 @@ static void check_pose(const Machine *m, double theta, double w, double a)
     } truth[] = {{"ps", {theta, w, a}},
                  {"ph", {theta, w, a}},
                  {"b.angle", {0, 0, 0}},
+                 {"we", {-theta / 1.5, -w / 1.5, -a / 1.5}}, // for each turn of its crank two thirds of one
                  {"y", {r * s, r * c * w, r * (c * a - s * w * w)}},
                  {"S.distance", {2 - r * c, r * s * w, r * (s * a + c * w * w)}}};
     for (size_t k = 0; k < sizeof truth / sizeof *truth; k++) {
@@ -31,7 +35,7 @@ static void check_pose(const Machine *m, double theta, double w, double a)
             char name[40];
             snprintf(name, sizeof name, orders[order], truth[k].name);
             double off = machine_ask(m, name) - truth[k].value[order];
-            if (order == 0 && k < 3) off = remainder(off, 2 * YK_PI);
+            if (order == 0 && k < 4) off = remainder(off, k < 3 ? 2 * YK_PI : 2 * YK_PI / 3);
             if (!(fabs(off) <= 1e-8)) print_error("%s at %.17g: off by %.3g\n", name, theta, off);
             CHECK_NEAR(off, 0, 1e-8);
         }

@@ -156,6 +156,34 @@ static void residuals_tell_a_miss(void **unused)
     machine_free(&m);
 }
 
+// Angles that loops place are known but for whole turns, whose share in a belt's equation is no whole number.
+static void whole_turns_are_no_miss_and_their_parts_are(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(
+        "bodies:\n  ground: {points: {A: [0, 0], D: [3, 0]}}\n  a: {points: {A: [0, 0], B: [1, 0]}}\n"
+        "  b: {points: {B: [0, 0], C: [3, 0]}}\n  c: {points: {C: [0, 0], D: [2, 0]}}\n  w: {points: {B: [0, 0]}}\n"
+        "joints:\n  A: {pin: [ground, a], angle: x}\n  B: {pin: [a, b], angle: y}\n  D: {pin: [ground, c], angle: z}\n"
+        "  C: {pin: [b, c]}\n  W: {pin: [b, w], at: B, angle: p}\n"
+        "belts: {g: {between: [c, w], radii: [0.11, 0.07], carrier: b}}\nstart: {y: -50 deg, z: 220 deg}\n"
+        "drives: {x: 60 deg}\n",
+        true);
+    double *reference = &m.state->reference[yk_coordinate_find(m.mech, "p")];
+    for (int turns = -5; turns <= 5; turns++) {
+        *reference += turns * 2 * YK_PI;
+        CHECK_NEAR(yk_state_residuals(m.state).position, 0, 1e-12);
+        *reference -= turns * 2 * YK_PI;
+    }
+    YkTurn t = yk_space_turn(&m.state->space, m.mech->bodies[4].orientation);
+    YkVec wheel = yk_vec(*t.c, *t.s);
+    for (int part = 1; part < 64; part++) {
+        YkVec off = yk_mul(wheel, yk_unit(part * 2 * YK_PI / 64));
+        *t.c = off.x, *t.s = off.y;
+        assert_true(yk_state_residuals(m.state).position > 1e-3);
+    }
+    machine_free(&m);
+}
+
 // A drag link whose rocker turns right round, and a wheel that meshes with the rocker: at 20 : 60 a whole turn of the rocker
 // is a third of the wheel's, so that the wheel shows which turn the start means.
 static void a_start_that_is_turns_away_counts_its_turns(void **unused)
@@ -331,6 +359,7 @@ int main(void)
         cmocka_unit_test(laws_follow_what_they_are_of),
         cmocka_unit_test(phases_are_no_miss),
         cmocka_unit_test(residuals_tell_a_miss),
+        cmocka_unit_test(whole_turns_are_no_miss_and_their_parts_are),
         cmocka_unit_test(a_start_that_is_turns_away_counts_its_turns),
         cmocka_unit_test(rates_are_differences_of_positions),
         cmocka_unit_test(a_pose_is_adopted_where_it_closes),

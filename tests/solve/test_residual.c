@@ -1,6 +1,7 @@
 // Every pose closes: by the library's own measure, and by the places of both sides of every joint, which are worked out
 // here from nothing but the answers for bodies and points.
 #include "machine.h"
+#include "solve/state.h"
 
 enum { STEPS = 720 };
 
@@ -123,10 +124,58 @@ static void test_the_measure_sees_a_machine_that_does_not_close(void **unused)
     machine_free(&m);
 }
 
+// A body's unit vector turned by 1e-4, its rate off by 1e-3 or its acceleration by 1e-2: what loops miss by the library's
+// measure is about what joints miss by the answers. Both are over the largest in the machine, which they take from
+// different places.
+static void damage(const Machine *m, size_t orientation, int order)
+{
+    YkTurn t = yk_space_turn(&m->state->space, (int32_t)orientation);
+    YkVec e = yk_mul(yk_vec(t.c[0], t.s[0]), yk_unit(1e-4));
+    if (order == 0) *t.c = e.x, *t.s = e.y;
+    if (order == 1) *t.w += 1e-3;
+    if (order == 2) *t.a += 1e-2;
+}
+
+static void check_damage(const char *file)
+{
+    Machine m = machine_load(file);
+    double from = yk_state_input(m.state, 0).position;
+    for (int order = 0; order < 3; order++)
+        for (size_t o = 1; o < m.mech->orientation_count; o++) {
+            assert_true(machine_solve(&m, from, 1.3, -0.7) >= 0);
+            damage(&m, o, order);
+            Misses misses = misses_of(&m);
+            YkResiduals r = yk_state_residuals(m.state);
+            const double found[3] = {r.position, r.velocity, r.acceleration},
+                         due[3] = {misses.place, misses.rate, misses.accel};
+            for (int k = order; k < 3; k++) {
+                bool is_near = due[k] < 1e-9 ? found[k] < 1e-8 : found[k] > 0.1 * due[k] && found[k] < 10 * due[k];
+                if (!is_near)
+                    print_error("%s, orientation %zu, order %d: %g, by joints %g\n", file, o, k, found[k], due[k]);
+                assert_true(is_near);
+            }
+            for (int k = 0; k < order; k++) assert_true(found[k] < 1e-12); // what comes before is as it was
+            CHECK_NEAR(yk_state_gap(m.state), r.position, 0);
+            m.state->has_rates = false; // at a dead point: places alone
+            YkResiduals places = yk_state_residuals(m.state);
+            CHECK_NEAR(places.position, r.position, 0);
+            assert_true(places.velocity == 0 && places.acceleration == 0);
+        }
+    machine_free(&m);
+}
+
+static void damage_shows_as_large_as_it_is(void **unused)
+{
+    (void)unused;
+    static const char *const files[] = {"four-bar", "drag-link", "stephenson-six-bar", "double-butterfly", "klann"};
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) check_damage(files[k]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_pose_of_every_example_closes),
+        cmocka_unit_test(damage_shows_as_large_as_it_is),
         cmocka_unit_test(test_the_measure_sees_a_machine_that_does_not_close),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
