@@ -2,6 +2,7 @@
 #include "batch/pose_forces.h"
 #include <math.h>
 #include <stdlib.h>
+#include "elementary/kernel.h"
 
 static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t count)
 {
@@ -91,6 +92,7 @@ bool yk_pose_forces_run_one(YkPoseForces *f, const YkLanePose *at, double *const
 {
     const double *const *result = yk_lane_forces_run_one(f->lanes, at);
     double sum = 0; // not finite if one of them is not
+    YK_UNROLL
     for (size_t k = 0; k < f->count; k++) {
         double value = *result[k];
         sum += value;

@@ -30,7 +30,8 @@ typedef enum YkTapeOp {
     YK_TAPE_NONZERO, // |a| + 1e-200
     YK_TAPE_CHOOSE,  // a < 0 ? b : c
     YK_TAPE_RARE,    // a function of formulas, or a call: lane by lane
-    YK_TAPE_COPY
+    YK_TAPE_COPY,
+    YK_TAPE_END // of the operations of one lane
 } YkTapeOp;
 
 enum { YK_TAPE_OPERANDS = 5 };
