@@ -66,12 +66,10 @@ size_t yk_batch_finite_lanes(const YkBatch *b, double *const *outputs, size_t at
 {
     size_t lane = 0;
     YkPoseForces *f = b->forces;
-    size_t seen = 0;
     bool finite;
     if (n == 1) return yk_pose_forces_are_finite(f, outputs, at) ? 1 : 0;
-    for (size_t k = 0; k < f->count; k++)
-        if (!yk_lane_forces_is_constant(f->lanes, k)) f->seen[seen++] = f->out[k];
-    yk_lanes_finite(&finite, f->seen, seen, n);
+    for (size_t k = 0; k < f->telling_count; k++) f->seen[k] = f->out[f->telling[k]];
+    yk_lanes_finite(&finite, f->seen, f->telling_count, n);
     if (finite) return n;
     while (lane < n && yk_pose_forces_are_finite(b->forces, outputs, at + lane)) lane++;
     return lane;

@@ -17,10 +17,12 @@ typedef struct YkPoseForces {
     size_t position_count;
     double **position; // [coordinate]: lanes of a position that the loads depend on, or NULL
     double *position_lanes;
-    double **out;   // [k]: of the channels that need forces
-    double **seen;  // those of them that may not be finite
-    size_t *which;  // the lanes asked for, when they are not all,
-    double *packed; // [k][lanes]: and their forces
+    double **out;         // [k]: of the channels that need forces
+    double **seen;        // of those that tell whether all are finite,
+    size_t *telling;      // whose k these are,
+    size_t telling_count; // and how many
+    size_t *which;        // the lanes asked for, when they are not all,
+    double *packed;       // [k][lanes]: and their forces
     size_t lane_count;
 } YkPoseForces;
 
