@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "batch/inside.h"
+#include "solve/single.h"
 
 // Lanes in a block: enough to hide the dispatch of a step, few enough that a small machine stays in a first-level
 // cache of 32 KB, with most of its forces where they are asked for. Tunable. Rows are a little further apart: rows a
@@ -229,7 +230,7 @@ static bool run_alone(YkBatch *b, const double *const *inputs, double *const *ou
     run->space = space;
     b->times = NULL;
     yk_run_begin(run);
-    yk_run_steps(run, 0, b->mech->step_count);
+    yk_run_single(run, 0, b->mech->step_count);
     bool is_well =
         *space->margin > yk_state_close_margin(b->state) && *space->gap <= b->mech->size * YK_CLOSING_TOLERANCE;
     for (size_t k = 0; is_well && k < b->plain_count; k++)

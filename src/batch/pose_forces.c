@@ -89,9 +89,8 @@ void yk_pose_forces_free(YkPoseForces *f)
     free(f);
 }
 
-void yk_pose_forces_follow(YkPoseForces *f)
+void yk_pose_forces_take(YkPoseForces *f)
 {
-    if (!f->mech->variant || f->changes == f->mech->variant->changes) return;
     f->changes = f->mech->variant->changes;
     if (!f->lanes) return;
     yk_lane_forces_redesign(f->lanes);

@@ -31,8 +31,14 @@ typedef struct YkPoseForces {
 YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
                                  bool *none);
 void yk_pose_forces_free(YkPoseForces *forces);
-// Takes the present values of the parameters, if the mechanism is a variant's and they have changed.
-void yk_pose_forces_follow(YkPoseForces *forces);
+// Takes the present values of the parameters of a variant.
+void yk_pose_forces_take(YkPoseForces *forces);
+// Takes them if the mechanism is a variant's and they have changed.
+static inline void yk_pose_forces_follow(YkPoseForces *forces)
+{
+    const YkVariant *variant = forces->mech->variant;
+    if (variant && forces->changes != variant->changes) yk_pose_forces_take(forces);
+}
 // Returns whether the forces of a pose are all finite; makes them 0.
 bool yk_pose_forces_are_finite(const YkPoseForces *forces, double *const *outputs, size_t pose);
 void yk_pose_forces_clear(const YkPoseForces *forces, double *const *outputs, size_t pose);
