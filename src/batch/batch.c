@@ -6,9 +6,9 @@
 #include "solve/single.h"
 
 // Lanes in a block: enough to hide the dispatch of a step, few enough that a small machine stays in a first-level
-// cache of 32 KB, with most of its forces where they are asked for. Tunable. Rows are a little further apart: rows a
-// multiple of 4096 bytes apart compete for the same cache lines.
-enum { LANES = 192, LANES_WITH_FORCES = 128, LANES_MIN = 8, LANES_APART = 8 };
+// cache of 32 KB, with most of its forces where these take many operations. Tunable. Rows are a little further apart:
+// rows a multiple of 4096 bytes apart compete for the same cache lines.
+enum { LANES = 192, LANES_WITH_FORCES = 128, MANY = 40, LANES_MIN = 8, LANES_APART = 8 };
 #define CACHE_BYTES ((size_t)1 << 18)
 
 static size_t lanes_for(const YkMechanism *mech)
@@ -68,7 +68,8 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         yk_batch_free(b);
         return NULL;
     }
-    if (b->forces && b->lanes > LANES_WITH_FORCES) b->lanes = LANES_WITH_FORCES;
+    bool has_many = b->forces && b->forces->lanes && yk_lane_forces_length(b->forces->lanes) > MANY;
+    if (has_many && b->lanes > LANES_WITH_FORCES) b->lanes = LANES_WITH_FORCES;
     double *p = b->point_lanes;
     size_t n = b->lanes;
     b->point = (YkPlane){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n};
