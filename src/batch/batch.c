@@ -3,11 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include "batch/inside.h"
+#include "solve/single.h"
 
-// Lanes in a block: enough to hide the dispatch of a step, few enough that a small machine stays in the first-level
-// cache. Tunable. Rows are a little further apart: rows a multiple of 4096 bytes apart compete for the same cache
-// lines.
-enum { LANES = 192, LANES_MIN = 8, LANES_APART = 8 };
+// Lanes in a block: enough to hide the dispatch of a step, few enough that a small machine stays in a first-level
+// cache of 32 KB, with most of its forces where these take many operations. Tunable. Rows are a little further apart:
+// rows a multiple of 4096 bytes apart compete for the same cache lines.
+enum { LANES = 192, LANES_WITH_FORCES = 128, MANY = 40, LANES_MIN = 8, LANES_APART = 8 };
 #define CACHE_BYTES ((size_t)1 << 18)
 
 static size_t lanes_for(const YkMechanism *mech)
@@ -67,6 +68,8 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         yk_batch_free(b);
         return NULL;
     }
+    bool has_many = b->forces && b->forces->lanes && yk_lane_forces_length(b->forces->lanes) > MANY;
+    if (has_many && b->lanes > LANES_WITH_FORCES) b->lanes = LANES_WITH_FORCES;
     double *p = b->point_lanes;
     size_t n = b->lanes;
     b->point = (YkPlane){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n};
@@ -81,6 +84,8 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         yk_batch_free(b);
         return NULL;
     }
+    b->run = (YkRun){b->mech,        NULL,   b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference,
+                     b->rates_alone, b->idle};
     yk_batch_restart(b, state);
     return b;
 }
@@ -174,68 +179,64 @@ static size_t clear_lanes(YkBatch *b, YkStatus worst, size_t n)
 
 // On a path, lanes end before the first force that is not finite: there a state must judge. Angles are counted anew up
 // to there.
-static void end_at_forces(YkBatch *b, const YkRun *run, double *const *outputs, size_t at)
+static void end_at_forces(YkBatch *b, double *const *outputs, size_t at)
 {
     size_t finite = yk_batch_finite_lanes(b, outputs, at, b->clear);
     if (finite == b->clear) return;
     b->clear = finite;
     memcpy(b->next, b->state->reference, b->mech->coordinate_count * sizeof *b->next);
-    yk_batch_write_positions(b, run);
+    yk_batch_write_positions(b);
 }
 
 // masks: some lanes may have no answer; then forces are masked as well.
-static void write_channels(YkBatch *b, const YkRun *run, bool masks, double *const *outputs, size_t at)
+static void write_channels(YkBatch *b, bool masks, double *const *outputs, size_t at)
 {
-    for (size_t k = 0; masks && k < b->channel_count; k++) yk_batch_write_channel(b, run, k, true, outputs[k] + at);
+    for (size_t k = 0; masks && k < b->channel_count; k++) yk_batch_write_channel(b, k, true, outputs[k] + at);
     for (size_t k = 0; !masks && k < b->plain_count; k++)
-        yk_batch_write_channel(b, run, b->plain[k], false, outputs[b->plain[k]] + at);
+        yk_batch_write_channel(b, b->plain[k], false, outputs[b->plain[k]] + at);
 }
 
 // Runs one block of lanes from `at`.
-static YkStatus run_lanes(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs,
-                          signed char *status, YkAlong along, size_t at)
+static YkStatus run_lanes(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
+                          YkAlong along, size_t at)
 {
+    YkRun *run = &b->run;
     b->times = along.times ? along.times + at : NULL;
     for (size_t i = 0; i < 3 * b->mech->input_count; i++)
         b->lanes_of[i] = inputs[i] ? inputs[i] + at : b->constant + i * b->lanes;
-    run->space = b->now = run->lanes == 1 && !b->is_along ? &b->single : &b->space;
-    for (size_t k = 0; b->now == &b->space && k < b->plain_count; k++)
+    run->space = run->lanes == 1 && !b->is_along ? &b->single : &b->space;
+    for (size_t k = 0; run->space == &b->space && k < b->plain_count; k++)
         if (b->row[b->plain[k]]) *b->row[b->plain[k]] = outputs[b->plain[k]] + at;
     yk_run_begin(run);
     yk_run_steps(run, 0, b->mech->step_count);
     YkStatus here = yk_batch_judge(b, status ? status + at : NULL, run->lanes);
     if (b->is_along) b->clear = clear_lanes(b, here, run->lanes);
-    if (b->forces) yk_batch_run_forces(b, run, outputs, at, along.wanted ? along.wanted + at : NULL);
-    if (b->forces && b->is_along) end_at_forces(b, run, outputs, at);
-    write_channels(b, run, here != YK_OK, outputs, at);
+    if (b->forces) yk_batch_run_forces(b, outputs, at, along.wanted ? along.wanted + at : NULL);
+    if (b->forces && b->is_along) end_at_forces(b, outputs, at);
+    write_channels(b, here != YK_OK, outputs, at);
     if (b->has_settled) here = yk_worse(here, yk_batch_write_settled(b, outputs, at, run->lanes));
     if (!b->forces || b->is_along) return here;
     return yk_worse(here, yk_batch_settle_forces(b, outputs, status, at, run->lanes));
 }
 
-static YkRun run_of(const YkBatch *b)
-{
-    return (YkRun){b->mech,        NULL,   b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference,
-                   b->rates_alone, b->idle};
-}
-
 // Runs one pose that is well: nothing to mask or settle, no block of lanes. Returns false if it may not be; the outputs
 // then hold garbage.
-static bool run_alone(YkBatch *b, YkRun *run, const double *const *inputs, double *const *outputs)
+static bool run_alone(YkBatch *b, const double *const *inputs, double *const *outputs)
 {
+    YkRun *run = &b->run;
     YkSpace *space = &b->single;
     for (size_t i = 0; i < 3 * b->mech->input_count; i++)
         b->lanes_of[i] = inputs[i] ? inputs[i] : b->constant + i * b->lanes;
     run->lanes = 1;
-    run->space = b->now = space;
+    run->space = space;
     b->times = NULL;
     yk_run_begin(run);
-    yk_run_steps(run, 0, b->mech->step_count);
+    yk_run_single(run, 0, b->mech->step_count);
     bool is_well =
         *space->margin > yk_state_close_margin(b->state) && *space->gap <= b->mech->size * YK_CLOSING_TOLERANCE;
     for (size_t k = 0; is_well && k < b->plain_count; k++)
-        yk_batch_write_channel(b, run, b->plain[k], false, outputs[b->plain[k]]);
-    return is_well && (!b->forces || yk_batch_run_forces_alone(b, run, outputs, 0));
+        yk_batch_write_channel(b, b->plain[k], false, outputs[b->plain[k]]);
+    return is_well && (!b->forces || yk_batch_run_forces_alone(b, outputs, 0));
 }
 
 YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
@@ -243,14 +244,13 @@ YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *ou
 {
     YkStatus worst = YK_OK;
     if (b->needs_state) return run_poses(b, inputs, outputs, status, count);
-    YkRun run = run_of(b);
-    if (count == 1 && run_alone(b, &run, inputs, outputs)) {
+    if (count == 1 && run_alone(b, inputs, outputs)) {
         if (status) *status = YK_OK;
         return YK_OK;
     }
     for (size_t at = 0; at < count; at += b->lanes) {
-        run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        worst = yk_worse(worst, run_lanes(b, &run, inputs, outputs, status, (YkAlong){NULL, NULL}, at));
+        b->run.lanes = count - at < b->lanes ? count - at : b->lanes;
+        worst = yk_worse(worst, run_lanes(b, inputs, outputs, status, (YkAlong){NULL, NULL}, at));
     }
     return worst;
 }
@@ -284,12 +284,11 @@ void yk_batch_begin(YkBatch *b, const YkState *state)
 size_t yk_batch_run_along(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
                           YkAlong along, size_t count)
 {
-    YkRun run = run_of(b);
     for (size_t at = 0; at < count; at += b->lanes) {
-        run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        run_lanes(b, &run, inputs, outputs, status, along, at);
+        b->run.lanes = count - at < b->lanes ? count - at : b->lanes;
+        run_lanes(b, inputs, outputs, status, along, at);
         memcpy(b->state->reference, b->next, b->mech->coordinate_count * sizeof *b->next);
-        if (b->clear == run.lanes) continue;
+        if (b->clear == b->run.lanes) continue;
         return at + b->clear;
     }
     return count;

@@ -25,53 +25,51 @@ static void run_some(YkPoseForces *f, YkLanePose *pose, double *const *outputs, 
     }
 }
 
-void yk_batch_write_positions(const YkBatch *b, const YkRun *run)
+void yk_batch_write_positions(const YkBatch *b)
 {
     for (size_t k = 0; b->forces->position_count > 0 && k < b->mech->coordinate_count; k++)
-        if (b->forces->position[k]) yk_batch_write_angle(b, run, k, b->forces->position[k], run->lanes);
+        if (b->forces->position[k]) yk_batch_write_angle(b, k, b->forces->position[k], b->run.lanes);
 }
 
-static YkLanePose begin_forces(YkBatch *b, const YkRun *run)
+static YkLanePose begin_forces(YkBatch *b)
 {
     yk_pose_forces_follow(b->forces);
-    yk_batch_write_positions(b, run);
-    return (YkLanePose){b->now, run->inputs, b->state->time, b->times, (const double *const *)b->forces->position,
-                        NULL};
+    yk_batch_write_positions(b);
+    return (YkLanePose){
+        b->run.space, b->run.inputs, b->state->time, b->times, (const double *const *)b->forces->position, NULL};
 }
 
-bool yk_batch_run_forces_alone(YkBatch *b, const YkRun *run, double *const *outputs, size_t at)
+bool yk_batch_run_forces_alone(YkBatch *b, double *const *outputs, size_t at)
 {
-    YkLanePose pose = begin_forces(b, run);
+    YkLanePose pose = begin_forces(b);
     return yk_pose_forces_run_one(b->forces, &pose, outputs, at);
 }
 
-void yk_batch_run_forces(YkBatch *b, const YkRun *run, double *const *outputs, size_t at, const bool *wanted)
+void yk_batch_run_forces(YkBatch *b, double *const *outputs, size_t at, const bool *wanted)
 {
     YkPoseForces *f = b->forces;
-    if (b->now == &b->single) {
-        yk_batch_run_forces_alone(b, run, outputs, at);
+    if (b->run.space == &b->single) {
+        yk_batch_run_forces_alone(b, outputs, at);
         return;
     }
-    YkLanePose pose = begin_forces(b, run);
-    size_t count = wanted ? list_lanes(f, wanted, run->lanes) : run->lanes;
-    if (count < run->lanes) {
-        run_some(f, &pose, outputs, at, run->lanes, count);
+    YkLanePose pose = begin_forces(b);
+    size_t count = wanted ? list_lanes(f, wanted, b->run.lanes) : b->run.lanes;
+    if (count < b->run.lanes) {
+        run_some(f, &pose, outputs, at, b->run.lanes, count);
         return;
     }
     for (size_t k = 0; k < f->count; k++) f->out[k] = outputs[f->place[k]] + at;
-    yk_lane_forces_run(f->lanes, &pose, f->out, run->lanes);
+    yk_lane_forces_run(f->lanes, &pose, f->out, b->run.lanes);
 }
 
 size_t yk_batch_finite_lanes(const YkBatch *b, double *const *outputs, size_t at, size_t n)
 {
     size_t lane = 0;
     YkPoseForces *f = b->forces;
-    size_t seen = 0;
     bool finite;
     if (n == 1) return yk_pose_forces_are_finite(f, outputs, at) ? 1 : 0;
-    for (size_t k = 0; k < f->count; k++)
-        if (!yk_lane_forces_is_constant(f->lanes, k)) f->seen[seen++] = f->out[k];
-    yk_lanes_finite(&finite, f->seen, seen, n);
+    for (size_t k = 0; k < f->telling_count; k++) f->seen[k] = f->out[f->telling[k]];
+    yk_lanes_finite(&finite, f->seen, f->telling_count, n);
     if (finite) return n;
     while (lane < n && yk_pose_forces_are_finite(b->forces, outputs, at + lane)) lane++;
     return lane;

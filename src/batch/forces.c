@@ -305,10 +305,9 @@ size_t yk_lane_forces_length(const YkLaneForces *f)
     return yk_tape_length(f->tape);
 }
 
-bool yk_lane_forces_is_constant(const YkLaneForces *f, size_t channel)
+bool yk_lane_forces_tell(const YkLaneForces *f, size_t channel)
 {
-    const double *number = yk_tape_constant(f->tape, channel);
-    return number && *number - *number == 0;
+    return yk_tape_tells(f->tape, channel);
 }
 
 bool yk_lane_forces_needs(const YkLaneForces *f, size_t coordinate)

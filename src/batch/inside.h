@@ -14,7 +14,7 @@ struct YkBatch {
                     // tracked in it
     YkState *home;  // groups: every pose starts here
     YkSpace space, single; // for blocks of lanes; for one pose
-    YkSpace *now;          // which of them this block uses
+    YkRun run;             // its steps; of the present block: which space, how many lanes
     YkChannel *channels;
     int32_t (*turns)[2]; // per channel: the orientations of its angle (a, b)
     double ***row;       // per channel: the lanes in which it is made, redirected to its output; or NULL
@@ -44,9 +44,9 @@ bool yk_batch_find_rates_alone(YkBatch *batch);
 void yk_batch_prepare_angle(YkBatch *batch, size_t channel);
 double **yk_batch_free_row_of(YkBatch *batch, size_t channel);
 // Writes the positions of a coordinate that is an angle.
-void yk_batch_write_angle(const YkBatch *batch, const YkRun *run, size_t coordinate, double *out, size_t n);
+void yk_batch_write_angle(const YkBatch *batch, size_t coordinate, double *out, size_t n);
 // Writes a channel that is none of forces. masks: some lanes may not close, or are at a dead point.
-void yk_batch_write_channel(const YkBatch *batch, const YkRun *run, size_t channel, bool masks, double *out);
+void yk_batch_write_channel(const YkBatch *batch, size_t channel, bool masks, double *out);
 // Makes a channel 0 in lanes that have no answer.
 void yk_batch_mask(const YkBatch *batch, size_t channel, double *out, size_t n);
 // judge.c: tells the status of n lanes, and leaves margins that mask what they cannot tell. Returns the worst.
@@ -57,11 +57,11 @@ YkStatus yk_batch_solve_lane(YkBatch *batch, size_t lane);
 YkStatus yk_batch_write_settled(YkBatch *batch, double *const *outputs, size_t at, size_t n);
 // batch_forces.c: computes the forces of a block of lanes, before its channels are masked: of those that are wanted;
 // NULL: of all.
-void yk_batch_run_forces(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at, const bool *wanted);
+void yk_batch_run_forces(YkBatch *batch, double *const *outputs, size_t at, const bool *wanted);
 // Computes the forces of one pose in the space of one lane. Returns whether all of them are finite.
-bool yk_batch_run_forces_alone(YkBatch *batch, const YkRun *run, double *const *outputs, size_t at);
+bool yk_batch_run_forces_alone(YkBatch *batch, double *const *outputs, size_t at);
 // Writes the positions on which loads depend.
-void yk_batch_write_positions(const YkBatch *batch, const YkRun *run);
+void yk_batch_write_positions(const YkBatch *batch);
 // Returns how many lanes have finite forces, from the first.
 size_t yk_batch_finite_lanes(const YkBatch *batch, double *const *outputs, size_t at, size_t n);
 // Replaces forces that are not finite by those of one pose, or tells its status. Returns the worst.

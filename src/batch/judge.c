@@ -18,7 +18,7 @@ YkStatus yk_batch_solve_lane(YkBatch *b, size_t lane)
 // Judges a lane that may be singular as the state does.
 static YkStatus judge_by_state(YkBatch *b, size_t k, bool closes)
 {
-    double *margin = &b->now->margin[k];
+    double *margin = &b->run.space->margin[k];
     YkStatus status = yk_batch_solve_lane(b, k);
     if (status == YK_NO_MEMORY) {
         *margin = -1;
@@ -37,8 +37,8 @@ static YkStatus judge_by_state(YkBatch *b, size_t k, bool closes)
 // Judges a lane; leaves a margin that masks what it cannot tell. On a path the state judges close poses, not a lane.
 static YkStatus judge_lane(YkBatch *b, size_t k)
 {
-    double *margin = &b->now->margin[k];
-    bool closes = *margin >= YK_LIMIT_MARGIN && b->now->gap[k] <= yk_gap_tolerance(b->mech, *margin);
+    double *margin = &b->run.space->margin[k];
+    bool closes = *margin >= YK_LIMIT_MARGIN && b->run.space->gap[k] <= yk_gap_tolerance(b->mech, *margin);
     bool is_close = closes ? *margin <= yk_state_close_margin(b->state) : !b->is_along && yk_may_coincide(*margin);
     if (is_close && !b->is_along) return judge_by_state(b, k, closes);
     if (is_close)
@@ -51,7 +51,7 @@ static YkStatus judge_lane(YkBatch *b, size_t k)
 YkStatus yk_batch_write_settled(YkBatch *b, double *const *outputs, size_t at, size_t n)
 {
     for (size_t lane = 0; lane < n; lane++) {
-        if (b->now->margin[lane] != SETTLED_MARGIN) continue;
+        if (b->run.space->margin[lane] != SETTLED_MARGIN) continue;
         YkStatus status = yk_batch_solve_lane(b, lane);
         if (status < 0) return status; // out of memory
         for (size_t k = 0; k < b->channel_count; k++)
@@ -66,7 +66,7 @@ YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
     YkStatus worst = YK_OK;
     bool well;
     b->has_settled = false;
-    yk_lanes_well(&well, b->now->margin, b->now->gap, yk_state_close_margin(b->state),
+    yk_lanes_well(&well, b->run.space->margin, b->run.space->gap, yk_state_close_margin(b->state),
                   b->mech->size * YK_CLOSING_TOLERANCE, n);
     if (well) {
         if (status) memset(status, YK_OK, n);

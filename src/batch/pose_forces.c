@@ -2,6 +2,7 @@
 #include "batch/pose_forces.h"
 #include <math.h>
 #include <stdlib.h>
+#include "elementary/kernel.h"
 
 static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t count)
 {
@@ -9,13 +10,21 @@ static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t cou
     f->place = calloc(count + 1, sizeof *f->place);
     f->out = calloc(count + 1, sizeof *f->out);
     f->seen = calloc(count + 1, sizeof *f->seen);
-    if (!f->channels || !f->place || !f->out || !f->seen) return false;
+    f->telling = calloc(count + 1, sizeof *f->telling);
+    if (!f->channels || !f->place || !f->out || !f->seen || !f->telling) return false;
     for (size_t k = 0; k < count; k++) {
         if (!yk_channel_needs_forces(channels[k])) continue;
         f->channels[f->count] = channels[k];
         f->place[f->count++] = k;
     }
     return true;
+}
+
+static void list_telling(YkPoseForces *f)
+{
+    f->telling_count = 0;
+    for (size_t k = 0; k < f->count; k++)
+        if (yk_lane_forces_tell(f->lanes, k)) f->telling[f->telling_count++] = k;
 }
 
 static bool make_lanes(YkPoseForces *f, size_t lanes)
@@ -29,6 +38,7 @@ static bool make_lanes(YkPoseForces *f, size_t lanes)
     f->packed = calloc(f->count * lanes, sizeof *f->packed);
     f->lane_count = lanes;
     if (!f->position || !f->position_lanes || !f->which || !f->packed) return false;
+    list_telling(f);
     double *next = f->position_lanes;
     for (size_t k = 0; k < coordinates; k++) {
         if (!yk_lane_forces_needs(f->lanes, k)) continue;
@@ -71,6 +81,7 @@ void yk_pose_forces_free(YkPoseForces *f)
     free(f->place);
     free(f->out);
     free(f->seen);
+    free(f->telling);
     free(f->position);
     free(f->position_lanes);
     free(f->which);
@@ -78,11 +89,12 @@ void yk_pose_forces_free(YkPoseForces *f)
     free(f);
 }
 
-void yk_pose_forces_follow(YkPoseForces *f)
+void yk_pose_forces_take(YkPoseForces *f)
 {
-    if (!f->mech->variant || f->changes == f->mech->variant->changes) return;
     f->changes = f->mech->variant->changes;
-    if (f->lanes) yk_lane_forces_redesign(f->lanes);
+    if (!f->lanes) return;
+    yk_lane_forces_redesign(f->lanes);
+    list_telling(f);
 }
 
 // --- one pose
@@ -91,6 +103,7 @@ bool yk_pose_forces_run_one(YkPoseForces *f, const YkLanePose *at, double *const
 {
     const double *const *result = yk_lane_forces_run_one(f->lanes, at);
     double sum = 0; // not finite if one of them is not
+    YK_UNROLL
     for (size_t k = 0; k < f->count; k++) {
         double value = *result[k];
         sum += value;

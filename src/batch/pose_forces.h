@@ -17,10 +17,12 @@ typedef struct YkPoseForces {
     size_t position_count;
     double **position; // [coordinate]: lanes of a position that the loads depend on, or NULL
     double *position_lanes;
-    double **out;   // [k]: of the channels that need forces
-    double **seen;  // those of them that may not be finite
-    size_t *which;  // the lanes asked for, when they are not all,
-    double *packed; // [k][lanes]: and their forces
+    double **out;         // [k]: of the channels that need forces
+    double **seen;        // of those that tell whether all are finite,
+    size_t *telling;      // whose k these are,
+    size_t telling_count; // and how many
+    size_t *which;        // the lanes asked for, when they are not all,
+    double *packed;       // [k][lanes]: and their forces
     size_t lane_count;
 } YkPoseForces;
 
@@ -29,8 +31,14 @@ typedef struct YkPoseForces {
 YkPoseForces *yk_pose_forces_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, size_t lanes,
                                  bool *none);
 void yk_pose_forces_free(YkPoseForces *forces);
-// Takes the present values of the parameters, if the mechanism is a variant's and they have changed.
-void yk_pose_forces_follow(YkPoseForces *forces);
+// Takes the present values of the parameters of a variant.
+void yk_pose_forces_take(YkPoseForces *forces);
+// Takes them if the mechanism is a variant's and they have changed.
+static inline void yk_pose_forces_follow(YkPoseForces *forces)
+{
+    const YkVariant *variant = forces->mech->variant;
+    if (variant && forces->changes != variant->changes) yk_pose_forces_take(forces);
+}
 // Returns whether the forces of a pose are all finite; makes them 0.
 bool yk_pose_forces_are_finite(const YkPoseForces *forces, double *const *outputs, size_t pose);
 void yk_pose_forces_clear(const YkPoseForces *forces, double *const *outputs, size_t pose);

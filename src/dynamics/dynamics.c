@@ -254,7 +254,7 @@ YkStatus yk_dynamics_find_accelerations(YkDynamics *d, YkState *state)
     if (!d->influence) return yk_dynamics_reduce(d, state);
     YkStatus status = stand(d, state, &loads);
     if (status < 0 || !state->has_rates) return status;
-    int bad = yk_influence_accelerate(d->influence, state, loads, d->acceleration);
+    int bad = yk_influence_accelerate(d->influence, state, loads, d->loads->is_loaded, d->acceleration);
     return bad == -1 ? status : yk_dynamics_fail_at_input(d, bad);
 }
 

@@ -65,8 +65,9 @@ typedef struct Look {
     const YkInfluence *f;
     const YkSpace *space;
     const YkLoad *loads;
+    const bool *is_loaded; // per body, with loads
     YkVec gravity;
-    bool is_pushed; // whether gravity or loads act
+    bool has_weight;
     bool moving;
     size_t n;
 } Look;
@@ -74,6 +75,12 @@ typedef struct Look {
 static inline const double *influence_of(const Look *look, int32_t turn, int32_t unknown)
 {
     return look->moving ? look->space->data + turn + 2 : look->f->R + unknown;
+}
+
+// Returns whether weight or loads act on a body.
+static inline bool is_pushed(const Look *look, int32_t body)
+{
+    return look->has_weight || (look->loads && look->is_loaded[body]);
 }
 
 // Returns the load on a body besides inertia: weight and loads.
@@ -91,7 +98,7 @@ static inline void add_pivoted(const Look *look, const YkPivotedBody *b, Sums *s
     const YkInfluenceTerm *term = &b->term;
     const double *t = look->space->data + term->turn, *R = influence_of(look, term->turn, term->unknown);
     double moment = -b->about * t[3];
-    if (look->is_pushed) {
+    if (is_pushed(look, b->body)) {
         YkLoad push = push_on(look, b->mass, b->body);
         moment += yk_cross(yk_turned_by(t, term->v), push.force) + (b->turns ? push.moment : 0);
     }
@@ -113,7 +120,7 @@ static inline void add_carried(const Look *look, const YkCarriedBody *b, Sums *s
     double between = b->mass * yk_dot(u, w), across = b->mass * yk_cross(u, w);
     double moment0 = across * t1[2] * t1[2] - between * t1[3] - b->about[0] * t0[3];
     double moment1 = -across * t0[2] * t0[2] - between * t0[3] - b->about[1] * t1[3];
-    if (look->is_pushed) {
+    if (is_pushed(look, b->body)) {
         YkLoad push = push_on(look, b->mass, b->body);
         moment0 += yk_cross(u, push.force) + (b->own == 0 ? push.moment : 0);
         moment1 += yk_cross(w, push.force) + (b->own == 1 ? push.moment : 0);
@@ -230,14 +237,16 @@ static int accelerate_moving(const Look *look, double rate, double *acceleration
     return -1;
 }
 
-int yk_influence_accelerate(YkInfluence *f, const YkState *state, const YkLoad *loads, double *acceleration)
+int yk_influence_accelerate(YkInfluence *f, const YkState *state, const YkLoad *loads, const bool *is_loaded,
+                            double *acceleration)
 {
     static const double LEAST_RATE = 1e-60; // its square is still a number
     void (*const ways[])(const Look *, Sums *) = {NULL, sum_one, sum_two, NULL, sum_four};
     const YkElimination *e = f->e;
     Sums sums;
-    Look look = {.f = f, .space = &state->space, .loads = loads, .gravity = e->mech->model->gravity};
-    look.is_pushed = loads || look.gravity.x != 0 || look.gravity.y != 0;
+    YkVec gravity = e->mech->model->gravity;
+    Look look = {.f = f, .space = &state->space, .loads = loads, .is_loaded = is_loaded, .gravity = gravity};
+    look.has_weight = gravity.x != 0 || gravity.y != 0;
     bool may_move = e->mech->input_count == 1 && fabs(state->input[1]) > LEAST_RATE;
     if (may_move) return accelerate_moving(&look, state->input[1], acceleration);
     if (!carry_all(f, look.space)) return -2;

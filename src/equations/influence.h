@@ -68,8 +68,9 @@ typedef struct YkInfluence {
 YkInfluence *yk_influence_new(const YkElimination *elimination, size_t free_count);
 void yk_influence_free(YkInfluence *influence);
 // Finds the accelerations of the free inputs at the pose of the state, in which they are 0; the entries of other inputs
-// stay. loads[body] without gravity, or NULL: none. Returns -1; otherwise the input of a freedom without inertia, or -2
-// at a singular group. Allocates nothing.
-int yk_influence_accelerate(YkInfluence *influence, const YkState *state, const YkLoad *loads, double *acceleration);
+// stay. loads[body] without gravity, or NULL: none; is_loaded[body]: whether it may have one. Returns -1; otherwise the
+// input of a freedom without inertia, or -2 at a singular group. Allocates nothing.
+int yk_influence_accelerate(YkInfluence *influence, const YkState *state, const YkLoad *loads, const bool *is_loaded,
+                            double *acceleration);
 
 #endif

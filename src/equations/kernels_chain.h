@@ -11,9 +11,10 @@
 #include "equations/tree_articulated.h"
 
 // A vector of a link's own axes: where all lie along one axis of theirs, its length along it is enough.
-YK_INLINE YkVec chain_given(const double *const *given, int x, YkAxis axis, size_t lane)
+YK_INLINE YkVec chain_given(const YkTreeRows *rows, int x, YkAxis axis, size_t lane)
 {
-    return yk_vec(axis == YK_AXIS_Y ? 0 : given[x][lane], axis == YK_AXIS_X ? 0 : given[x + 1][lane]);
+    return yk_vec(axis == YK_AXIS_Y ? 0 : rows->sign[x] * rows->given[x][lane],
+                  axis == YK_AXIS_X ? 0 : rows->sign[x + 1] * rows->given[x + 1][lane]);
 }
 
 YK_INLINE double chain_dot(YkVec a, YkVec b, YkAxis axis)
@@ -65,14 +66,14 @@ YK_INLINE bool chain_link(ChainLink *own, const ChainLink *next, const YkTreeRow
                           size_t lane)
 {
     const double *const *given = rows->given;
-    YkVec center = chain_given(given, YK_GIVEN_CENTER_X, axis, lane);
+    YkVec center = chain_given(rows, YK_GIVEN_CENTER_X, axis, lane);
     double mass = given[YK_GIVEN_MASS][lane], inertia = given[YK_GIVEN_INERTIA][lane];
     YkVec moment = yk_scale(mass, center);
     own->behind = inertia + chain_dot(moment, center, axis);
     own->mass_out = mass;
     own->effort = chain_torque(rows, lane);
     if (next) {
-        YkVec at = chain_given(rows[1].given, YK_GIVEN_AT_X, axis, lane);
+        YkVec at = chain_given(rows + 1, YK_GIVEN_AT_X, axis, lane);
         YkVec carried = yk_scale(next->mass_out, at);
         moment = yk_add(moment, carried);
         own->behind += chain_dot(carried, at, axis);

@@ -80,10 +80,12 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
                       bool has_children, bool is_first, double *ok, size_t n)
 {
     double sense = rows->sense, least_mass = rows->has_mass ? 0 : -1;
+    const double *sign = rows->sign;
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
         double mass = given.mass[i], w = link->w[i], inertia = given.inertia[i];
-        YkVec e = yk_vec(link->c[i], link->s[i]), center = yk_vec(given.center_x[i], given.center_y[i]);
+        YkVec e = yk_vec(link->c[i], link->s[i]);
+        YkVec center = yk_vec(sign[YK_GIVEN_CENTER_X] * given.center_x[i], sign[YK_GIVEN_CENTER_Y] * given.center_y[i]);
         double own = inertia + mass * yk_dot(center, center);
         YkVec moment = yk_mul(e, yk_scale(mass, center));
         YkArticulated A = {own, yk_quarter(moment), mass, 0, mass, yk_scale(-w * w, moment), 0}; // the link alone
@@ -102,7 +104,8 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
             link->by[i] = answer.by;
             continue;
         }
-        YkVec at = yk_vec(given.at_x[i], given.at_y[i]), arm = yk_mul(yk_vec(parent->c[i], parent->s[i]), at);
+        YkVec at = yk_vec(sign[YK_GIVEN_AT_X] * given.at_x[i], sign[YK_GIVEN_AT_Y] * given.at_y[i]),
+              arm = yk_mul(yk_vec(parent->c[i], parent->s[i]), at);
         YkVec bias = yk_scale(-parent->w[i] * parent->w[i], arm), across = yk_quarter(arm);
         link->by[i] = answer.by - yk_dot(answer.on, bias);
         link->turn[i] = yk_dot(answer.on, across);

@@ -34,6 +34,7 @@ typedef struct YkTreeFound {
 
 typedef struct YkTreeRows { // of a link; links come after their parents
     const double *given[YK_GIVEN_COUNT];
+    double sign[YK_GIVEN_MASS];   // +1 or -1, by which the rows of vectors are multiplied
     const double *q, *v, *torque; // of its coordinate
     double *a;                    // found: the coordinate's acceleration
     int32_t parent;               // link, or -1: the ground

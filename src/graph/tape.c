@@ -151,7 +151,8 @@ static bool make(YkTapeMaker *m, YkArena *work, const YkRef *leaves, const YkRef
     make_steps(m, false);
     t->scratch = YK_NEW(t->arena, double, m->most_arguments + 3);
     return !yk_arena_failed(t->arena) && yk_tape_order(m, work, roots) &&
-           yk_tape_place(t, work, g, leaves, roots, m->made) && yk_tape_make_one(t, work);
+           yk_tape_place(t, work, g, leaves, roots, m->made) && yk_tape_find_telling(m, work, roots) &&
+           yk_tape_make_one(t, work);
 }
 
 YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
@@ -191,9 +192,10 @@ bool yk_tape_needs(const YkTape *t, size_t leaf)
     return t->own_row[leaf] != NULL;
 }
 
-const double *yk_tape_constant(const YkTape *t, size_t root)
+bool yk_tape_tells(const YkTape *t, size_t root)
 {
-    return t->constant[root];
+    const double *number = t->constant[root];
+    return t->tells[root] && !(number && *number - *number == 0);
 }
 
 void yk_tape_set_lanes(YkTape *t, size_t leaf, const double *lanes)

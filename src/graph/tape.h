@@ -8,7 +8,6 @@
 #include "graph/graph.h"
 
 typedef struct YkTape YkTape;
-enum { YK_TAPE_BLOCK = 192 }; // the number of lanes for which it is fastest
 
 // What the graph's calls of laws mean: result = value, first and second derivative.
 typedef struct YkTapeLaws {
@@ -26,8 +25,8 @@ size_t yk_tape_length(const YkTape *tape); // operations a pose
 
 // Returns whether the roots depend on a leaf.
 bool yk_tape_needs(const YkTape *tape, size_t leaf);
-// Returns the number of a root that is the same in all lanes; NULL if it varies.
-const double *yk_tape_constant(const YkTape *tape, size_t root);
+// Returns whether a root tells something about whether all are finite: they are where all such roots are.
+bool yk_tape_tells(const YkTape *tape, size_t root); // with the present parameters
 // Gives a leaf of a pose its lanes, which must stay until the tape has run.
 void yk_tape_set_lanes(YkTape *tape, size_t leaf, const double *lanes);
 // Gives a leaf the lanes which[0 .. n) of these, one after the other; they are copied.

@@ -167,12 +167,6 @@ static void order_steps(Maker *m)
     }
 }
 
-static void add_to_groups(YkTapeOne *one, YkTapeOp op, const YkTapeOperation *end)
-{
-    if (one->group_count == 0 || one->groups[one->group_count - 1].op != op) one->group_count++;
-    one->groups[one->group_count - 1] = (YkTapeGroup){end, op};
-}
-
 static void note_read(const Maker *m, int32_t place, const double **from)
 {
     if (m->leaf[place] != YK_NONE) m->one->reads[m->one->read_count++] = (YkTapeRead){from, m->leaf[place]};
@@ -192,12 +186,14 @@ static void sort_steps(Maker *m)
     for (size_t k = 0; k < m->step_count; k++) {
         const YkTapeStep *s = &m->steps[m->order[k]];
         const double *const *at = (const double *const *)one->at;
-        one->operations[k] =
-            (YkTapeOperation){at[s->in[0]], at[s->in[1]], at[s->in[2]], at[s->in[3]], at[s->in[4]], one->at[s->out]};
+        YkTapeOperation *o = &one->operations[k];
+        one->at[s->out] = &o->out;
+        *o = (YkTapeOperation){at[s->in[0]], at[s->in[1]], at[s->in[2]], at[s->in[3]], at[s->in[4]], .op = s->op};
+        if (k > 0) o[-1].has_like = o[-1].op == s->op;
         if (s->op == YK_TAPE_RARE) one->rare[rare++] = *s;
-        add_to_groups(one, s->op, &one->operations[k + 1]);
-        note_reads(m, s, &one->operations[k]);
+        note_reads(m, s, o);
     }
+    one->operations[m->step_count].op = YK_TAPE_END;
 }
 
 // --- the whole
@@ -229,7 +225,6 @@ static bool start(Maker *m, YkArena *work)
     one->result = YK_NEW(t->arena, const double *, t->root_count + 1);
     one->numbers = YK_NEW(t->arena, YkTapeNumber, t->row_count + 1);
     one->operations = YK_NEW(t->arena, YkTapeOperation, steps);
-    one->groups = YK_NEW(t->arena, YkTapeGroup, steps);
     one->rare = YK_NEW(t->arena, YkTapeStep, steps);
     one->calls = YK_NEW(t->arena, YkTapeCall, calls + 1);
     if (yk_arena_failed(work) || yk_arena_failed(t->arena)) return false;
@@ -246,14 +241,17 @@ bool yk_tape_make_one(YkTape *t, YkArena *work)
     Maker m = {.tape = t, .one = t->one};
     if (!start(&m, work)) return false;
     for (size_t k = t->prelude_count; k < t->step_count; k++) place_step(&m, &t->steps[k]);
-    for (size_t k = 0; k < t->root_count; k++)
-        t->one->result[k] = &t->one->value[place_of(&m, (int32_t)(t->leaf_count + k))];
+    for (size_t k = 0; k < t->root_count; k++) place_of(&m, (int32_t)(t->leaf_count + k));
     if (yk_arena_failed(t->arena)) return false;
     for (size_t k = 0; k < m.place_count; k++) m.leaf[k] = YK_NONE;
     for (size_t k = 0; k < t->leaf_count; k++)
         if (t->one->leaf[k] != YK_NONE) m.leaf[t->one->leaf[k]] = (int32_t)k;
     sort_steps(&m);
-    for (size_t k = 0; k < t->root_count; k++) note_read(&m, m.place[t->leaf_count + k], &t->one->result[k]);
+    for (size_t k = 0; k < t->root_count; k++) {
+        int32_t place = m.place[t->leaf_count + k];
+        t->one->result[k] = t->one->at[place];
+        note_read(&m, place, &t->one->result[k]);
+    }
     yk_tape_prepare_one(t);
     return true;
 }

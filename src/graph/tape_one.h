@@ -7,15 +7,12 @@ typedef struct YkTapeNumber { // a number of one lane that is read from a row: o
     int32_t row, place;
 } YkTapeNumber;
 
-typedef struct YkTapeOperation { // where it reads and writes
+typedef struct YkTapeOperation { // where it reads; its result
     const double *a, *b, *c, *d, *e;
-    double *out;
-} YkTapeOperation;
-
-typedef struct YkTapeGroup { // operations of one kind
-    const YkTapeOperation *end;
+    double out;
     YkTapeOp op;
-} YkTapeGroup;
+    bool has_like; // the next one is of the same kind
+} YkTapeOperation;
 
 typedef struct YkTapeRead { // where the address of a leaf's number stands
     const double **from;
@@ -25,7 +22,7 @@ typedef struct YkTapeRead { // where the address of a leaf's number stands
 #define YK_TAPE_OWN ((size_t)-1)
 
 struct YkTapeOne {
-    double *value;      // per place
+    double *value;      // per place: of leaves, of what depends on parameters alone, and results of calls
     double **at;        // per place: its address, as rows of one lane
     int32_t *leaf;      // per leaf: its place, or YK_NONE
     size_t *number;     // per leaf: which of a pose's numbers it is, or YK_TAPE_OWN
@@ -34,10 +31,9 @@ struct YkTapeOne {
     size_t read_count;
     const double **result; // per root: its number
     YkTapeNumber *numbers; // what depends on parameters alone
-    size_t number_count, group_count;
-    YkTapeOperation *operations;
-    YkTapeGroup *groups;
-    YkTapeStep *rare; // of the groups of rare operations, by places
+    size_t number_count;
+    YkTapeOperation *operations; // the last one is YK_TAPE_END
+    YkTapeStep *rare;            // the rare operations, by places
     YkTapeCall *calls;
 };
 

@@ -6,6 +6,8 @@
 #include "elementary/kernel.h"
 #include "graph/tape_steps.h"
 
+enum { ROUND = 4 * 8 }; // lanes in one turn of an unrolled loop, in the widest registers
+
 // One operation over lanes. The row of the result is none of the operands'.
 #define EACH(expression)                                                                                               \
     {                                                                                                                  \
@@ -105,11 +107,11 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
     }
 }
 
-// Whole blocks have loops of a length that the compiler knows.
+// The compiler sees that whole turns leave no rest.
 YK_INLINE void yk_tape_run_steps_body(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n)
 {
-    if (YK_KNOWS_BLOCKS && n == YK_TAPE_BLOCK)
-        run_over(tape, steps, count, YK_TAPE_BLOCK);
+    if (YK_KNOWS_BLOCKS && n % ROUND == 0)
+        run_over(tape, steps, count, n / ROUND * ROUND);
     else
         run_over(tape, steps, count, n);
 }

@@ -30,7 +30,8 @@ typedef enum YkTapeOp {
     YK_TAPE_NONZERO, // |a| + 1e-200
     YK_TAPE_CHOOSE,  // a < 0 ? b : c
     YK_TAPE_RARE,    // a function of formulas, or a call: lane by lane
-    YK_TAPE_COPY
+    YK_TAPE_COPY,
+    YK_TAPE_END // of the operations of one lane
 } YkTapeOp;
 
 enum { YK_TAPE_OPERANDS = 5 };
@@ -59,6 +60,7 @@ struct YkTape {
     double **row;            // rows of the leaves, then those of the roots, then the tape's own
     double **own_row;        // [leaf]: what yk_tape_set fills; NULL for a leaf that nothing depends on
     const double **constant; // [root]: its number, if it is the same in all lanes
+    bool *tells;             // [root]: it is one of those that tell whether all are finite
     bool *is_parameter;      // [leaf]: it depends on parameters alone
     size_t leaf_count, root_count, row_count;
     int32_t *wide; // rows of parameters that some step reads lane by lane; all others have one number
@@ -113,6 +115,8 @@ bool yk_tape_order(YkTapeMaker *maker, YkArena *work, const YkRef *roots);
 // the leaves.
 bool yk_tape_place(YkTape *tape, YkArena *work, const YkGraph *graph, const YkRef *leaves, const YkRef *roots,
                    const YkRef *made);
+// tape_finite.c: finds the roots that tell whether all are finite. Returns false when out of memory.
+bool yk_tape_find_telling(YkTapeMaker *maker, YkArena *work, const YkRef *roots);
 // tape_run.c: runs steps over n lanes.
 void yk_tape_run_steps(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n);
 // Evaluates one lane of a rare operation, whose calls and operands name these rows.

@@ -23,7 +23,7 @@ typedef struct Given {
     Part part[2];
     size_t parts;
     bool is_constant; // filled once
-    int32_t variable; // a parameter as it stands, read where it is; or YK_NONE
+    int32_t variable; // a parameter with a sign, read where it stands; or YK_NONE
 } Given;
 
 typedef struct Link {
@@ -94,8 +94,10 @@ static void give(YkTreeBatch *b, int32_t link, int32_t row, const double *first,
     }
     for (size_t k = 0, p; g->is_constant && k < LANES; k++)
         for (p = 0; p < g->parts; p++) b->link[link].row[row][k] += g->part[p].sign * g->part[p].constant;
-    bool is_one = g->parts == 1 && g->part[0].sign > 0 && !b->link[link].is_rod; // of a rod: see finish_rod
-    if (is_one) g->variable = g->part[0].variable;
+    bool is_one = g->parts == 1 && !b->link[link].is_rod; // of a rod: see finish_rod
+    if (!is_one || (row >= YK_GIVEN_MASS && g->part[0].sign < 0)) return;
+    g->variable = g->part[0].variable;
+    if (row < YK_GIVEN_MASS && g->variable != YK_NONE) b->rows[link].sign[row] = g->part[0].sign;
 }
 
 // Returns the coordinates of a joint's point on one of its sides; NULL: an origin.
@@ -126,6 +128,7 @@ static void give_link(YkTreeBatch *b, int32_t k, int32_t body, const int32_t *li
                               .sense = side == 0 ? -1 : 1,
                               .has_mass = own->mass_expr != NULL};
     for (int r = 0; r < YK_GIVEN_COUNT; r++) b->rows[k].given[r] = b->link[k].row[r];
+    for (int r = 0; r < YK_GIVEN_MASS; r++) b->rows[k].sign[r] = 1;
     give(b, k, YK_GIVEN_AT_X, there ? &there->x : NULL, before ? &before->x : NULL);
     give(b, k, YK_GIVEN_AT_Y, there ? &there->y : NULL, before ? &before->y : NULL);
     give(b, k, YK_GIVEN_MASS, &own->mass, NULL);

@@ -118,6 +118,41 @@ static void test_random_graphs(void **unused)
     }
 }
 
+static bool are_finite(const Case *c, const YkTape *t, size_t lane, bool only_telling)
+{
+    for (size_t k = 0; k < ROOTS; k++)
+        if ((!only_telling || yk_tape_tells(t, k)) && !isfinite(c->out[k][lane])) return false;
+    return true;
+}
+
+// Whatever leaf or parameter is not finite, the roots that tell are all finite where all roots are.
+static void test_roots_that_tell(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 41;
+    size_t telling = 0, bad = 0;
+    const double odd[] = {INFINITY, -INFINITY, NAN, 1e200, 0};
+    for (int round = 0; round < 300; round++) {
+        start(&c, &seed);
+        grow(&c, &seed);
+        if (round % 4 == 0) c.leaf[LEAVES + round / 4 % PARAMETERS][0] = odd[round / 12 % 5];
+        for (size_t i = 0; i < LANES; i++) c.leaf[check_random(&seed) % LEAVES][i] = odd[i % 5];
+        YkTape *t = tape_of(&c, (YkTapeLaws){0});
+        run(&c, t, 0, LANES);
+        for (size_t k = 0; k < ROOTS; k++) telling += yk_tape_tells(t, k);
+        for (size_t i = 0; i < LANES; i++) {
+            bool finite = are_finite(&c, t, i, false);
+            assert_int_equal(are_finite(&c, t, i, true), finite);
+            bad += !finite;
+        }
+        yk_tape_free(t);
+        end(&c);
+    }
+    assert_true(telling > 300 && telling < 300 * (ROOTS - 1)); // the last root repeats the first
+    assert_true(bad > 300 && bad < 300 * LANES - 300);
+}
+
 // Compares all lanes of the second root with the values of the graph, in lanes and alone.
 static void check_second_root(Case *c, YkTape *t)
 {
@@ -358,6 +393,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_graphs),
+        cmocka_unit_test(test_roots_that_tell),
         cmocka_unit_test(test_joined_sums),
         cmocka_unit_test(test_terms_of_parameters),
         cmocka_unit_test(test_shared_products),
