@@ -14,7 +14,8 @@ static bool read_hold(YkLoader *loader, const YkNode *node, YkHold *hold)
     }
     bool is_rate = false;
     hold->coordinate = yk_load_coordinate(loader, node->text, node->place, &is_rate);
-    if (hold->coordinate >= 0 && !is_rate) return true;
+    if (hold->coordinate >= 0 && is_rate) hold->coordinate = yk_load_coordinate_key(loader, node, NULL); // refuses it
+    if (hold->coordinate >= 0) return true;
     if (hold->coordinate != YK_REPORTED) yk_load_body(loader, node); // reports the name, with the nearest one
     return false;
 }
