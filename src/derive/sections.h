@@ -18,9 +18,6 @@ bool yk_derive_section_centers(YkDerivation *d, YkPage *page);
 bool yk_derive_section_polygons(YkDerivation *d, YkPage *page);
 bool yk_derive_put_force_polygons(YkDerivation *d, YkPage *page); // a part of it: forces/polygons.c
 
-// Shared by sections.
-// Writes p^{A/O1} + ... - p^{...}, sums first.
-void yk_derive_put_path(YkPage *page, YkLine *line, const YkDerivePath *path);
 // Writes a complex element as a column of its x and y, which becomes the line's value.
 void yk_line_column(YkPage *page, YkLine *line, const YkPoisson *vector);
 

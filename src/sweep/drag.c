@@ -115,7 +115,8 @@ static double beyond(const YkDrag *d, size_t stop)
     return fmax(s->low - value, value - s->high) / s->scale;
 }
 
-bool yk_drag_is_beyond(const YkDrag *d, size_t stop)
+// Returns whether the pose that stands is beyond a stop.
+static bool is_beyond(const YkDrag *d, size_t stop)
 {
     return beyond(d, stop) > 1e-12;
 }
@@ -135,7 +136,7 @@ size_t yk_drag_meet_stop(YkDrag *d, double a, double *b)
     size_t met = SIZE_MAX;
     YkPath *path = &d->walk.path;
     for (size_t k = 0; k < d->stop_count; k++) {
-        if (!yk_drag_is_beyond(d, k)) continue;
+        if (!is_beyond(d, k)) continue;
         double inside = a, outside = *b;
         for (int j = 0; j < 60 && fabs(outside - inside) > 1e-13 * yk_path_scale(path); j++) {
             double middle = 0.5 * (inside + outside);

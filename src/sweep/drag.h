@@ -34,7 +34,6 @@ struct YkDrag {
 double yk_drag_distance(const YkDrag *drag);             // of the pose that stands
 double yk_drag_scale(const YkDrag *drag, size_t active); // 1 rad, or the machine's size
 void yk_drag_begin_walk(YkDrag *drag);                   // a new walk from where the state stands
-bool yk_drag_is_beyond(const YkDrag *drag, size_t stop); // at the pose that stands
 // Of the stops that the pose at b is beyond, the one that is met first after a, and where; SIZE_MAX: none. The path
 // stands at b, or there.
 size_t yk_drag_meet_stop(YkDrag *drag, double a, double *b);

@@ -8,7 +8,7 @@ enum { DIGITS = 12, PATH_DIGITS = 15, ALL_DIGITS = 17 }; // of lengths and angle
 
 typedef YkDesignWriter Writer;
 
-void yk_write_number(const Writer *w, double value)
+static void write_number(const Writer *w, double value)
 {
     char digits[YK_NUMBER_SIZE];
     size_t length = yk_number_write_digits(value == 0 ? 0 : value, w->digits, digits);
@@ -18,13 +18,13 @@ void yk_write_number(const Writer *w, double value)
 void yk_write_length(const Writer *w, const char *before, double value)
 {
     yk_text_puts(w->text, before);
-    yk_write_number(w, value / w->unit);
+    write_number(w, value / w->unit);
 }
 
 void yk_write_angle(const Writer *w, const char *before, double value, const char *after)
 {
     yk_text_puts(w->text, before);
-    yk_write_number(w, value * 180 / YK_PI);
+    write_number(w, value * 180 / YK_PI);
     yk_text_puts(w->text, after);
 }
 

@@ -241,9 +241,6 @@ const int32_t *yk_derive_contacts_on(const YkDeriveForces *f, int32_t body, size
 const int32_t *yk_derive_pushes_on(const YkDeriveForces *f, int32_t body, size_t *count);
 
 // --- free_bodies.c: pieces of vector equations
-// " + F_{01}", " - F_{12}": what acts on a body; `first`: without a plus. A load is named by its kind: W, S, D, R, F,
-// Q.
-void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
 // All contact forces on a body. Returns whether the line is still empty.
 bool yk_derive_put_contacts(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, bool first);
 void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first);
@@ -285,7 +282,6 @@ const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side)
 // Returns a load's value: an element, or a symbol for it, named by both texts.
 const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkStrength *strength, const char *name,
                                       const char *ending);
-void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values);
 // Joins three texts; "" with d->failed when out of memory.
 const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
 
