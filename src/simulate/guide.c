@@ -59,8 +59,7 @@ static bool turns_soon(const YkState *s)
 bool yk_simulation_stands_with_guide(YkSimulation *sim, double t, bool must_be_sure)
 {
     const YkState *guide = sim->guide;
-    if (sim->commands || sim->near_count == 0 || sim->contact_count > 0 || sim->dynamics->loads->has_dry)
-        return false;
+    if (sim->commands || sim->near_count == 0 || sim->contact_count > 0 || sim->dynamics->loads->has_dry) return false;
     if (!goes_to(sim, t) || !guide->has_rates || (must_be_sure && !has_sure_rates(guide))) return false;
     if (must_be_sure ? moving_input(guide) == YK_NONE && !rests(guide) : !turns_soon(guide)) return false;
     yk_state_copy(sim->state, guide);
