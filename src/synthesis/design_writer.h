@@ -1,6 +1,6 @@
 // How the model file of a design is written.
-#ifndef SYNTHESIS_DESIGN_TEXT_H
-#define SYNTHESIS_DESIGN_TEXT_H
+#ifndef SYNTHESIS_DESIGN_WRITER_H
+#define SYNTHESIS_DESIGN_WRITER_H
 #include "synthesis/design.h"
 
 typedef struct YkDesignWriter {
