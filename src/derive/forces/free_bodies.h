@@ -263,6 +263,10 @@ bool yk_derive_enter_meshes(YkDeriveForces *f);   // the contacts of relations, 
 bool yk_derive_enter_multipliers(YkDeriveForces *f);
 bool yk_derive_sort_contacts(YkDeriveForces *f); // false when out of memory
 bool yk_derive_sort_pushes(YkDeriveForces *f);
+// contact_names.c: marks joints and relations (behind them) between two bodies that another joint or relation is between,
+// too. Returns false when out of memory.
+bool yk_derive_find_doubles(YkDerivation *d, bool *is_double);
+const char *yk_derive_number_text(YkDerivation *d, size_t number); // its digits
 // Makes a new symbol of a joint's or relation's force: letter, bodies ("12"), part.
 const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part);
 // Returns "01": exerted by the ground on body 1; the name is added if others join the same two bodies. index: of
