@@ -32,7 +32,7 @@ typedef struct Search {
     double shift[N], shift_radius[N], rest[N * N]; // Y F; bounds of |I - Y J|
 } Search;
 
-// Which coefficients: those of the whole interval or of the pose; in the interval's middle; their derivatives over it.
+// Selects coefficients: those of the whole interval or of the pose; in the interval's middle; their derivatives over it.
 typedef enum Which { WHOLE, MIDDLE, RATE } Which;
 
 static YkBall coefficient(const Search *s, size_t loop, size_t k, Which which)

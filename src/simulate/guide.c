@@ -3,7 +3,7 @@
 #include "elementary/elementary.h"
 #include "simulate/crossing.h"
 
-// Of directions: near a singular position poses are known to the square root of rounding.
+// Tolerance of directions: near a singular position poses are known to the square root of rounding.
 static const double SAME = 1e-5;
 static const double SAME_PLACE = 2e-7; // where the pose of the simulation stays
 static const double CLOSE = 0.24;      // sin^2 below which a pose is the guide's

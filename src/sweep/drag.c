@@ -107,7 +107,7 @@ static double distance_beside(YkDrag *d, double at, double off)
     return there;
 }
 
-// Which way the distance falls: +1, -1, or 0. *is_end: on one side the machine does not close.
+// Returns which way the distance falls: +1, -1, or 0. *is_end: on one side the machine does not close.
 static double find_way(YkDrag *d, double at, bool *is_end)
 {
     *is_end = false;
