@@ -106,6 +106,13 @@ const char *yk_unit_of(const YkSession *session, YkQuantity quantity)
     return yk_amount_unit(session->model, quantity, NULL);
 }
 
+YkQuantity yk_quantity_of(bool is_distance, int order)
+{
+    static const YkQuantity angles[] = {YK_QUANTITY_ANGLE, YK_QUANTITY_ANGLE_RATE, YK_QUANTITY_ANGLE_ACCELERATION};
+    static const YkQuantity distances[] = {YK_QUANTITY_LENGTH, YK_QUANTITY_SPEED, YK_QUANTITY_ACCELERATION};
+    return is_distance ? distances[order] : angles[order];
+}
+
 void yk_add_value(const YkSession *session, YkText *text, double value, YkQuantity quantity, int digits)
 {
     yk_amount_write_shown(text, session->model, yk_shown(session, value, quantity), quantity, digits);

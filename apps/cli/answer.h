@@ -27,6 +27,8 @@ void yk_warn_of_pulling_cam(YkSession *session, const char *name, const double *
 // Warns of all such cams at the pose just solved.
 void yk_warn_of_pulling_cams(YkSession *session, const YkDynamics *dynamics);
 const char *yk_unit_of(const YkSession *session, YkQuantity quantity);
+// Returns the quantity of a coordinate's order-th derivative.
+YkQuantity yk_quantity_of(bool is_distance, int order);
 // Adds "190.09 deg", to `digits` significant digits, in the file's unit; angles in radians also in degrees.
 void yk_add_value(const YkSession *session, YkText *text, double value, YkQuantity quantity, int digits);
 // Returns the configuration's label in a text of its own, which the caller frees.

@@ -1,7 +1,7 @@
 // Writes help.
 #include "help.h"
 #include <string.h>
-#include "options.h"
+#include "option_table.h"
 
 enum { VERB_COLUMN = 12, OPTION_COLUMN = 28, WIDTH = 100 };
 

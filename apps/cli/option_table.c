@@ -1,6 +1,7 @@
 // The table of options.
+#include "option_table.h"
 #include <string.h>
-#include "options.h"
+#include "cli.h"
 
 #define POSE " solve sweep draw derive report study "
 #define START " solve sweep draw simulate derive report study "

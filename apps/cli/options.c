@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/names.h"
+#include "option_table.h"
 
 enum { OPTIONS_MAX = 100, WORDS_IN_LIST = 3 };
 static const YkPlace nowhere = {0};

@@ -1,6 +1,7 @@
 // Reads --over.
 #include "range.h"
 #include <string.h>
+#include "answer.h"
 #include "base/number.h"
 #include "session.h"
 

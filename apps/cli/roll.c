@@ -82,7 +82,7 @@ YkStatus yk_session_each(YkSession *session, YkState *state, bool (*visit)(void 
     if (report) *report = (YkConfigurationsReport){.block = -1};
     if (!make_rolls(session)) return YK_NO_MEMORY;
     YkConfigurationsOptions options = options_of(session);
-    // Where what is done is kept Ctrl-C ends the solving of groups, not the whole call.
+    // If what is done so far is kept, Ctrl-C ends the solving of groups, not the whole call.
     if (session->keeps_what_is_done) yk_state_set_progress(state, (YkProgress){0});
     YkStatus status = yk_configurations_each(session->rolls->configurations, state, &options, visit, context, report);
     if (session->keeps_what_is_done) yk_state_set_progress(state, yk_stop_progress(session));

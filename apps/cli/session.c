@@ -1,4 +1,5 @@
 // A run's steps that the verbs share.
+#include "answer.h"
 #include "certify.h"
 #include "held_places.h"
 #include "idle_starts.h"
@@ -20,26 +21,6 @@ bool yk_session_refuse(YkSession *session, YkCode code, const char *format, cons
 {
     yk_problem(session->problems, code, nowhere, format, word);
     return false;
-}
-
-void yk_session_run_out(YkSession *session)
-{
-    session->ran_out = true;
-}
-
-const YkMotion *yk_session_bodies(YkSession *session, const YkState *state)
-{
-    if (!session->bodies) session->bodies = calloc(yk_model_body_count(session->model), sizeof *session->bodies);
-    if (session->bodies)
-        yk_state_bodies(state, session->bodies);
-    else
-        yk_session_run_out(session);
-    return session->bodies;
-}
-
-bool yk_ran_out(const YkProblems *problems)
-{
-    return !problems || yk_problems_count(problems) == 0 || yk_problems_ran_out(problems);
 }
 
 static bool run_out(YkSession *session)
@@ -200,13 +181,6 @@ bool yk_session_points(YkSession *session, const YkWords *names, size_t *points)
         yk_problem_hint(session->problems, "a point is written body.point, as in `coupler.P`");
     }
     return good;
-}
-
-YkQuantity yk_quantity_of(bool is_distance, int order)
-{
-    static const YkQuantity angles[] = {YK_QUANTITY_ANGLE, YK_QUANTITY_ANGLE_RATE, YK_QUANTITY_ANGLE_ACCELERATION};
-    static const YkQuantity distances[] = {YK_QUANTITY_LENGTH, YK_QUANTITY_SPEED, YK_QUANTITY_ACCELERATION};
-    return is_distance ? distances[order] : angles[order];
 }
 
 bool yk_session_value(YkSession *session, const char *option, const char *name, const char *text, YkQuantity quantity,

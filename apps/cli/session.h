@@ -46,8 +46,6 @@ bool yk_session_whole(YkSession *session, const char *option, const char *text, 
                       uint64_t *whole);
 // Finds points by name, BODY.POINT; points[names->count]. Returns false for an unknown name.
 bool yk_session_points(YkSession *session, const YkWords *names, size_t *points);
-// Returns the quantity of a coordinate's order-th derivative.
-YkQuantity yk_quantity_of(bool is_distance, int order);
 // Returns whether something could not be made for want of memory: its problems say so, or there are none at all.
 bool yk_ran_out(const YkProblems *problems);
 // Remembers that memory ran out during an answer: it is then refused, whatever was found.

@@ -30,10 +30,10 @@ typedef struct YkMotionCertificate {
     int input;            // the input that moved most on the first step that is not proved; -1: there is none
     double from, to;      // its values before and after that step
     char message[200];    // one sentence
-    // Of the first step that is not proved:
-    char why[160];  // a clause, or "" if all is proved
-    char joint[80]; // a joint of the group, or of the dyad before it, that is not proved; "": not known, or all are
-    char coordinate[80];       // the name of `input`: a simulation may have other inputs than the machine it began with
+    // Of the first step that is not proved; the names belong to the certifier:
+    const char *why;           // a clause, or "" if all is proved
+    const char *joint;         // of the group, or of the dyad before it, that is not proved; "": not known, or all are
+    const char *coordinate;    // the name of `input`: a simulation may have other inputs than the machine it began with
     double from_time, to_time; // equal if the motion is not one through time, s
     bool has_run_out;          // of memory, on the way: nothing is proved
 } YkMotionCertificate;

@@ -38,7 +38,8 @@ YK_API size_t yk_rest_input(const YkRest *rest, size_t k); // the coordinate tha
 typedef enum YkStability {
     YK_STABILITY_STABLE,   // every small motion dies out or, without damping, stays small
     YK_STABILITY_UNSTABLE, // some small motion grows
-    YK_STABILITY_NEUTRAL   // some motion meets no force at all
+    YK_STABILITY_NEUTRAL,  // some motion meets no force at all
+    YK_STABILITY_NONE      // there is no such equilibrium
 } YkStability;
 typedef struct YkEquilibrium {
     YkStability stability;

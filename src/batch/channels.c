@@ -179,7 +179,8 @@ static void make_channel(const YkBatch *b, size_t k, double *out)
     }
 }
 
-void yk_batch_mask(const YkBatch *b, size_t k, double *out, size_t n)
+// Makes a channel 0 in lanes that have no answer.
+static void write_mask(const YkBatch *b, size_t k, double *out, size_t n)
 {
     YkChannel c = b->channels[k];
     bool is_input =
@@ -192,5 +193,5 @@ void yk_batch_write_channel(const YkBatch *b, size_t k, bool masks, double *out)
 {
     bool is_there = b->row[k] && b->run.space == &b->space;
     if (!is_there && !yk_channel_needs_forces(b->channels[k])) make_channel(b, k, out);
-    if (masks) yk_batch_mask(b, k, out, b->run.lanes);
+    if (masks) write_mask(b, k, out, b->run.lanes);
 }

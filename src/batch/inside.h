@@ -47,8 +47,6 @@ double **yk_batch_free_row_of(YkBatch *batch, size_t channel);
 void yk_batch_write_angle(const YkBatch *batch, size_t coordinate, double *out, size_t n);
 // Writes a channel that is none of forces. masks: some lanes may not close, or are at a dead point.
 void yk_batch_write_channel(const YkBatch *batch, size_t channel, bool masks, double *out);
-// Makes a channel 0 in lanes that have no answer.
-void yk_batch_mask(const YkBatch *batch, size_t channel, double *out, size_t n);
 // judge.c: tells the status of n lanes, and leaves margins that mask what they cannot tell. Returns the worst.
 YkStatus yk_batch_judge(YkBatch *batch, signed char *status, size_t n);
 // Solves one lane of the block in batch->state.

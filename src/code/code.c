@@ -49,9 +49,10 @@ static bool need_fields(YkFile *file)
 {
     YkProgram *p = &file->program;
     for (size_t k = 0; k < file->routine_count; k++) {
-        YkRef *roots = YK_NEW(p->arena, YkRef, file->routines[k].count + 9);
+        size_t count;
+        const YkRef *roots = yk_file_roots(file, &file->routines[k], &count);
         if (!roots) return false;
-        yk_printer_need(&file->printer, roots, yk_file_roots(file, &file->routines[k], roots));
+        yk_printer_need(&file->printer, roots, count);
     }
     for (size_t k = 0; k < file->drive_count; k++) yk_printer_need(&file->printer, &file->drives[k].value, 1);
     yk_printer_need(&file->printer, file->residuals, file->residual_count);

@@ -69,10 +69,8 @@ static inline bool yk_file_goes_on(YkFile *file, size_t work)
 bool yk_file_members(YkFile *file);
 // routines.c: the routines, drives and residuals as values.
 bool yk_file_routines(YkFile *file);
-void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
-                        const char *format, ...);
-// Finds the roots of a routine's body: its results and the values for its status; room for 9 more.
-size_t yk_file_roots(const YkFile *file, const YkRoutine *routine, YkRef *roots);
+// Returns the roots of a routine's body: its results and the values for its status; NULL when out of memory.
+const YkRef *yk_file_roots(YkFile *file, const YkRoutine *routine, size_t *count);
 // names.c: chooses program->names for the prefix. Returns false when out of memory.
 bool yk_file_choose_names(YkProgram *program);
 // words.c: returns whether the name is a word of C or C++, a macro of their headers, a name that they reserve, or one

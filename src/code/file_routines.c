@@ -85,10 +85,14 @@ static void write_status(YkFile *file, const YkRoutine *r)
 
 // --- the kernel
 
-size_t yk_file_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
+const YkRef *yk_file_roots(YkFile *file, const YkRoutine *r, size_t *root_count)
 {
-    const YkProgram *p = &file->program;
+    YkProgram *p = &file->program;
+    enum { STATUS_MOST = 9 };
+    YkRef *roots = YK_NEW(p->arena, YkRef, r->count + STATUS_MOST);
     size_t count = 0;
+    p->failed |= !roots;
+    if (!roots) return NULL;
     for (size_t k = 0; k < r->count; k++) roots[count++] = r->results[k].value;
     roots[count++] = p->margin;
     roots[count++] = r->witness;
@@ -99,17 +103,15 @@ size_t yk_file_roots(const YkFile *file, const YkRoutine *r, YkRef *roots)
     if (r->settled >= 0) roots[count++] = r->settled;
     if (r->moves >= 0) roots[count++] = r->moves;
     if (file->rack_side >= 0) roots[count++] = file->rack_side;
-    return count;
+    *root_count = count;
+    return roots;
 }
 
 static void write_kernel(YkFile *file, const YkRoutine *r)
 {
-    YkRef *roots = YK_NEW(file->program.arena, YkRef, r->count + 9);
-    if (!roots) {
-        file->program.failed = true;
-        return;
-    }
-    size_t count = yk_file_roots(file, r, roots);
+    size_t count;
+    const YkRef *roots = yk_file_roots(file, r, &count);
+    if (!roots) return;
     yk_text_format(&file->text, "/* %s */\n", r->about);
     yk_text_format(&file->text,
                    "%s_INLINE int %s_%s_of(const %s_machine *m, const %s_configuration *c, const %s_inputs *in,\n    "

@@ -77,22 +77,26 @@ size_t yk_call_known(YkPrinter *pr, const YkCall *call, YkRef *known, size_t cap
     return capacity;
 }
 
-void yk_file_write_group(YkFile *file, size_t block)
+// Returns the rows of the system with their right side; NULL when out of memory.
+static const YkRef *system_of(YkProgram *p, const YkPlaced *placed, int n)
+{
+    YkRef *roots = YK_NEW(p->arena, YkRef, (size_t)(n + n * n));
+    for (int i = 0; roots && i < n; i++) {
+        for (int j = 0; j < n; j++) roots[i * (n + 1) + j] = placed->jacobian[i * n + j];
+        roots[i * (n + 1) + n] = yk_graph_minus(&p->graph, placed->residual[i]);
+    }
+    return roots;
+}
+
+static void write_loops(YkFile *file, const YkBlock *b, const YkPlaced *placed, const YkRef *roots)
 {
     YkProgram *p = &file->program;
     YkPrinter *pr = &file->printer;
-    const YkPlaced *placed = &p->placed[block];
-    const YkBlock *b = &p->mech->blocks[block];
     const char *real = pr->single ? "float" : "double", *name = placed->name;
     int n = (int)b->column_count;
     YkRef known[YK_PRINTER_KNOWN_MAX];
     size_t count = yk_call_known(pr, &p->graph.calls[placed->call], known, YK_PRINTER_KNOWN_MAX);
-    YkRef *roots = YK_NEW(p->arena, YkRef, (size_t)(n + n * n));
-    if (!roots || pr->failed) return;
-    for (int i = 0; i < n; i++) { // rows with their right side
-        for (int j = 0; j < n; j++) roots[i * (n + 1) + j] = placed->jacobian[i * n + j];
-        roots[i * (n + 1) + n] = yk_graph_minus(&p->graph, placed->residual[i]);
-    }
+    if (pr->failed) return;
     yk_text_format(
         pr->out,
         "/* The loops of group %s at the unknowns x[%d]: each row of `system` is a row of their Jacobian and\n"
@@ -119,6 +123,14 @@ void yk_file_write_group(YkFile *file, size_t block)
                    "        miss += fabs%s(system[k * %d + %d]);\n"
                    "    }\n    return miss;\n}\n\n",
                    n, pr->single ? "f" : "", n + 1, n);
+}
+
+static void write_newton(YkFile *file, const YkBlock *b, const YkPlaced *placed)
+{
+    YkProgram *p = &file->program;
+    YkPrinter *pr = &file->printer;
+    const char *real = pr->single ? "float" : "double", *name = placed->name;
+    int n = (int)b->column_count;
     yk_text_format(
         pr->out,
         "/* Newton's method from the guess in x[0..%d]; then x[%d]: the error over the tolerance, x[%d]: the\n"
@@ -140,4 +152,15 @@ void yk_file_write_group(YkFile *file, size_t block)
     yk_text_format(pr->out, "    x[%d] = miss / ", n);
     yk_printer_number(pr, (pr->single ? 1e-5 : 1e-12) * yk_program_size(p));
     yk_text_format(pr->out, ";\n    x[%d] = determinant;\n}\n\n", n + 1);
+}
+
+void yk_file_write_group(YkFile *file, size_t block)
+{
+    YkProgram *p = &file->program;
+    const YkBlock *b = &p->mech->blocks[block];
+    const YkPlaced *placed = &p->placed[block];
+    const YkRef *roots = system_of(p, placed, (int)b->column_count);
+    if (!roots) return;
+    write_loops(file, b, placed, roots);
+    write_newton(file, b, placed);
 }

@@ -3,8 +3,8 @@
 #include "base/problems.h"
 #include "model/load.h"
 
-void yk_file_add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
-                        const char *format, ...)
+static void add_result(YkFile *file, YkRoutine *routine, YkChannel channel, const char *comment, YkRef value,
+                       const char *format, ...)
 {
     YkText name = {0};
     va_list arguments;
@@ -85,12 +85,12 @@ static void add_motion(YkFile *file, const Rates *r)
         const YkTreeCoordinate *c = &p->mech->coordinates[k];
         const char *name = p->names.coordinate[k];
         if (c->input != YK_NONE) continue;
-        yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 0), unit_of(c->is_distance, 0),
-                           yk_program_coordinate(p, k), "%s", name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 1), unit_of(c->is_distance, 1),
-                           yk_program_coordinate_rate(p, k, &r->velocities), "%s_rate", name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 2), unit_of(c->is_distance, 2),
-                           yk_program_coordinate_rate(p, k, &r->accelerations), "%s_accel", name);
+        add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 0), unit_of(c->is_distance, 0),
+                   yk_program_coordinate(p, k), "%s", name);
+        add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 1), unit_of(c->is_distance, 1),
+                   yk_program_coordinate_rate(p, k, &r->velocities), "%s_rate", name);
+        add_result(file, routine, of(YK_CHANNEL_COORDINATE, k, 2), unit_of(c->is_distance, 2),
+                   yk_program_coordinate_rate(p, k, &r->accelerations), "%s_accel", name);
     }
     routine->witness = rates_witness(p);
     routine->has_designs = true;
@@ -113,12 +113,12 @@ static void add_points(YkFile *file, const Rates *r)
         YkRefVec place = yk_program_at(p, point->body, at),
                  rate = yk_program_at_rate(p, point->body, at, &r->velocities);
         YkRefVec accel = yk_program_at_accel(p, point->body, at, &r->velocities, &r->accelerations);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 0), "m", place.x, "%s_x", name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 0), "m", place.y, "%s_y", name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 1), "m/s", rate.x, "%s_x_rate", name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 1), "m/s", rate.y, "%s_y_rate", name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 2), "m/s^2", accel.x, "%s_x_accel", name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 2), "m/s^2", accel.y, "%s_y_accel", name);
+        add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 0), "m", place.x, "%s_x", name);
+        add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 0), "m", place.y, "%s_y", name);
+        add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 1), "m/s", rate.x, "%s_x_rate", name);
+        add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 1), "m/s", rate.y, "%s_y_rate", name);
+        add_result(file, routine, of(YK_CHANNEL_POINT_X, k, 2), "m/s^2", accel.x, "%s_x_accel", name);
+        add_result(file, routine, of(YK_CHANNEL_POINT_Y, k, 2), "m/s^2", accel.y, "%s_y_accel", name);
     }
     routine->witness = rates_witness(p);
     if (routine->count == 0) file->routine_count--;
@@ -150,13 +150,12 @@ static void add_efforts(YkFile *file)
         "Inverse dynamics: what each input must exert, besides all loads, for its acceleration; energies.", n + 2);
     for (size_t i = 0; i < n; i++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
-        yk_file_add_result(file, routine, of(YK_CHANNEL_EFFORT, (size_t)p->mech->inputs[i], 0),
-                           c->is_distance ? "N" : "N m", file->forces.effort[i], "%s_effort",
-                           p->names.coordinate[p->mech->inputs[i]]);
+        add_result(file, routine, of(YK_CHANNEL_EFFORT, (size_t)p->mech->inputs[i], 0), c->is_distance ? "N" : "N m",
+                   file->forces.effort[i], "%s_effort", p->names.coordinate[p->mech->inputs[i]]);
     }
-    yk_file_add_result(file, routine, of(YK_CHANNEL_KINETIC, 0, 0), "J", file->forces.kinetic, "kinetic");
-    yk_file_add_result(file, routine, of(YK_CHANNEL_POTENTIAL, 0, 0), "J, of gravity and springs",
-                       file->forces.potential, "potential");
+    add_result(file, routine, of(YK_CHANNEL_KINETIC, 0, 0), "J", file->forces.kinetic, "kinetic");
+    add_result(file, routine, of(YK_CHANNEL_POTENTIAL, 0, 0), "J, of gravity and springs", file->forces.potential,
+               "potential");
     routine->checks_results = routine->has_designs = true;
     routine->kind = YK_ROUTINE_INVERSE;
     routine->witness = rates_witness(p);
@@ -174,9 +173,8 @@ static void add_accelerations(YkFile *file)
     for (size_t i = 0; i < n; i++) {
         const YkTreeCoordinate *c = &p->mech->coordinates[p->mech->inputs[i]];
         if (!file->forces.is_free[i]) continue;
-        yk_file_add_result(file, routine, of(YK_CHANNEL_COORDINATE, (size_t)p->mech->inputs[i], 2),
-                           unit_of(c->is_distance, 2), file->forces.acceleration[i], "%s_accel",
-                           p->names.coordinate[p->mech->inputs[i]]);
+        add_result(file, routine, of(YK_CHANNEL_COORDINATE, (size_t)p->mech->inputs[i], 2), unit_of(c->is_distance, 2),
+                   file->forces.acceleration[i], "%s_accel", p->names.coordinate[p->mech->inputs[i]]);
     }
     routine->regular = file->forces.inertia;
     routine->kind = YK_ROUTINE_FORWARD;
@@ -197,9 +195,8 @@ static void add_law_efforts(YkFile *file, YkRoutine *routine)
     for (size_t k = 0; k < p->mech->coordinate_count && !file->forces.is_least; k++) {
         int32_t law = yk_law_relation(p->mech, k);
         if (law == YK_NONE) continue;
-        yk_file_add_result(file, routine, of(YK_CHANNEL_EFFORT, k, 0),
-                           p->mech->coordinates[k].is_distance ? "N" : "N m", file->forces.contact[law].moment,
-                           "%s_effort", p->names.coordinate[k]);
+        add_result(file, routine, of(YK_CHANNEL_EFFORT, k, 0), p->mech->coordinates[k].is_distance ? "N" : "N m",
+                   file->forces.contact[law].moment, "%s_effort", p->names.coordinate[k]);
     }
 }
 
@@ -226,10 +223,10 @@ static void add_contacts(YkFile *file, YkRoutine *routine)
         const char *name = p->names.contact[k];
         size_t index = p->model->joint_count + k;
         if (c->has_force) {
-            yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_X, index, 0), "N", c->force.x, "%s_force_x", name);
-            yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_Y, index, 0), "N", c->force.y, "%s_force_y", name);
+            add_result(file, routine, of(YK_CHANNEL_FORCE_X, index, 0), "N", c->force.x, "%s_force_x", name);
+            add_result(file, routine, of(YK_CHANNEL_FORCE_Y, index, 0), "N", c->force.y, "%s_force_y", name);
         } else {
-            yk_file_add_result(file, routine, of(YK_CHANNEL_MOMENT, index, 0), "N m", c->moment, "%s_moment", name);
+            add_result(file, routine, of(YK_CHANNEL_MOMENT, index, 0), "N m", c->moment, "%s_moment", name);
         }
     }
 }
@@ -251,12 +248,10 @@ static void add_reactions(YkFile *file, const Rates *r)
     for (size_t j = 0; j < p->model->joint_count; j++) {
         const char *name = p->names.joint[j];
         if (p->model->joints[j].is_free) continue; // it transmits nothing
-        yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_X, j, 0), "N", f->reaction[3 * j], "%s_force_x", name);
-        yk_file_add_result(file, routine, of(YK_CHANNEL_FORCE_Y, j, 0), "N", f->reaction[3 * j + 1], "%s_force_y",
-                           name);
+        add_result(file, routine, of(YK_CHANNEL_FORCE_X, j, 0), "N", f->reaction[3 * j], "%s_force_x", name);
+        add_result(file, routine, of(YK_CHANNEL_FORCE_Y, j, 0), "N", f->reaction[3 * j + 1], "%s_force_y", name);
         if (!yk_part(p->model->joints[j].kind)->turns)
-            yk_file_add_result(file, routine, of(YK_CHANNEL_MOMENT, j, 0), "N m", f->reaction[3 * j + 2], "%s_moment",
-                               name);
+            add_result(file, routine, of(YK_CHANNEL_MOMENT, j, 0), "N m", f->reaction[3 * j + 2], "%s_moment", name);
     }
     add_contacts(file, routine);
     add_law_efforts(file, routine);

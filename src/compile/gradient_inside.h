@@ -25,19 +25,19 @@ struct YkGradient {
     const YkRecipe *recipe;
     size_t parameters, variables, rows;
     YkSlotAngle *slot;
-    // Of the design:
+    // The design's:
     int32_t *point, *joint; // points that vary; joints whose direction does
     size_t point_count, joint_count;
     double *by_point, *by_joint; // [point][x, y][parameter]; [joint][parameter]
     double *by_parameter;        // [parameter of the model][parameter]
     double *direction;           // [parameter of the model]: a change of all of them
-    // Of the pose:
+    // The pose's:
     double *x;        // [order][variable]
     YkSlotTurn *turn; // [slot]
     YkVecJet *node;   // [node]: where it is
     double *J, *tau;
     size_t *order;
-    // Of an answer, collected backwards:
+    // An answer's, collected backwards:
     double *by_x, *lambda; // by_x[order][variable]
     YkVecJet *at_node;     // [node]
     YkVec *at_vector;      // [node of the recipe], in the axes of its slot

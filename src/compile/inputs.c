@@ -127,27 +127,9 @@ static bool accept_by_rank(Choice *c, bool is_peeled, YkClosedPose *pose)
     pose->x = YK_NEW(c->arena, double, variables + 1);
     pose->is_repeated = YK_NEW(c->arena, bool, variables + 1);
     if (yk_arena_failed(c->arena)) return false;
-    yk_inputs_guess(c->mech, guess);
+    yk_start_guess(c->mech, guess);
     YkCandidates wish = {c->candidates, c->count, c->wanted + c->driven, c->accepted, is_peeled};
     return yk_closure_freedom(c->mech, guess, &wish, &freedom, pose);
-}
-
-void yk_inputs_guess(const YkMechanism *mech, double *guess)
-{
-    const YkModel *model = mech->model;
-    for (size_t k = 0; k < mech->coordinate_count; k++) guess[k] = 0;
-    for (size_t s = 0; s < model->start_count; s++) {
-        const YkStart *start = &model->starts[s];
-        if (start->is_rate) continue;
-        int32_t k = yk_tree_coordinate(mech, model->coordinates[start->coordinate].joint,
-                                       model->coordinates[start->coordinate].is_distance);
-        if (k != YK_NONE) guess[k] = start->value;
-    }
-    for (size_t k = 0; k < mech->coordinate_count; k++) {
-        YkJet jet;
-        int32_t drive = mech->coordinates[k].drive;
-        if (drive != YK_NONE && yk_model_drive(model, (size_t)drive, 0, &jet, NULL) == YK_OK) guess[k] = jet.d[0];
-    }
 }
 
 // Reports a gearbox in neutral: more freedoms than drives, and locks from which none was chosen.

@@ -7,8 +7,5 @@
 // Reports drives beyond the freedom and unknown inputs.
 bool yk_inputs_choose(YkMechanism *mech, const YkIncidence *incidence, const YkCompileOptions *options,
                       YkProblems *problems);
-// Returns the values of the tree's coordinates at the start: drives at t = 0, otherwise `start:`, otherwise 0.
-// guess[coordinate].
-void yk_inputs_guess(const YkMechanism *mech, double *guess);
 
 #endif

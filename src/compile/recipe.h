@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <yoke/mechanism.h>
 #include "base/vec.h"
 #include "model/redesign.h"
 
@@ -56,5 +57,8 @@ static inline int32_t yk_recipe_constant(const YkRecipe *recipe, uint32_t first,
     return recipe->of_constant[first];
 }
 void yk_recipe_note_line(YkRecipe *recipe, int32_t block, int32_t line, int32_t node);
+// compile.c: compiles a machine and writes its recipe (NULL: none).
+YkMechanism *yk_compile_with(const YkModel *model, const YkCompileOptions *options, YkRecipe *recipe,
+                             YkProblems *problems);
 
 #endif

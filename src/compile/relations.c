@@ -1,7 +1,7 @@
 // Writes the model's gears, racks, belts, cams and laws as relations between angles and distances.
 #include "compile/relations.h"
 #include "base/memory.h"
-#include "compile/inputs.h"
+#include "compile/topology.h"
 #include "elementary/elementary.h"
 #include <stdlib.h>
 
@@ -193,7 +193,7 @@ static void mark_given(Build *b)
 {
     const YkMechanism *mech = b->mech;
     const YkModel *model = mech->model;
-    yk_inputs_guess(mech, b->guess);
+    yk_start_guess(mech, b->guess);
     for (size_t c = 0; c < mech->coordinate_count; c++) b->is_given[c] = mech->coordinates[c].drive != YK_NONE;
     for (size_t k = 0; k < model->start_count; k++) {
         const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];

@@ -15,6 +15,9 @@ static inline int32_t yk_other_body(const YkModel *model, int32_t joint, int32_t
     const YkJoint *j = &model->joints[joint];
     return j->body[0] == body ? j->body[1] : j->body[0];
 }
+// guess.c: returns the values of the tree's coordinates at the start: drives at t = 0, otherwise `start:`, otherwise 0.
+// guess[coordinate].
+void yk_start_guess(const YkMechanism *mech, double *guess);
 // Finds the bodies' orientations and the joints' distances; reports slides and welds that contradict each other.
 bool yk_topology_orientations(YkMechanism *mech, const YkIncidence *incidence, YkProblems *problems);
 // Finds tree, coordinates, loops, gruebler; reports declared coordinates that close a loop.

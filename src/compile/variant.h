@@ -25,8 +25,4 @@ struct YkVariant {
     bool failed;
 };
 
-// Compiles with a recipe (NULL: without).
-YkMechanism *yk_compile_with(const YkModel *model, const YkCompileOptions *options, YkRecipe *recipe,
-                             YkProblems *problems);
-
 #endif

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include "base/memory.h"
 #include "base/mix.h"
+#include "num/dense.h"
 
 enum { L_MAX = YK_SYSTEM_LOOPS_MAX, N_MAX = 2 * L_MAX, PAIRS_MAX = 100000000 };
 
@@ -162,35 +163,14 @@ static bool eliminate(const Cones *c, const uint16_t *cone, Steps *s)
     return true;
 }
 
-// Solves A x = b of size n in place by Gauss's elimination. Returns the determinant.
-static double solve(size_t n, double A[L_MAX][L_MAX], double *b)
+// Solves A x = b of size n in place, unless A is singular. Returns |det A|.
+static double solve(size_t n, double *A, double *b)
 {
-    double det = 1;
-    for (size_t k = 0; k < n; k++) {
-        size_t row = k;
-        for (size_t i = k + 1; i < n; i++)
-            if (fabs(A[i][k]) > fabs(A[row][k])) row = i;
-        double pivot = A[row][k], t = b[row];
-        if (fabs(pivot) < 1e-6) return 0;
-        det *= pivot;
-        b[row] = b[k];
-        b[k] = t;
-        for (size_t j = k; j < n; j++) {
-            t = A[row][j];
-            A[row][j] = A[k][j];
-            A[k][j] = t;
-        }
-        for (size_t i = k + 1; i < n; i++) {
-            double factor = A[i][k] / pivot;
-            if (factor == 0) continue;
-            for (size_t j = k; j < n; j++) A[i][j] -= factor * A[k][j];
-            b[i] -= factor * b[k];
-        }
-    }
-    for (size_t k = n; k-- > 0;) {
-        for (size_t j = k + 1; j < n; j++) b[k] -= A[k][j] * b[j];
-        b[k] /= A[k][k];
-    }
+    int pivot[L_MAX];
+    double scale[L_MAX], det = 1;
+    if (yk_lu_factor(n, A, pivot, scale) == 0) return 0;
+    yk_lu_solve(n, A, pivot, b);
+    for (size_t k = 0; k < n; k++) det *= fabs(A[k * n + k]);
     return det;
 }
 
@@ -211,14 +191,14 @@ static int sign_of(const double *x, size_t n)
 static int meet(const Cones *c, const Steps *s, const uint16_t *cone, const double *v)
 {
     size_t n = c->shape->unknowns, loops = c->shape->loops, row = 0;
-    double A[L_MAX][L_MAX], b[L_MAX], a[L_MAX];
+    double A[L_MAX * L_MAX], b[L_MAX], a[L_MAX];
     for (size_t i = 0; i < n; i++) {
         if (s->is_used[i]) continue;
-        for (size_t k = 0; k < loops; k++) A[row][k] = c->columns[cone[k] * n + i];
+        for (size_t k = 0; k < loops; k++) A[row * loops + k] = c->columns[cone[k] * n + i];
         b[row++] = v[i];
     }
-    double det = s->det * solve(loops, A, b);
-    if (fabs(det) < 0.5) return 0;
+    double det = fabs(s->det) * solve(loops, A, b);
+    if (det < 0.5) return 0;
     int sign = sign_of(b, loops);
     if (sign == 0) return 0;
     for (size_t k = loops; k-- > 0;) {
@@ -226,7 +206,7 @@ static int meet(const Cones *c, const Steps *s, const uint16_t *cone, const doub
         for (size_t j = 0; j < loops; j++) a[k] -= c->columns[cone[j] * n + s->pivot[k]] * b[j];
     }
     int other = sign_of(a, loops);
-    return other == 0 ? 0 : sign < 0 || other < 0 ? -1 : (int)(fabs(det) + 0.5);
+    return other == 0 ? 0 : sign < 0 || other < 0 ? -1 : (int)(det + 0.5);
 }
 
 // Counts with one choice of v. Returns false if it was not generic, or when stopped.

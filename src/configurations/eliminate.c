@@ -14,7 +14,7 @@ typedef struct Work {
     YkVec shift;                              // h = shift - 1 / value
     YkVec values[MOST], vectors[MOST * MOST]; // vectors in columns
     bool is_read[MOST];
-    // Of eigenvectors whose values are equal: which, and what multiplies their combinations.
+    // Eigenvectors whose values are equal, and what multiplies their combinations.
     size_t cluster[MOST], size;
     YkVec times[MOST * MOST], low[MOST * MOST], high[MOST * MOST], combinations[MOST * MOST];
     int pivot[MOST];

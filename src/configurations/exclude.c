@@ -32,7 +32,7 @@ typedef struct Search {
     double shift[N], shift_radius[N], rest[N * N]; // Y F; bounds of |I - Y J|
 } Search;
 
-// Which coefficients: those of the whole interval or of the pose; in the interval's middle; their derivatives over it.
+// Selects coefficients: those of the whole interval or of the pose; in the interval's middle; their derivatives over it.
 typedef enum Which { WHOLE, MIDDLE, RATE } Which;
 
 static YkBall coefficient(const Search *s, size_t loop, size_t k, Which which)
@@ -155,36 +155,15 @@ static double read_relation(Search *s, size_t relation, const Box *box, double *
     return YK_BALL_OUT(moves * (1 + 1e-14) + row->miss_radius);
 }
 
-// Chooses n independent equations, by elimination with complete pivoting. Returns false if there are fewer.
+// Chooses n independent equations: those that come first as columns with pivots. Returns false if there are fewer.
 static bool choose_rows(Search *s)
 {
-    double A[ROWS * N];
-    bool is_taken[N] = {false};
-    size_t index[ROWS];
-    for (size_t r = 0; r < s->m; r++) {
-        memcpy(A + r * s->n, s->rows[r].slope, s->n * sizeof *A);
-        index[r] = r;
-    }
-    for (size_t k = 0; k < s->n; k++) {
-        size_t row = k, column = s->n;
-        double most = 0;
-        for (size_t r = k; r < s->m; r++)
-            for (size_t c = 0; c < s->n; c++)
-                if (!is_taken[c] && fabs(A[r * s->n + c]) > most) most = fabs(A[r * s->n + c]), row = r, column = c;
-        if (column == s->n) return false;
-        s->chosen[k] = index[row];
-        index[row] = index[k];
-        is_taken[column] = true;
-        for (size_t c = 0; c < s->n; c++) {
-            double a = A[k * s->n + c];
-            A[k * s->n + c] = A[row * s->n + c];
-            A[row * s->n + c] = a;
-        }
-        for (size_t r = k + 1; r < s->m; r++) {
-            double factor = A[r * s->n + column] / A[k * s->n + column];
-            for (size_t c = 0; c < s->n; c++) A[r * s->n + c] -= factor * A[k * s->n + c];
-        }
-    }
+    double A[N * ROWS], tau[N];
+    size_t order[ROWS];
+    for (size_t r = 0; r < s->m; r++)
+        for (size_t c = 0; c < s->n; c++) A[c * s->m + r] = s->rows[r].slope[c];
+    if (yk_qr_factor(s->n, s->m, A, order, tau, 1e-14) < s->n) return false;
+    memcpy(s->chosen, order, s->n * sizeof *order);
     return true;
 }
 

@@ -228,7 +228,8 @@ bool yk_geared_read(YkGeared *g, const YkRun *run, size_t index)
     return combine(g) && are_known_turns_whole(g, mech, g->relation) && yk_geared_bound(g);
 }
 
-double yk_geared_sum(const YkGeared *g, size_t relation, const double *x)
+// Returns the sum of a relation, at unknowns in the order of the shape.
+static double sum_of(const YkGeared *g, size_t relation, const double *x)
 {
     double sum = g->phase[relation];
     for (size_t k = 0; k < g->shape.unknowns; k++) sum += g->factor[relation][k] * x[k];
@@ -264,7 +265,7 @@ bool yk_geared_turn(const YkGeared *g, double *x)
 {
     int turns[N];
     double wanted[R];
-    for (size_t r = 0; r < g->turning; r++) wanted[r] = -rint(yk_geared_sum(g, r, x) / (2 * YK_PI));
+    for (size_t r = 0; r < g->turning; r++) wanted[r] = -rint(sum_of(g, r, x) / (2 * YK_PI));
     for (int most = 0; most <= TURNS_MAX; most++) {
         if (!find_turns(g, 0, wanted, most, turns)) continue;
         for (size_t k = 0; k < g->shape.angles; k++) x[k] += 2 * YK_PI * turns[k];

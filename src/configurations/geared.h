@@ -39,8 +39,6 @@ typedef struct YkGeared {
 bool yk_geared_read(YkGeared *geared, const YkRun *run, size_t index);
 // Bounds the distances by the loops, at the coefficients. Returns false if they do not bound all.
 bool yk_geared_bound(YkGeared *geared);
-// Returns the sum of a relation, at unknowns in the order of the shape.
-double yk_geared_sum(const YkGeared *geared, size_t relation, const double *x);
 // Adds whole turns to the angles of a pose until all relations are met, as few as possible. Returns false if it takes too
 // many.
 bool yk_geared_turn(const YkGeared *geared, double *x);

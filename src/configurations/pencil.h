@@ -4,7 +4,7 @@
 #include "configurations/eliminate.h"
 #include "configurations/hidden.h"
 
-// Of each angle the exponent, from -8 to 7, takes four bits; above them stands the distance that is a factor, if any.
+// The exponent of each angle, from -8 to 7, takes four bits; above them stands the distance that is a factor, if any.
 typedef uint32_t YkMonomial;
 
 static inline YkMonomial yk_times_angle(YkMonomial m, int angle, int exponent) // angle -1: nothing

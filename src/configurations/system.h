@@ -50,11 +50,6 @@ static inline size_t yk_coefficient_count(const YkShape *shape) // of one of the
 
 // Returns the size that measures changes of an unknown: of z its own, of an angle 1, of a distance its own or the machine's.
 double yk_unknown_size(const YkShape *shape, const YkVec *x, size_t unknown);
-// Returns e^(i Phi) of an angle, whichever unknown it has.
-static inline YkVec yk_unknown_turn(const YkShape *shape, const YkVec *x, size_t angle)
-{
-    return shape->relations > 0 ? yk_unit(x[angle].x) : x[angle];
-}
 
 // Evaluates F[unknowns] (loops, then conjugates) at x, and the Jacobian J[unknowns][unknowns] if it is not NULL.
 // Cost 4 loops^2 multiplications.

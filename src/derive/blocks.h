@@ -37,8 +37,6 @@ struct YkDeriveBlocks {
 
 enum { YK_CRAMER_MAX = 3 };
 
-// "A x", "sun-planet": a row's name, in the page's arena or the machine's.
-const char *yk_derive_row_label(YkDerivation *d, YkPage *page, const YkDeriveRow *row);
 // The blocks, made at first use; NULL on failure.
 const YkDeriveBlocks *yk_derive_blocks(YkDerivation *d);
 // Returns row r's derivative by a coordinate; zero if the row does not contain it. NULL only on failure.

@@ -253,7 +253,7 @@ typedef struct YkDeriveSectionEntry {
     const char *name;  // as --what takes it
     const char *title; // heading
     YkDeriveSection write;
-    // Whether `all` has it: the model has such a part, and no other section has the same; NULL: always.
+    // Returns whether `all` has it: the model has such a part, and no other section has the same; NULL: always.
     bool (*is_of)(const YkModel *model);
     bool has_masses; // masses and inertias occur in it
 } YkDeriveSectionEntry;

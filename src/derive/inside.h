@@ -7,8 +7,6 @@
 // (symbols.c).
 int32_t yk_derive_find(const YkDerivation *d, const char *name);
 int32_t yk_derive_angle(YkDerivation *d, const char *name); // as yk_derive_symbol, an angle
-// Adds another name for a symbol, first + second, if it is free and can be a name.
-void yk_derive_also(YkDerivation *d, int32_t symbol, const char *first, const char *second);
 // Enters other names, for equations and expressions: JOINT.angle of a coordinate, BODY.angle and BODY.rate of a body.
 void yk_derive_enter_names(YkDerivation *d);
 // Enters all symbols. Returns false on failure.
@@ -17,8 +15,6 @@ bool yk_derive_enter_coordinates(YkDerivation *d);
 // Returns the size of a unit, exactly: a short decimal (mm), a power of pi times a fraction (deg, rpm), a fraction
 // (km/h). angle: the power of angle in its dimension, for which powers of pi are tried; 0: none (expression.c).
 const YkPoisson *yk_derive_unit_size(YkDerivation *d, double size, int angle);
-// Returns the body at which the tree's branches to two bodies part (path.c).
-int32_t yk_derive_common_body(const YkDerivation *d, int32_t a, int32_t b);
 // Returns the angle of a body's axes outside cos and sin, joint form (bodies.c).
 const YkPoisson *yk_derive_body_angle(YkDerivation *d, int32_t body);
 bool yk_derive_enter_bodies(YkDerivation *d);

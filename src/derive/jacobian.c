@@ -5,7 +5,8 @@
 
 enum { ROWS_SHOWN_MAX = 24 };
 
-const char *yk_derive_row_label(YkDerivation *d, YkPage *page, const YkDeriveRow *row)
+// "A x", "sun-planet": a row's name, in the page's arena or the machine's.
+static const char *row_label(YkDerivation *d, YkPage *page, const YkDeriveRow *row)
 {
     if (row->part == 3) return d->ties[row->tie].name;
     static const char *const parts[] = {"x", "y", "angle"};
@@ -20,7 +21,7 @@ const char *yk_derive_row_label(YkDerivation *d, YkPage *page, const YkDeriveRow
 static void fill_row(YkDerivation *d, YkPage *page, YkShownMatrix *matrix, size_t i, const YkDeriveRow *row)
 {
     const YkDeriveBlocks *blocks = d->blocks;
-    matrix->row_labels[i] = yk_derive_row_label(d, page, row);
+    matrix->row_labels[i] = row_label(d, page, row);
     for (size_t k = 0; k < matrix->columns; k++) {
         matrix->entries[i * matrix->columns + k] = yk_derive_entry(d, row, blocks->column_order[k]);
         matrix->column_symbols[k] = d->coordinates[blocks->column_order[k]].position;
@@ -56,7 +57,7 @@ static void put_matrix(YkDerivation *d, YkPage *page)
 static void put_row(YkDerivation *d, YkPage *page, const YkDeriveRow *row)
 {
     const YkPoisson *sum = yk_ring_time_derivative(d->ring, row->value);
-    yk_page_equation(page, yk_derive_row_label(d, page, row), sum, NULL, YK_RING_TEXTBOOK);
+    yk_page_equation(page, row_label(d, page, row), sum, NULL, YK_RING_TEXTBOOK);
 }
 
 static void put_determinant(YkDerivation *d, YkPage *page, const YkDeriveBlock *block, size_t number)

@@ -23,7 +23,8 @@ static void put_vector(YkPage *page, YkLine *line, const YkDeriveVector *v, bool
     yk_line_vector(page, line, "p", joined(page, v->head, v->tail), NULL);
 }
 
-void yk_derive_put_path(YkPage *page, YkLine *line, const YkDerivePath *path)
+// Writes p^{A/O1} + ... - p^{...}, sums first.
+static void put_path(YkPage *page, YkLine *line, const YkDerivePath *path)
 {
     size_t put = 0;
     for (int negative = 0; negative < 2; negative++) // sums first
@@ -77,7 +78,7 @@ static void put_loop(YkDerivation *d, YkPage *page, const YkDeriveLoop *loop)
     page->failed |= title.failed;
     yk_text_free(&title);
     YkLine *line = yk_page_formula(page, NULL);
-    yk_derive_put_path(page, line, &loop->path);
+    put_path(page, line, &loop->path);
     yk_line_sign(page, line, "=");
     yk_line_sign(page, line, "0");
     if (loop->axes != 0) yk_page_words(page, "in the axes of %s:", d->model->bodies[loop->axes].name);

@@ -230,7 +230,8 @@ static void descend(Walk *walk, YkDerivePlace start, int32_t ancestor, YkDeriveP
     step_on(walk, here, to, false);
 }
 
-int32_t yk_derive_common_body(const YkDerivation *d, int32_t a, int32_t b)
+// Returns the body at which the tree's branches to two bodies part (path.c).
+static int32_t common_body(const YkDerivation *d, int32_t a, int32_t b)
 {
     const int32_t *depth = d->mech->tree.depth;
     while (a != b) {
@@ -247,7 +248,7 @@ bool yk_derive_path(YkDerivation *d, YkDerivePlace from, YkDerivePlace to, YkDer
     const int32_t *depth = d->mech->tree.depth;
     size_t most = 2 * (size_t)(depth[from.body] + depth[to.body]) + 4;
     Walk walk = {.d = d, .vectors = YK_NEW(d->arena, YkDeriveVector, most)};
-    int32_t *bodies = YK_NEW(d->arena, int32_t, most), common = yk_derive_common_body(d, from.body, to.body);
+    int32_t *bodies = YK_NEW(d->arena, int32_t, most), common = common_body(d, from.body, to.body);
     *path = (YkDerivePath){0};
     if (!walk.vectors || !bodies) return false;
     descend(&walk, climb(&walk, from, common), common, to, bodies);
@@ -281,7 +282,7 @@ static bool make_loop(YkDerivation *d, YkDeriveLoop *loop, int32_t joint)
 {
     const YkJoint *j = &d->model->joints[joint];
     YkDerivePlace second = yk_derive_place(d, joint, 1), first = yk_derive_place(d, joint, 0);
-    *loop = (YkDeriveLoop){.joint = joint, .axes = yk_derive_common_body(d, j->body[0], j->body[1])};
+    *loop = (YkDeriveLoop){.joint = joint, .axes = common_body(d, j->body[0], j->body[1])};
     if (!yk_derive_path(d, second, first, &loop->path)) return false;
     if (d->joint_distance[joint] != YK_NONE) { // the first body's point moves along its line
         YkDerivePath *path = &loop->path;

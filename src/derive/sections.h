@@ -18,8 +18,4 @@ bool yk_derive_section_centers(YkDerivation *d, YkPage *page);
 bool yk_derive_section_polygons(YkDerivation *d, YkPage *page);
 bool yk_derive_put_force_polygons(YkDerivation *d, YkPage *page); // a part of it: forces/polygons.c
 
-// Shared by sections.
-// Writes p^{A/O1} + ... - p^{...}, sums first.
-void yk_derive_put_path(YkPage *page, YkLine *line, const YkDerivePath *path);
-
 #endif

@@ -57,7 +57,8 @@ int32_t yk_derive_find(const YkDerivation *d, const char *name)
     return symbol;
 }
 
-void yk_derive_also(YkDerivation *d, int32_t symbol, const char *first, const char *second)
+// Adds another name for a symbol, first + second, if it is free and can be a name.
+static void add_other_name(YkDerivation *d, int32_t symbol, const char *first, const char *second)
 {
     YkText text = {0}, name = {0};
     yk_text_format(&name, "%s%s", first, second);
@@ -170,7 +171,7 @@ static void name_coordinate(YkDerivation *d, const YkDeriveCoordinate *c)
         {".distance", ".distance.rate", ".distance.accel", ".distance'", ".distance''"}};
     const int32_t symbols[] = {c->position, c->rate, c->acceleration, c->rate, c->acceleration};
     if (d->model->joints[c->joint].is_free && c->is_distance) return; // it has two
-    for (size_t i = 0; i < 5; i++) yk_derive_also(d, symbols[i], joint, endings[c->is_distance][i]);
+    for (size_t i = 0; i < 5; i++) add_other_name(d, symbols[i], joint, endings[c->is_distance][i]);
 }
 
 // Gives a body's angle its name, even if it is a coordinate of the file.
@@ -181,7 +182,7 @@ static void name_body(YkDerivation *d, const YkDeriveBody *body)
     const int32_t symbols[] = {body->angle,        body->rate, body->acceleration, body->rate,
                                body->acceleration, body->rate, body->acceleration};
     if (body->angle < 0 || !yk_ring_is_same(body->turn, yk_ring_rational(d->ring, 1, 1))) return;
-    for (size_t i = 0; i < 7; i++) yk_derive_also(d, symbols[i], body->name, endings[i]);
+    for (size_t i = 0; i < 7; i++) add_other_name(d, symbols[i], body->name, endings[i]);
 }
 
 void yk_derive_enter_names(YkDerivation *d)

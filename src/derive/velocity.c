@@ -38,7 +38,9 @@ const YkPoisson *yk_derive_gamma(YkDerivation *d, YkDeriveRow *row)
     return row->gamma;
 }
 
-bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool accelerations, const YkPoisson **over)
+// Finds determinant * unknown = over[unknown], for rates or accelerations, from earlier ones. Returns false if the
+// block is not solved.
+static bool solve_block(YkDerivation *d, const YkDeriveBlock *block, bool accelerations, const YkPoisson **over)
 {
     const YkPoisson *right[YK_CRAMER_MAX];
     if (!yk_derive_is_solved(block)) return false;
@@ -52,7 +54,7 @@ bool yk_derive_solve_block(YkDerivation *d, const YkDeriveBlock *block, bool acc
 }
 
 // Writes the block as a linear system: J_b u' = right side.
-void yk_derive_put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *block, bool accelerations)
+static void put_system(YkDerivation *d, YkPage *page, const YkDeriveBlock *block, bool accelerations)
 {
     size_t n = block->row_count, m = block->column_count;
     if (n > BLOCK_SHOWN_MAX) {
@@ -86,8 +88,9 @@ static bool has_own_angle(const YkDerivation *d, int32_t body)
     return b->angle != d->coordinates[d->joint_angle[b->joint]].position;
 }
 
-const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block, const YkPoisson *const *over,
-                                     bool accelerations)
+// Returns determinant * (a body's rate or acceleration) if this block is the last that it needs; otherwise NULL.
+static const YkPoisson *body_over(YkDerivation *d, int32_t body, size_t block, const YkPoisson *const *over,
+                                  bool accelerations)
 {
     YkRing *ring = d->ring;
     const YkDeriveBlock *last = &d->blocks->blocks[block];
@@ -110,11 +113,12 @@ const YkPoisson *yk_derive_body_over(YkDerivation *d, int32_t body, size_t block
     return sum;
 }
 
-void yk_derive_put_bodies(YkDerivation *d, YkPage *page, size_t block, const YkPoisson *const *over, bool accelerations)
+// Writes the rates or accelerations of the bodies for which this block is the last that they need.
+static void put_bodies(YkDerivation *d, YkPage *page, size_t block, const YkPoisson *const *over, bool accelerations)
 {
     for (int32_t b = d->blocks->first_body[block]; b != YK_NONE; b = d->blocks->next_body[b]) {
         if (!has_own_angle(d, b)) continue;
-        const YkPoisson *sum = yk_derive_body_over(d, b, block, over, accelerations);
+        const YkPoisson *sum = body_over(d, b, block, over, accelerations);
         if (!sum) continue;
         int32_t symbol = accelerations ? d->bodies[b].acceleration : d->bodies[b].rate;
         yk_page_solution(page, d->model->bodies[b].name, symbol, sum, d->blocks->blocks[block].determinant);
@@ -128,15 +132,15 @@ void yk_derive_put_solutions(YkDerivation *d, YkPage *page, bool accelerations)
         const YkDeriveBlock *block = &blocks->blocks[b];
         const YkPoisson *over[YK_CRAMER_MAX];
         yk_page_heading(page, 2, yk_derive_block_name(d, block));
-        if (!yk_derive_solve_block(d, block, accelerations, over)) {
-            yk_derive_put_system(d, page, block, accelerations);
+        if (!solve_block(d, block, accelerations, over)) {
+            put_system(d, page, block, accelerations);
             continue;
         }
         for (size_t k = 0; k < block->column_count; k++) {
             const YkDeriveCoordinate *c = &d->coordinates[blocks->column_order[block->first_column + k]];
             yk_page_solution(page, NULL, accelerations ? c->acceleration : c->rate, over[k], block->determinant);
         }
-        yk_derive_put_bodies(d, page, b, over, accelerations);
+        put_bodies(d, page, b, over, accelerations);
     }
 }
 
@@ -190,7 +194,7 @@ static void put_influence(YkDerivation *d, YkPage *page)
     for (size_t b = 0; b < blocks->block_count; b++) {
         const YkDeriveBlock *block = &blocks->blocks[b];
         const YkPoisson *over[YK_CRAMER_MAX];
-        if (!yk_derive_solve_block(d, block, false, over)) continue;
+        if (!solve_block(d, block, false, over)) continue;
         for (size_t k = 0; k < block->column_count; k++) {
             const YkPoisson *sum = yk_ring_change(d->ring, over[k], to_influence);
             yk_page_solution(page, NULL, d->influence[blocks->column_order[block->first_column + k]], sum,

@@ -18,7 +18,7 @@ bool yk_holding_is_needed(YkHolding *holding, const YkDynamics *dynamics, const 
 // are 0. Cost: a solution for every joint with dry friction, and some linear programs for each input.
 YkStatus yk_holding_find(YkHolding *holding, YkDynamics *dynamics, YkState *state, YkMethod method);
 YkEffortRange yk_holding_range(const YkHolding *holding, size_t input); // is_single if nothing was found
-// Whether frictions at rest, and what depends on them, have more than one answer.
+// Returns whether frictions at rest, and what depends on them, have more than one answer.
 bool yk_holding_is_open(const YkHolding *holding);
 
 #endif

@@ -138,7 +138,8 @@ double yk_law_use_excess(const YkLawUse *use, double argument)
     return fmax(from - argument, argument - to) - ROUNDING * (to - from);
 }
 
-void yk_law_use_note(YkLawUse *use, double argument, double at)
+// Remembers that a use was found outside at a pose.
+static void note_use(YkLawUse *use, double argument, double at)
 {
     if (use->told.poses++ > 0) return;
     double d[YK_LAW_ORDER + 1];
@@ -155,7 +156,7 @@ size_t yk_law_watch_look(YkLawWatch *watch, const YkState *state, YkDynamics *dy
     for (size_t k = 0; k < watch->count; k++) {
         double argument = yk_law_use_argument(&watch->uses[k], state, dynamics ? dynamics->loads : NULL);
         if (!(yk_law_use_excess(&watch->uses[k], argument) > 0)) continue;
-        yk_law_use_note(&watch->uses[k], argument, at);
+        note_use(&watch->uses[k], argument, at);
         outside++;
     }
     return outside;
@@ -167,7 +168,7 @@ void yk_law_watch_note(YkLawWatch *watch, const char *name, double argument, dou
         YkLawUse *use = &watch->uses[k];
         bool is_at_end = !(argument > use->told.from && argument < use->told.to);
         if (use->told.poses > 0 || !is_at_end || strcmp(use->told.name, name) != 0) continue;
-        yk_law_use_note(use, argument, at);
+        note_use(use, argument, at);
         return;
     }
 }

@@ -24,7 +24,5 @@ struct YkLawWatch {
 double yk_law_use_argument(const YkLawUse *use, const YkState *state, YkLoads *loads);
 // Returns by how much an argument is outside the law's range, less what is rounding: above 0 if it is. NaN for NaN.
 double yk_law_use_excess(const YkLawUse *use, double argument);
-// Remembers that a use was found outside at a pose.
-void yk_law_use_note(YkLawUse *use, double argument, double at);
 
 #endif

@@ -13,7 +13,7 @@ typedef struct Logarithm {
     double high, low, r, r_low;
 } Logarithm;
 
-// Of a positive, finite x.
+// Takes a positive, finite x.
 YK_INLINE Logarithm logarithm(double x)
 {
     uint64_t bits = bits_of(x);
@@ -44,7 +44,7 @@ YK_INLINE DoubleDouble logarithm_pair(Logarithm l)
     return dd_ordered_sum(more.high, more.low + (sum.low + (l.low + tail)));
 }
 
-// Whether x has no logarithm to compute: zero, negative, infinite, NaN.
+// Returns whether x has no logarithm to compute: zero, negative, infinite, NaN.
 YK_INLINE bool logarithm_is_rare(double x)
 {
     return !(x > 0 && x < (double)INFINITY);

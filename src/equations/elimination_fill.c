@@ -81,8 +81,7 @@ static void fill_operation(YkEliminationOrder *o, YkOperation *op)
     uint32_t rows = op->kind == YK_OP_FREE ? n : op->given;
     for (uint32_t i = 0; i < rows && op->kind != YK_OP_KNOWN; i++)
         for (uint32_t j = i; j < n; j++) put_index(o, entry_of(o, o->columns.unknown[i], o->columns.unknown[j]));
-    size_t wide = n + op->own > op->gradient.columns ? n + op->own : op->gradient.columns;
-    if (wide > e->widest) e->widest = wide;
+    if (n + op->own > e->widest) e->widest = n + op->own;
 }
 
 void yk_order_find_fill(YkEliminationOrder *o)

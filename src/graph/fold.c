@@ -28,7 +28,7 @@ static bool is_minus(const YkGraph *g, YkRef value)
     return at(g, value)->op == YK_VALUE_MINUS;
 }
 
-// Whether sums take its opposite.
+// Returns whether sums take its opposite.
 static bool is_negative(const YkGraph *g, YkRef value)
 {
     return is_minus(g, value) || (g->shares_signs && is_number(g, value) && at(g, value)->number < 0);

@@ -49,7 +49,7 @@ struct YkPrinter {
     const char **field; // per value of parameters that a pose needs: its name in the machine, or NULL
     YkRef *fields;      // in order
     size_t field_count, field_capacity;
-    // Of the current function:
+    // The current function's:
     bool *marked;
     int32_t *count;     // uses
     const char **local; // its variable, once it has one

@@ -2,6 +2,7 @@
 #include <yoke/certificate.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/memory.h"
 #include "base/text.h"
 #include "map/chain.h"
 
@@ -25,8 +26,9 @@ struct YkCertifier {
     bool is_aside;
     YkMotionCertificate found, *kept;
     size_t kept_count;
-    bool has_failed;        // out of memory
-    char outside_joint[80]; // because of which nothing can be proved
+    bool has_failed;           // out of memory
+    YkArena *names;            // of what is found: a simulation frees the machines that it leaves
+    const char *outside_joint; // because of which nothing can be proved
 };
 
 static bool is_outside(const YkCertifier *c)
@@ -96,12 +98,12 @@ static bool set_way(YkCertifier *c, const Place *a, const Place *b, size_t chord
 
 // --- what is found
 
-static void copy_words(char *to, size_t size, const char *words)
+// Returns the certifier's own copy of a name; "" for NULL.
+static const char *copy_of(YkCertifier *c, const char *name)
 {
-    size_t length = words ? strlen(words) : 0;
-    if (length >= size) length = size - 1;
-    if (length > 0) memcpy(to, words, length);
-    to[length] = 0;
+    const char *copy = name ? yk_arena_copy(c->names, name, strlen(name)) : "";
+    c->has_failed |= !copy;
+    return copy ? copy : "";
 }
 
 static const char *joint_of(const YkChain *chain)
@@ -117,8 +119,8 @@ static void note_gap(YkCertifier *c, const Place *a, const Place *b, const char 
     YkMotionCertificate *found = &c->found;
     double longest = -1;
     if (found->why[0]) return;
-    copy_words(found->why, sizeof found->why, why);
-    copy_words(found->joint, sizeof found->joint, joint);
+    found->why = why;
+    found->joint = copy_of(c, joint);
     found->from_time = a->time;
     found->to_time = b->time;
     for (size_t i = 0; i < mech->input_count; i++) {
@@ -129,15 +131,15 @@ static void note_gap(YkCertifier *c, const Place *a, const Place *b, const char 
     }
     if (mech->input_count == 0) return;
     found->input = (int)most;
-    copy_words(found->coordinate, sizeof found->coordinate, mech->coordinates[mech->inputs[most]].name);
+    found->coordinate = copy_of(c, mech->coordinates[mech->inputs[most]].name);
     found->from = a->input[most];
     found->to = b->input[most];
 }
 
 static void note_outside(const YkCertifier *c, YkMotionCertificate *found)
 {
-    copy_words(found->why, sizeof found->why, c->has_failed ? "out of memory" : c->chain.outside);
-    copy_words(found->joint, sizeof found->joint, c->outside_joint);
+    found->why = c->has_failed ? "out of memory" : c->chain.outside;
+    found->joint = c->outside_joint;
 }
 
 static const char *const no_start = "no interval encloses the pose from which the step starts",
@@ -232,7 +234,7 @@ static bool make_chain(YkCertifier *c, const YkMechanism *mech)
     c->last.stands = c->is_aside = false;
     if (!yk_chain_start(&c->chain, mech)) return false;
     size_t block = c->chain.outside_block;
-    copy_words(c->outside_joint, sizeof c->outside_joint, block != YK_NOT_FOUND ? mech->blocks[block].label : NULL);
+    c->outside_joint = copy_of(c, block != YK_NOT_FOUND ? mech->blocks[block].label : NULL);
     size_t inputs = mech->input_count, pose = yk_chain_pose_size(&c->chain);
     double *next = c->memory = calloc(3 * (2 * inputs + pose) + 1, sizeof *next);
     if (!next) return false;
@@ -314,8 +316,9 @@ YkCertifier *yk_certifier_new(const YkMechanism *mech)
     YkCertifier *c = calloc(1, sizeof *c);
     if (!c) return NULL;
     c->witness = (YkWitness){begin, step, change, keep, recall};
-    c->found.input = -1;
-    if (make_chain(c, mech)) return c;
+    c->found = (YkMotionCertificate){.input = -1, .why = "", .joint = "", .coordinate = ""};
+    c->names = yk_arena_new();
+    if (c->names && make_chain(c, mech) && !c->has_failed) return c;
     yk_certifier_free(c);
     return NULL;
 }
@@ -324,6 +327,7 @@ void yk_certifier_free(YkCertifier *c)
 {
     if (!c) return;
     yk_chain_end(&c->chain);
+    yk_arena_free(c->names);
     free(c->memory);
     free(c->kept);
     free(c);

@@ -109,7 +109,7 @@ static bool is_near_end(const Between *b, const double *box, const double *half)
     return false;
 }
 
-// Whether the one pose of a box is on a known strand. One that is not is followed.
+// Returns whether the one pose of a box is on a known strand; follows one that is not.
 static bool judge(void *context, const double *box, const double *half)
 {
     Between *b = context;

@@ -13,10 +13,11 @@ static bool read_hold(YkLoader *loader, const YkNode *node, YkHold *hold)
         return false;
     }
     bool is_rate = false;
-    hold->coordinate = yk_load_coordinate(loader, node->text, node->place, &is_rate);
-    if (hold->coordinate >= 0 && !is_rate) return true;
-    if (hold->coordinate != YK_REPORTED) yk_load_body(loader, node); // reports the name, with the nearest one
-    return false;
+    int32_t found = yk_load_coordinate(loader, node->text, node->place, &is_rate);
+    if (found >= 0 && is_rate) found = yk_load_coordinate_key(loader, node, NULL); // refuses it
+    if (found == YK_NONE) yk_load_body(loader, node); // reports the name, with the nearest one
+    hold->coordinate = found;
+    return found >= 0;
 }
 
 static void read_holds(YkLoader *loader, YkLock *lock, const YkNode *list)
@@ -58,16 +59,17 @@ static void read_lock(YkLoader *loader, YkLock *lock, const YkNode *node)
 {
     static const char *const keys[] = {"hold", "join", NULL};
     const YkSubject subject = {.noun = "lock", .part = lock->name};
-    if (node->kind == YK_NODE_LIST) {
-        read_holds(loader, lock, node);
-        return;
+    const YkNode *hold = node, *join = NULL;
+    if (node->kind != YK_NODE_LIST) {
+        if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) {
+            yk_problem_hint(loader->problems,
+                            "write a list, [ring, sun], or a map, {hold: [ring], join: [[sun, arm]]}");
+            return;
+        }
+        yk_load_check_keys(loader, node, keys, &subject);
+        hold = yk_node_get(node, "hold");
+        join = yk_node_get(node, "join");
     }
-    if (!yk_load_expect(loader, node, YK_NODE_MAP, &subject)) {
-        yk_problem_hint(loader->problems, "write a list, [ring, sun], or a map, {hold: [ring], join: [[sun, arm]]}");
-        return;
-    }
-    yk_load_check_keys(loader, node, keys, &subject);
-    const YkNode *hold = yk_node_get(node, "hold"), *join = yk_node_get(node, "join");
     if (hold) read_holds(loader, lock, hold);
     if (join) read_joins(loader, lock, join);
 }
@@ -82,7 +84,8 @@ void yk_load_locks(YkLoader *loader)
     for (size_t i = 0; i < section->count; i++) {
         const YkNodePair *pair = &section->pairs[i];
         YkLock *lock = &model->locks[model->lock_count++];
-        *lock = (YkLock){.name = pair->key->text, .place = pair->key->place};
+        lock->name = pair->key->text;
+        lock->place = pair->key->place;
         yk_load_name(loader, pair->key, "lock");
         read_lock(loader, lock, pair->value);
     }

@@ -43,8 +43,9 @@ static bool check_name(YkLoader *loader, const YkNode *node, const char *noun, b
     if (is_name(node, for_expressions)) return true;
     yk_problem(loader->problems, YK_CODE_BAD_NAME, node->place, "%q cannot be the name of a %s", node->text, noun);
     yk_problem_hint(loader->problems,
-                    for_expressions ? "use letters, digits and `_`, beginning with a letter, as in `l1`"
-                                    : "use letters, digits, `_` and `-`, beginning with a letter, as in `link-1`");
+                    for_expressions
+                        ? "use at most 100 letters, digits and `_`, beginning with a letter, as in `l1`"
+                        : "use at most 100 letters, digits, `_` and `-`, beginning with a letter, as in `link-1`");
     return false;
 }
 

@@ -25,7 +25,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\n' || c == '\r';
 }
 
-// Where a value in quotes ends; 0 where it does not.
+// Returns where a value in quotes ends; 0 if it does not.
 static size_t quoted_end(const char *text, size_t length, size_t at)
 {
     char quote = text[at++];
@@ -40,7 +40,7 @@ static size_t quoted_end(const char *text, size_t length, size_t at)
     return 0;
 }
 
-// Where the scalar ends that begins at a byte of the source; over several lines a blank stands for each break. 0 where
+// Returns where the scalar ends that begins at a byte of the source; over several lines a blank stands for each break. 0 if
 // it is written in another way (folded by `>`).
 static size_t scalar_end(const char *text, size_t length, size_t at, const YkNode *scalar)
 {

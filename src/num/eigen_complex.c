@@ -133,7 +133,7 @@ static void find_vectors(size_t n, YkVec *T, YkVec *Q)
         for (size_t i = k; i-- > 0;) {
             YkVec sum = yk_scale(head, T[i * n + k]), off = yk_sub(T[k * n + k], T[i * n + i]);
             for (size_t j = i + 1; j < k; j++) sum = yk_add_product(sum, T[i * n + j], x[j]);
-            // Of equal eigenvalues: a vector of one of them, nearly. The largest entry of T is about 1.
+            // For equal eigenvalues this is nearly a vector of one of them. The largest entry of T is about 1.
             if (!(yk_sum_norm(off) > DBL_EPSILON)) off = yk_vec(DBL_EPSILON, 0);
             x[i] = yk_mul(sum, yk_inverse(off));
             if (!(yk_sum_norm(x[i]) > LARGE)) continue;

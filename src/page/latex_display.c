@@ -35,7 +35,7 @@ static size_t step(Walk *walk, const char *text, size_t at)
     return 1;
 }
 
-// Where a sum may break: outside brackets and at their first depth, or further inside.
+// The places at which a sum may break: outside brackets and at their first depth, or further inside.
 typedef enum Break { BREAK_NONE, BREAK_DEEP, BREAK_SHALLOW } Break;
 
 static Break break_at(const Walk *walk, const char *c)

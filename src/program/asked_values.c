@@ -1,30 +1,5 @@
-// Values that can be asked of a pose - coordinates and points with their rates - and their names.
-#include <string.h>
-#include "base/text.h"
+// Values that can be asked of a pose: coordinates and points with their rates.
 #include "program/program.h"
-
-// --- names
-
-const char *yk_program_slot_name(YkProgram *p, int32_t slot)
-{
-    if (slot < (int32_t)p->mech->orientation_count) return p->model->bodies[p->mech->orientation_body[slot]].name;
-    for (size_t o = 0; o < p->mech->orientation_count; o++)
-        if (p->mech->relative_slot[o] == slot)
-            return yk_graph_text(&p->graph, "%s_relative", yk_program_slot_name(p, (int32_t)o));
-    return "turned";
-}
-
-const char *yk_program_distance_name(YkProgram *p, int32_t distance)
-{
-    for (size_t k = 0; k < p->mech->coordinate_count; k++) {
-        const YkTreeCoordinate *c = &p->mech->coordinates[k];
-        if (c->is_distance && c->distance == distance) return c->name;
-    }
-    for (size_t j = 0; j < p->model->joint_count; j++)
-        if (p->mech->joint_distance[j] == distance)
-            return yk_graph_text(&p->graph, "%s_distance", p->model->joints[j].name);
-    return "d";
-}
 
 // --- coordinates
 

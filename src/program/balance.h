@@ -52,21 +52,21 @@ YkRef yk_balance_channel(YkBalanceSystem *balance, YkChannel channel);
 // dry_friction.c: enters the right sides of dry friction: 1 N or N m along each joint, and what it accelerates.
 void yk_dry_enter(YkBalanceSystem *balance);
 
-// Adds a wrench on a body, about its centre of mass, to a column or right side.
+// balance_wrench.c: adds a wrench on a body, about its centre of mass, to a column or right side.
 void yk_balance_add(YkBalanceSystem *balance, size_t column, int32_t body, YkRefVec force, YkRef moment);
 // Adds a force on a body at a place of the world; its opposite if the sign is -1.
 void yk_balance_push(YkBalanceSystem *balance, size_t column, int32_t body, double sign, YkRefVec place,
                      YkRefVec force);
+// Adds a couple on each of three bodies, in proportion; a force on the second body, and its opposite on the first.
+void yk_balance_couples(YkBalanceSystem *balance, size_t column, const int32_t *bodies, const YkRef *couples);
+void yk_balance_force(YkBalanceSystem *balance, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force);
+// Returns where the force of a column or right side on its second body is kept.
+YkRefVec *yk_balance_force_of(YkBalanceSystem *balance, size_t column);
 
 // meshes.c: the columns of gears and other relations, after those of the joints; what those contain (as in
 // free_bodies/meshes).
 void yk_meshes_columns(YkBalanceSystem *balance);
 void yk_meshes_enter(YkBalanceSystem *balance, size_t column);
-// Adds a couple on each of three bodies, in proportion; a force on the second body, and its opposite on the first.
-void yk_meshes_couples(YkBalanceSystem *balance, size_t column, const int32_t *bodies, const YkRef *couples);
-void yk_meshes_force(YkBalanceSystem *balance, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force);
-// Returns where the force of a column or right side on its second body is kept.
-YkRefVec *yk_meshes_force_of(YkBalanceSystem *balance, size_t column);
 // meshes_laws.c: cams, and coordinates that follow others by a law.
 bool yk_meshes_cam_has_pair(const YkCam *cam); // of rollers whose places are known
 void yk_meshes_cam(YkBalanceSystem *balance, size_t column, const YkRelation *relation, const YkCam *cam);

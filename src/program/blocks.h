@@ -7,8 +7,6 @@
 YkRef yk_block_branch(YkProgram *program, size_t block); // +1 or -1
 // Returns a unit vector: the block's present line `k`, along which `column` slides.
 YkRefVec yk_block_line(YkProgram *program, const YkBlock *block, size_t column, size_t k);
-void yk_block_set_unit(YkProgram *program, int32_t slot, YkRefVec unit);
-void yk_block_set_distance(YkProgram *program, int32_t distance, YkRef value);
 void yk_block_name(YkProgram *program, YkRefVec vector, const char *block, const char *what);
 // Keeps the least margin; NaN once a block is not finite.
 void yk_block_keep_margin(YkProgram *program, YkRef margin, YkRef result);

@@ -100,8 +100,8 @@ void yk_block_place_rrr(YkProgram *p, size_t index, YkPlaced *placed)
     placed->e[1] = yk_graph_vec_multiply(g, placed->q, vec_inverse(g, W));
     bool careful = is_careful(p, b, 2);
     if (careful) make_careful(p, placed, U, W);
-    yk_block_set_unit(p, b->column[0].index, placed->e[0]);
-    yk_block_set_unit(p, b->column[1].index, placed->e[1]);
+    yk_program_set_unit(p, b->column[0].index, placed->e[0]);
+    yk_program_set_unit(p, b->column[1].index, placed->e[1]);
     YkRef four = yk_graph_number(g, 4), most = yk_graph_multiply(g, four, yk_graph_multiply(g, U2, W2));
     YkRef margin = yk_graph_multiply(g, square, yk_graph_inverse(g, most));
     YkRef shortness = yk_graph_multiply(g, yk_graph_multiply(g, u, w), per_L2);
@@ -133,8 +133,8 @@ void yk_block_place_rrp(YkProgram *p, size_t index, YkPlaced *placed)
     placed->e[0] = e;
     placed->e[1] = yk_graph_vec_multiply(g, placed->q, vec_inverse(g, W));
     placed->inverse = yk_graph_name(g, per_root, "%s_per_g", placed->name);
-    yk_block_set_distance(p, b->column[1].index, d);
-    yk_block_set_unit(p, b->column[0].index, placed->e[1]);
+    yk_program_set_distance(p, b->column[1].index, d);
+    yk_program_set_unit(p, b->column[0].index, placed->e[1]);
     YkRef margin = yk_graph_multiply(g, g2, yk_graph_inverse(g, W2));
     if (is_careful(p, b, 1)) margin = with_share(p, margin, arm_share(p, b, 0, W2));
     yk_block_keep_margin(p, margin, placed->e[1].x);
@@ -170,8 +170,8 @@ void yk_block_place_rpr(YkProgram *p, size_t index, YkPlaced *placed)
     YkRefVec e = yk_graph_vec_multiply(g, K, (YkRefVec){down, across});
     placed->e[0] = e;
     placed->e[1] = yk_graph_vec_multiply(g, e, yk_graph_vec_conjugate(g, f));
-    yk_block_set_unit(p, b->column[0].index, placed->e[1]);
-    yk_block_set_distance(p, b->column[1].index, yk_graph_subtract(g, r, along));
+    yk_program_set_unit(p, b->column[0].index, placed->e[1]);
+    yk_program_set_distance(p, b->column[1].index, yk_graph_subtract(g, r, along));
     yk_block_keep_margin(p, rpr_margin(p, b, r2, per_K2), e.x);
 }
 
@@ -185,7 +185,7 @@ void yk_block_place_pp(YkProgram *p, size_t index, YkPlaced *placed)
     placed->inverse = yk_graph_inverse(g, D);
     YkRef d1 = yk_graph_minus(g, yk_graph_multiply(g, yk_graph_cross(g, placed->known, placed->e[1]), placed->inverse));
     YkRef d2 = yk_graph_multiply(g, yk_graph_cross(g, placed->known, placed->e[0]), placed->inverse);
-    yk_block_set_distance(p, b->column[0].index, d1);
-    yk_block_set_distance(p, b->column[1].index, d2);
+    yk_program_set_distance(p, b->column[0].index, d1);
+    yk_program_set_distance(p, b->column[1].index, d2);
     yk_block_keep_margin(p, yk_graph_multiply(g, D, D), d1);
 }

@@ -117,9 +117,9 @@ void yk_block_place_group(YkProgram *p, size_t index, YkPlaced *placed)
         const YkColumn *c = &p->mech->group_columns[b->first_column + k];
         placed->solution[k] = yk_graph_result(g, placed->call, k);
         if (c->is_distance)
-            yk_block_set_distance(p, c->index, placed->solution[k]);
+            yk_program_set_distance(p, c->index, placed->solution[k]);
         else
-            yk_block_set_unit(p, c->index, yk_graph_unit(g, placed->solution[k]));
+            yk_program_set_unit(p, c->index, yk_graph_unit(g, placed->solution[k]));
     }
     evaluate(p, b, placed->solution, unused, placed->at);
     // The sign of the determinant is the branch; its square is the margin.

@@ -28,13 +28,6 @@ void yk_meshes_columns(YkBalanceSystem *w)
     }
 }
 
-void yk_meshes_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies, const YkRef *couples)
-{
-    YkRefVec none = yk_graph_vec_number(&w->f->program->graph, 0, 0);
-    w->columns[column].moment = couples[1];
-    for (int k = 0; k < 3; k++) yk_balance_add(w, column, bodies[k], none, couples[k]);
-}
-
 // Enters couples given as numbers: the largest is 1 N times the machine's size.
 static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodies, double a, double b)
 {
@@ -43,20 +36,7 @@ static void enter_couples(YkBalanceSystem *w, size_t column, const int32_t *bodi
     const double sizes[] = {a * unit, b * unit, -(a + b) * unit};
     YkRef couples[3];
     for (size_t k = 0; k < 3; k++) couples[k] = yk_graph_number(&p->graph, sizes[k]);
-    yk_meshes_couples(w, column, bodies, couples);
-}
-
-YkRefVec *yk_meshes_force_of(YkBalanceSystem *w, size_t column)
-{
-    return column < w->n ? &w->columns[column].force : &w->radial[column - w->n];
-}
-
-// Adds a force on the second body at a place of the world, and its opposite on the first.
-void yk_meshes_force(YkBalanceSystem *w, size_t column, const int32_t *bodies, YkRefVec place, YkRefVec force)
-{
-    *yk_meshes_force_of(w, column) = force;
-    yk_balance_push(w, column, bodies[0], -1, place, force);
-    yk_balance_push(w, column, bodies[1], 1, place, force);
+    yk_balance_couples(w, column, bodies, couples);
 }
 
 // Returns a wheel's centre: the origin of its body.
@@ -72,14 +52,14 @@ static void push_teeth(YkBalanceSystem *w, size_t column, const YkGear *gear, Yk
     YkProgram *p = w->f->program;
     YkGraph *g = &p->graph;
     if (!yk_gear_is_about_axis(gear)) {
-        yk_meshes_force(w, column, gear->body, pitch, force);
+        yk_balance_force(w, column, gear->body, pitch, force);
         return;
     }
     int32_t wheel = gear->body[!gear->planet];
     double sign = gear->planet ? 1 : -1;
     YkRefVec axis = center_of(p, wheel), none = yk_graph_vec_number(g, 0, 0);
     YkRef couple = yk_graph_cross(g, yk_graph_vec_subtract(g, pitch, axis), force);
-    *yk_meshes_force_of(w, column) = force;
+    *yk_balance_force_of(w, column) = force;
     yk_balance_push(w, column, gear->body[gear->planet], sign, pitch, force);
     yk_balance_push(w, column, gear->carrier, -sign, axis, force);
     if (column < w->n) yk_balance_add(w, column, wheel, none, yk_graph_multiply(g, yk_graph_number(g, -sign), couple));
@@ -120,7 +100,7 @@ static void enter_rack(YkBalanceSystem *w, size_t column, const YkRack *rack)
     YkRefVec center = center_of(p, rack->pinion);
     YkRefVec pitch = yk_graph_vec_add(g, center, yk_graph_vec_scale(g, away, yk_graph_vec_quarter(g, u)));
     const int32_t bodies[] = {rack->pinion, rack->rack};
-    yk_meshes_force(w, column, bodies, pitch, yk_graph_vec_scale(g, yk_graph_number(g, sign), u));
+    yk_balance_force(w, column, bodies, pitch, yk_graph_vec_scale(g, yk_graph_number(g, sign), u));
 }
 
 void yk_meshes_enter(YkBalanceSystem *w, size_t column)

@@ -67,7 +67,7 @@ static void cam_couples(YkBalanceSystem *w, size_t column, const YkCam *cam, con
     double size = w->unit;
     YkRef on_cam = times(g, -pose->turn * size, pose->slope), on_follower = yk_graph_number(g, pose->way * size);
     const YkRef couples[] = {on_cam, on_follower, yk_graph_minus(g, yk_graph_add(g, on_cam, on_follower))};
-    yk_meshes_couples(w, column, (int32_t[]){cam->cam, cam->follower, cam->carrier}, couples);
+    yk_balance_couples(w, column, (int32_t[]){cam->cam, cam->follower, cam->carrier}, couples);
 }
 
 // Pushes a flat face along its line of motion at the contact, which is off that line by the slope of the lift.
@@ -76,7 +76,7 @@ static void flat_face(YkBalanceSystem *w, size_t column, const YkCam *cam, const
     YkGraph *g = &w->f->program->graph;
     YkRef aside = times(g, -pose->turn, pose->slope);
     YkRefVec off = yk_graph_vec_scale(g, aside, yk_graph_vec_quarter(g, pose->u));
-    yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, off), pose->u);
+    yk_balance_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, off), pose->u);
 }
 
 // Pushes a flat face that turns along its normal, where it touches (free_bodies/meshes.c).
@@ -94,7 +94,7 @@ static void turning_flat_face(YkBalanceSystem *w, size_t column, const YkCam *ca
     YkRef height = yk_graph_subtract(g, yk_graph_dot(g, n, pivot), yk_graph_number(g, cam->offset));
     YkRefVec along = yk_graph_vec_scale(g, height, n),
              at = yk_graph_vec_add(g, along, yk_graph_vec_scale(g, aside, across));
-    yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, at), n);
+    yk_balance_force(w, column, (int32_t[]){cam->cam, cam->follower}, yk_graph_vec_add(g, pose->center, at), n);
 }
 
 // Returns the direction in which a follower slides, in the carrier's axes.
@@ -176,8 +176,8 @@ static YkRefVec second_roller(YkBalanceSystem *w, const YkCam *cam, const CamPos
 // Adds the forces of two rollers to a column or right side.
 static void push_two(YkBalanceSystem *w, size_t column, const YkCam *cam, const YkRefVec at[2], const YkRefVec force[2])
 {
-    for (int k = 0; k < 2; k++) yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at[k], force[k]);
-    *yk_meshes_force_of(w, column) = yk_graph_vec_add(&w->f->program->graph, force[0], force[1]);
+    for (int k = 0; k < 2; k++) yk_balance_force(w, column, (int32_t[]){cam->cam, cam->follower}, at[k], force[k]);
+    *yk_balance_force_of(w, column) = yk_graph_vec_add(&w->f->program->graph, force[0], force[1]);
 }
 
 // Pushes the bearing one of two rollers: half the forces of both that do the same work, and for each newton of magnitude
@@ -206,7 +206,7 @@ static void roller_force(YkBalanceSystem *w, size_t column, const YkCam *cam, co
     if (w->columns[column].radial != 0)
         roller_pair(w, column, cam, pose, at, normal);
     else
-        yk_meshes_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, normal);
+        yk_balance_force(w, column, (int32_t[]){cam->cam, cam->follower}, at, normal);
 }
 
 bool yk_meshes_cam_has_pair(const YkCam *cam)
@@ -252,7 +252,7 @@ static void push_along(YkBalanceSystem *w, size_t column, int32_t coordinate, Yk
     const YkJoint *j = &p->model->joints[c->joint];
     if (c->is_distance) {
         YkRefVec at = yk_program_at(p, j->body[1], yk_program_point(p, j->point[1]));
-        yk_meshes_force(w, column, j->body, at, yk_graph_vec_scale(g, effort, yk_forces_line(p, j)));
+        yk_balance_force(w, column, j->body, at, yk_graph_vec_scale(g, effort, yk_forces_line(p, j)));
         return;
     }
     YkRefVec none = yk_graph_vec_number(g, 0, 0);

@@ -110,19 +110,39 @@ YkRefVec yk_program_constant(YkProgram *program, const YkSum *sum);
 YkRefVec yk_program_line(YkProgram *program, int32_t distance, YkVec value); // of a block: a unit vector
 YkRef yk_program_joint_offset(YkProgram *program, int32_t joint); // angle of the joint = Phi_b - Phi_a + this
 
-// pose.c: positions, by all steps.
-void yk_program_pose(YkProgram *program);
-YkRefVec yk_program_turn(YkProgram *program, const YkStep *step); // of an input's turn, from its parent
-// Returns a relation's value for its target or, in a group or if it repeats others, its error, m. unknown: the
-// group's columns, or NULL.
+// names.c: return names for variables, not yet unique.
+const char *yk_program_slot_name(YkProgram *program, int32_t slot);
+const char *yk_program_distance_name(YkProgram *program, int32_t distance);
+// Set an orientation or a distance, and name the value.
+void yk_program_set_unit(YkProgram *program, int32_t slot, YkRefVec unit);
+void yk_program_set_distance(YkProgram *program, int32_t distance, YkRef value);
+
+// sums.c
+YkRefVec yk_program_sum(YkProgram *program, const YkSum *sum);
+YkRefVec yk_program_sum_rate(YkProgram *program, const YkSum *sum, const YkRates *velocities);
+YkRefVec yk_program_sum_accel(YkProgram *program, const YkSum *sum, const YkRates *velocities,
+                              const YkRates *accelerations);
+
+// relations.c: returns a relation's value for its target or, in a group or if it repeats others, its error, m.
+// unknown: the group's columns, or NULL.
 YkRef yk_program_relation(YkProgram *program, size_t relation, const YkRef *unknown);
-// Records the error of a loop or relation that repeats others.
-void yk_program_keep_gap(YkProgram *program, YkRef gap);
+// Returns the rate of a relation's value, without a group's own columns; accelerations NULL: the first derivative.
+YkRef yk_program_relation_rate(YkProgram *program, size_t relation, const YkRates *velocities,
+                               const YkRates *accelerations);
+// Returns the rate of the argument of a relation's law, from all that turns and slides.
+YkRef yk_program_argument_rate(YkProgram *program, size_t relation, const YkRates *velocities);
+// Adds to the arguments of a group's laws the part of its unknowns, whose velocities are known.
+void yk_program_group_arguments(YkProgram *program, const YkBlock *block, const YkRates *velocities);
 int32_t yk_program_law(const YkProgram *program, const YkLaw *law); // its place in the model
 // Returns the value of a law and its two derivatives, as a call.
 int32_t yk_program_call_law(YkProgram *program, int32_t law, YkRef argument);
-YkRefVec yk_program_sum(YkProgram *program, const YkSum *sum);
-// blocks.c: one block, of any kind.
+
+// pose.c: positions, by all steps.
+void yk_program_pose(YkProgram *program);
+YkRefVec yk_program_turn(YkProgram *program, const YkStep *step); // of an input's turn, from its parent
+// Records the error of a loop or relation that repeats others (blocks.c).
+void yk_program_keep_gap(YkProgram *program, YkRef gap);
+// place.c: one block, of any kind.
 void yk_program_place(YkProgram *program, size_t block);
 
 // rates.c
@@ -132,16 +152,6 @@ YkRates yk_program_velocities(YkProgram *program, const YkRef *input_rates);
 YkRates yk_program_accelerations(YkProgram *program, const YkRates *velocities, const YkRef *input_accelerations);
 // Replaces those rates that are sums of the inputs' own: of what drives, gears, racks and belts alone move.
 void yk_program_linear_rates(YkProgram *program, const YkRef *input_rates, YkRates *rates);
-// Returns the rate of a relation's value, without a group's own columns; accelerations NULL: the first derivative.
-YkRef yk_program_relation_rate(YkProgram *program, size_t relation, const YkRates *velocities,
-                               const YkRates *accelerations);
-// Returns the rate of the argument of a relation's law, from all that turns and slides.
-YkRef yk_program_argument_rate(YkProgram *program, size_t relation, const YkRates *velocities);
-// Adds to the arguments of a group's laws the part of its unknowns, whose velocities are known.
-void yk_program_group_arguments(YkProgram *program, const YkBlock *block, const YkRates *velocities);
-YkRefVec yk_program_sum_rate(YkProgram *program, const YkSum *sum, const YkRates *velocities);
-YkRefVec yk_program_sum_accel(YkProgram *program, const YkSum *sum, const YkRates *velocities,
-                              const YkRates *accelerations);
 // block_rates.c: one block; accelerations NULL: its velocities.
 void yk_program_block_rates(YkProgram *program, size_t block, YkRates *velocities, YkRates *accelerations);
 
@@ -158,8 +168,5 @@ YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, cons
 // body_accel.c: returns the acceleration of a point of a body with fewer operations, for poses that need no rates of it.
 YkRefVec yk_program_body_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                                const YkRates *accelerations);
-// Return names for variables, not yet unique.
-const char *yk_program_slot_name(YkProgram *program, int32_t slot);
-const char *yk_program_distance_name(YkProgram *program, int32_t distance);
 
 #endif

@@ -31,26 +31,6 @@ static void make_columns(YkBalanceSystem *w)
     }
 }
 
-void yk_balance_add(YkBalanceSystem *w, size_t column, int32_t body, YkRefVec force, YkRef moment)
-{
-    YkProgram *p = w->f->program;
-    YkGraph *g = &p->graph;
-    size_t stride = w->n + w->sides;
-    if (body == 0) return;
-    YkRef *row = w->system + 3 * (size_t)(body - 1) * stride + column;
-    const YkRef parts[] = {force.x, force.y, yk_graph_divide(g, moment, yk_graph_number(g, w->unit))};
-    for (size_t k = 0; k < 3; k++) row[k * stride] = yk_graph_add(g, row[k * stride], parts[k]);
-}
-
-void yk_balance_push(YkBalanceSystem *w, size_t column, int32_t body, double sign, YkRefVec place, YkRefVec force)
-{
-    YkProgram *p = w->f->program;
-    YkGraph *g = &p->graph;
-    YkRefVec center = yk_program_at(p, body, yk_forces_center(p, body)), arm = yk_graph_vec_subtract(g, place, center);
-    force = yk_graph_vec_scale(g, yk_graph_number(g, sign), force);
-    yk_balance_add(w, column, body, force, yk_graph_cross(g, arm, force));
-}
-
 // Enters a joint's wrench on one of its bodies, at an arm from its centre of mass; a couple is taken over the unit.
 static void enter(YkBalanceSystem *w, size_t column, int32_t body, double sign, YkRefVec arm)
 {

@@ -18,9 +18,6 @@
 YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dynamics, const char *text, size_t length,
                                YkPlace place, YkProblems *problems);
 
-// Frees what checks have found out about the machine and keep for others; yk_derivation_free calls it.
-void yk_check_forget(YkDerivation *d);
-
 // --- equation.c
 typedef struct YkEquationTerm { // a summand of a side: its sign and its place
     bool is_right, is_negative;

@@ -5,7 +5,8 @@
 #include "prove/check_inside.h"
 #include "solve/state.h"
 
-void yk_check_forget(YkDerivation *d)
+// Frees what checks have found out about the machine and keep for others; yk_derivation_free calls it.
+static void forget(YkDerivation *d)
 {
     YkCheckShared *shared = d->checked;
     if (!shared) return;
@@ -67,11 +68,11 @@ YkCheckShared *yk_check_share(YkDerivation *d, const YkState *state, const YkDyn
     YkCheckShared *shared = d->checked;
     if (shared && is_same_state(shared->start, state) && is_same_dynamics(shared, dynamics, d->mech->input_count))
         return shared;
-    yk_check_forget(d);
+    forget(d);
     d->checked = begin(d, state, dynamics);
-    d->forget_checks = yk_check_forget;
+    d->forget_checks = forget;
     shared = d->checked;
     if (!shared || (shared->start && shared->is_prescribed && shared->anywhere)) return shared;
-    yk_check_forget(d);
+    forget(d);
     return NULL;
 }

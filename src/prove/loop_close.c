@@ -3,7 +3,8 @@
 #include "derive/inside.h"
 #include "prove/loop_point.h"
 
-bool yk_loop_is_defined(YkDerivation *d, size_t parameter)
+// Returns whether a parameter is given by others, or in a definition.
+static bool is_defined(YkDerivation *d, size_t parameter)
 {
     for (size_t k = 0; k < d->model->parameter_count; k++) { // defined, or in a definition
         const YkPoisson *definition = yk_derive_definition(d, k);
@@ -117,7 +118,7 @@ size_t yk_loop_linear(YkDerivation *d, const YkDeriveBlocks *blocks, int32_t *un
         if (is_linear(d->ring, blocks, d->coordinates[k].position, unknowns, count))
             unknowns[count++] = d->coordinates[k].position;
     for (size_t k = 0; k < d->model->parameter_count; k++)
-        if (!yk_ring_is_angle(d->ring, d->parameters[k]) && !yk_loop_is_defined(d, k) &&
+        if (!yk_ring_is_angle(d->ring, d->parameters[k]) && !is_defined(d, k) &&
             is_linear(d->ring, blocks, d->parameters[k], unknowns, count))
             unknowns[count++] = d->parameters[k];
     return count;

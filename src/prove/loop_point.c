@@ -51,7 +51,8 @@ static int solve(YkLoopMaking *making, const YkLoopSystem *system, size_t *first
     return rank;
 }
 
-bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank)
+// Solves the system over the field. Returns false if rows contradict each other.
+static bool solve_system(YkLoopMaking *making, const YkLoopSystem *system, int *rank)
 {
     size_t rows = system->row_count;
     size_t *first = yk_derive_scratch(making->d, rows + 1, sizeof *first);
@@ -111,13 +112,13 @@ static void move(YkLoopMaking *making)
     const YkLoopSystem *rates = &making->plan->rates;
     int rank = 0;
     making->is_possible =
-        yk_loop_solve(making, rates, &rank) && (size_t)rank + d->mech->input_count <= d->coordinate_count + rates->held;
+        solve_system(making, rates, &rank) && (size_t)rank + d->mech->input_count <= d->coordinate_count + rates->held;
 }
 
 static void accelerate(YkLoopMaking *making)
 {
     int rank = 0;
-    making->is_possible = yk_loop_solve(making, &making->plan->accelerations, &rank);
+    making->is_possible = solve_system(making, &making->plan->accelerations, &rank);
 }
 
 // Sets the symbols of the bodies' own angles from the coordinates.
@@ -137,7 +138,7 @@ static void make(YkLoopMaking *making)
 {
     follow_definitions(making);
     yk_loop_close_angles(making);
-    if (making->is_possible) making->is_possible = yk_loop_solve(making, &making->plan->closing, &making->rank);
+    if (making->is_possible) making->is_possible = solve_system(making, &making->plan->closing, &making->rank);
     if (making->is_possible) set_bodies(making);
     if (making->is_possible) take_roots(making);
     if (making->is_possible) move(making);

@@ -68,12 +68,8 @@ static inline uint64_t yk_loop_field(const YkLoopMaking *making, const YkPoisson
     return yk_ring_field(making->d->ring, a, making->point, false);
 }
 
-// Solves the system over the field. Returns false if rows contradict each other.
-bool yk_loop_solve(YkLoopMaking *making, const YkLoopSystem *system, int *rank);
-
 // --- loop_close.c
-bool yk_loop_is_defined(YkDerivation *d, size_t parameter); // by others, or in a definition
-void yk_loop_close_angles(YkLoopMaking *making);            // by bonds, or by slides and welds that close loops
+void yk_loop_close_angles(YkLoopMaking *making); // by bonds, or by slides and welds that close loops
 // Finds the symbols for which they are solved: all that enter them linearly. Returns the count; unknowns has room for
 // all coordinates and parameters.
 size_t yk_loop_linear(YkDerivation *d, const YkDeriveBlocks *blocks, int32_t *unknowns);

@@ -166,7 +166,7 @@ size_t yk_rest_input(const YkRest *rest, size_t k)
 }
 YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index)
 {
-    if (index >= rest->count) return (YkEquilibrium){.potential = (double)NAN, .force = (double)NAN};
+    if (index >= rest->count) return (YkEquilibrium){YK_STABILITY_NONE, (double)NAN, (double)NAN, false};
     return rest->points[index].at;
 }
 

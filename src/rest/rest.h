@@ -44,7 +44,7 @@ struct YkRest {
 // search.c: looks for equilibria from the state's pose, along all circuits, and from that many random poses. Returns false
 // when out of memory or stopped.
 bool yk_rest_search(YkRest *rest, size_t starts);
-// Goes from the pose in rest->q to an equilibrium, whose inputs are then there. Returns false if it comes to none.
+// descend.c: goes from the pose in rest->q to an equilibrium, whose inputs are then there. Returns false if it comes to none.
 bool yk_rest_descend(YkRest *rest);
 // Keeps the pose in rest->q, an equilibrium, unless it is known. Returns false when out of memory.
 bool yk_rest_keep(YkRest *rest);

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "base/memory.h"
 #include "num/bounded.h"
-#include "simulate/save.h"
+#include "simulate/archive.h"
 
 #define NUMBERS(archive, ...) walk_list(archive, (double *const[]){__VA_ARGS__, NULL})
 

@@ -2,6 +2,7 @@
 // of the machine that moves by itself.
 #include <stdlib.h>
 #include <string.h>
+#include "base/sets.h"
 #include "num/dense.h"
 #include "simulate/simulation.h"
 
@@ -11,9 +12,9 @@ typedef struct List {
     size_t *first, *member;
 } List;
 typedef struct Parts {
-    size_t *root;             // [body]: a body on the way to the one that stands for its part
-    size_t *number;           // [body]: of those that stand for a part
-    size_t *distance_body;    // [distance]
+    int32_t *parent;          // [body]: of its set (base/sets.h), which is a part
+    size_t *number;           // [body]: of the part of which it is the root
+    int32_t *distance_body;   // [distance]
     size_t count, most;       // parts with free inputs; of these in one part
     List inputs, coordinates; // members: index in free_input; coordinate
     double *rates, *tau;      // of one part after the other: [free input][coordinate]
@@ -23,29 +24,22 @@ typedef struct Parts {
 
 // --- parts
 
-static size_t root_of(const Parts *parts, size_t body)
+static void unite(Parts *parts, int32_t a, int32_t b)
 {
-    while (parts->root[body] != body) {
-        parts->root[body] = parts->root[parts->root[body]];
-        body = parts->root[body];
-    }
-    return body;
+    if (a != 0 && b != 0) yk_sets_join(parts->parent, a, b);
 }
 
-static void unite(Parts *parts, size_t a, size_t b)
-{
-    if (a != 0 && b != 0) parts->root[root_of(parts, a)] = root_of(parts, b);
-}
-
-static size_t body_of_joint(const YkSimulation *sim, size_t joint)
+static int32_t body_of_joint(const YkSimulation *sim, size_t joint)
 {
     const int32_t *body = sim->model->joints[joint].body;
-    return (size_t)(body[0] != 0 ? body[0] : body[1]);
+    return body[0] != 0 ? body[0] : body[1];
 }
 
-static size_t part_of(const YkSimulation *sim, const Parts *parts, size_t coordinate)
+// Returns where the number of a coordinate's part is kept.
+static size_t *number_of(const YkSimulation *sim, const Parts *parts, size_t coordinate)
 {
-    return parts->number[root_of(parts, body_of_joint(sim, (size_t)sim->mech->coordinates[coordinate].joint))];
+    int32_t body = body_of_joint(sim, (size_t)sim->mech->coordinates[coordinate].joint);
+    return &parts->number[yk_root_of(parts->parent, body)];
 }
 
 static size_t coordinate_of(const YkSimulation *sim, size_t k)
@@ -54,11 +48,11 @@ static size_t coordinate_of(const YkSimulation *sim, size_t k)
 }
 
 // Returns a body among those of the terms that is not the ground, or `body`; unites all of them with it.
-static size_t unite_terms(const YkMechanism *mech, Parts *parts, uint32_t from, uint32_t count, size_t body)
+static int32_t unite_terms(const YkMechanism *mech, Parts *parts, uint32_t from, uint32_t count, int32_t body)
 {
     for (uint32_t k = from; k < from + count; k++) {
         YkRelationTerm term = mech->relation_terms[k];
-        size_t other = term.is_distance ? parts->distance_body[term.index] : (size_t)mech->orientation_body[term.index];
+        int32_t other = term.is_distance ? parts->distance_body[term.index] : mech->orientation_body[term.index];
         unite(parts, body, other);
         if (other != 0) body = other;
     }
@@ -68,15 +62,15 @@ static size_t unite_terms(const YkMechanism *mech, Parts *parts, uint32_t from, 
 static void unite_all(const YkSimulation *sim, Parts *parts)
 {
     const YkMechanism *mech = sim->mech;
-    for (size_t b = 0; b < sim->model->body_count; b++) parts->root[b] = b;
+    yk_sets_begin(parts->parent, sim->model->body_count);
     for (size_t j = 0; j < sim->model->joint_count; j++) {
         const int32_t *body = sim->model->joints[j].body;
-        unite(parts, (size_t)body[0], (size_t)body[1]);
+        unite(parts, body[0], body[1]);
         if (mech->joint_distance[j] != YK_NONE) parts->distance_body[mech->joint_distance[j]] = body_of_joint(sim, j);
     }
     for (size_t r = 0; r < mech->relation_count; r++) {
         const YkRelation *relation = &mech->relations[r];
-        size_t body = unite_terms(mech, parts, relation->first_term, relation->term_count, 0);
+        int32_t body = unite_terms(mech, parts, relation->first_term, relation->term_count, 0);
         unite_terms(mech, parts, relation->first_argument, relation->argument_count, body);
     }
 }
@@ -100,12 +94,12 @@ static void find_parts(const YkSimulation *sim, Parts *parts)
     unite_all(sim, parts);
     for (size_t b = 0; b < sim->model->body_count; b++) parts->number[b] = SIZE_MAX;
     for (size_t k = 0; k < f; k++) { // by their first free inputs
-        size_t root = root_of(parts, body_of_joint(sim, (size_t)sim->mech->coordinates[coordinate_of(sim, k)].joint));
-        if (parts->number[root] == SIZE_MAX) parts->number[root] = parts->count++;
-        of[k] = parts->number[root];
+        size_t *number = number_of(sim, parts, coordinate_of(sim, k));
+        if (*number == SIZE_MAX) *number = parts->count++;
+        of[k] = *number;
     }
     list_by_part(&parts->inputs, parts->count, of, f);
-    for (size_t c = 0; c < n; c++) of[c] = part_of(sim, parts, c);
+    for (size_t c = 0; c < n; c++) of[c] = *number_of(sim, parts, c);
     list_by_part(&parts->coordinates, parts->count, of, n);
     for (size_t p = 0; p < parts->count; p++) {
         size_t own = parts->inputs.first[p + 1] - parts->inputs.first[p];
@@ -121,12 +115,11 @@ static bool make_parts(const YkSimulation *sim, Parts *parts)
     *parts = (Parts){.memory = calloc(2 * bodies + distances + 3 * f + 2 * n + 8, sizeof *p)};
     if (!parts->memory) return false;
     p = parts->memory;
-    parts->root = p, p += bodies;
     parts->number = p, p += bodies;
-    parts->distance_body = p, p += distances;
     parts->inputs = (List){p, p + f + 2}, p += 2 * f + 2;
     parts->coordinates = (List){p, p + f + 2}, p += f + 2 + n;
-    parts->order = p;
+    parts->order = p, p += n + 1;
+    parts->parent = (int32_t *)p, parts->distance_body = parts->parent + bodies;
     find_parts(sim, parts);
     for (size_t k = 0; k < parts->count; k++)
         entries += (parts->inputs.first[k + 1] - parts->inputs.first[k]) *

@@ -261,17 +261,6 @@ void yk_simulation_let_go(YkSimulation *sim, size_t contact, double direction)
     memmove(sim->lambda + contact, sim->lambda + contact + 1, (sim->contact_count - contact) * sizeof *sim->lambda);
 }
 
-double yk_simulation_rate_floor(const YkSimulation *sim)
-{
-    double fastest = 0;
-    for (size_t k = 0; k < sim->free_count; k++) {
-        bool is_distance = sim->mech->coordinates[sim->mech->inputs[sim->free_input[k]]].is_distance;
-        fastest =
-            fmax(fastest, fabs(sim->state->input[3 * sim->free_input[k] + 1]) / (is_distance ? sim->mech->size : 1));
-    }
-    return 1e-8 * fmax(1e-3, fastest);
-}
-
 double yk_simulation_scale(const YkSimulation *sim, const YkLoadItem *item)
 {
     return item->is_distance ? sim->mech->size : 1;

@@ -23,8 +23,6 @@ void yk_simulation_rest_on_stop(YkSimulation *sim, size_t item);
 void yk_simulation_stick(YkSimulation *sim, size_t item, double rate);
 // direction: of the sliding that begins, or 0.
 void yk_simulation_let_go(YkSimulation *sim, size_t contact, double direction);
-// Lower rates count as rest, rad/s or machine sizes per second.
-double yk_simulation_rate_floor(const YkSimulation *sim);
 double yk_simulation_scale(const YkSimulation *sim, const YkLoadItem *item); // 1 rad, or the machine's size
 
 #endif

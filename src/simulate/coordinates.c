@@ -45,14 +45,6 @@ static bool allocate(YkSimulation *sim)
     return true;
 }
 
-double yk_simulation_energy_scale(const YkSimulation *sim)
-{
-    double inertia = 0;
-    for (size_t b = 1; b < sim->model->body_count; b++)
-        inertia += sim->model->bodies[b].mass * sim->mech->size * sim->mech->size + sim->model->bodies[b].inertia;
-    return inertia > 0 ? inertia : 1;
-}
-
 bool yk_simulation_stepper(YkSimulation *sim)
 {
     static const YkOdeMethod methods[] = {YK_ODE_DOP853, YK_ODE_SDIRK4, YK_ODE_RK4};

@@ -6,16 +6,6 @@
 #define CLOSE 0.12      // rad from a singular position, inside the watched zone
 #define BLIND 1e-4      // sine below which the pose does not determine its own rates well enough
 
-double yk_simulation_input_scale(const YkSimulation *sim, size_t free)
-{
-    return yk_input_unit(sim->mech, (size_t)sim->free_input[free]);
-}
-
-double yk_simulation_margin(const YkSimulation *sim)
-{
-    return sim->state->space.margin[0];
-}
-
 // Returns a block as it was at the last look, or NULL. Both lists ascend by block: `cursor` follows.
 static const YkNear *last_look(const YkSimulation *sim, size_t block, size_t *cursor)
 {

@@ -1,6 +1,6 @@
 // Identifies a machine by one number: all of a model that its motion depends on.
 #include <string.h>
-#include "simulate/save.h"
+#include "simulate/fingerprint.h"
 
 typedef struct Print {
     uint64_t sum;

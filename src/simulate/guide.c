@@ -3,7 +3,7 @@
 #include "elementary/elementary.h"
 #include "simulate/crossing.h"
 
-// Of directions: near a singular position poses are known to the square root of rounding.
+// Tolerance of directions: near a singular position poses are known to the square root of rounding.
 static const double SAME = 1e-5;
 static const double SAME_PLACE = 2e-7; // where the pose of the simulation stays
 static const double CLOSE = 0.24;      // sin^2 below which a pose is the guide's
@@ -59,8 +59,7 @@ static bool turns_soon(const YkState *s)
 bool yk_simulation_stands_with_guide(YkSimulation *sim, double t, bool must_be_sure)
 {
     const YkState *guide = sim->guide;
-    if (sim->commands || sim->near_count == 0 || sim->contact_count > 0 || sim->dynamics->loads->has_dry)
-        return false;
+    if (sim->commands || sim->near_count == 0 || sim->contact_count > 0 || sim->dynamics->loads->has_dry) return false;
     if (!goes_to(sim, t) || !guide->has_rates || (must_be_sure && !has_sure_rates(guide))) return false;
     if (must_be_sure ? moving_input(guide) == YK_NONE && !rests(guide) : !turns_soon(guide)) return false;
     yk_state_copy(sim->state, guide);

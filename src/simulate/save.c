@@ -2,7 +2,8 @@
 //
 // The bytes are a mark, the format's version, their number, the machine's fingerprint, the data for remaking the
 // machine, the rest, and a sum over everything before it.
-#include "simulate/save.h"
+#include "simulate/archive.h"
+#include "simulate/fingerprint.h"
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"

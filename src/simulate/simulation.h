@@ -214,8 +214,6 @@ bool yk_simulation_look_whether_apart(YkSimulation *sim);
 double yk_simulation_reach_apart(const YkSimulation *sim);
 // Returns for how long, at the present rates, no block that is not near reaches a singular position.
 double yk_simulation_reach(YkSimulation *sim);
-double yk_simulation_margin(const YkSimulation *sim);
-double yk_simulation_input_scale(const YkSimulation *sim, size_t free); // 1 rad, or the machine's size
 // interpolation.c: returns whether the pose is so near that accelerations are interpolated.
 bool yk_simulation_in_zone(const YkSimulation *sim, double t);
 // Interpolates accelerations and powers next to a singular position, along the motion. LEFT: the pose itself gives them
@@ -236,8 +234,6 @@ bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed);
 // if they do not fit. Returns false on failure.
 bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed);
 void yk_simulation_unbuild(YkSimulation *sim);
-// Returns the energy of the machine as one rigid body that turns at 1 rad/s.
-double yk_simulation_energy_scale(const YkSimulation *sim);
 bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: call it after everything else is made
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems);
 
@@ -274,8 +270,18 @@ bool yk_simulation_hit(YkSimulation *sim, size_t item);
 // The follower reaches its cam: a plastic impact.
 bool yk_simulation_land(YkSimulation *sim, size_t cam);
 
-// events.c
+// scales.c
+double yk_simulation_input_scale(const YkSimulation *sim, size_t free); // 1 rad, or the machine's size
+// Returns the energy of the machine as one rigid body that turns at 1 rad/s.
+double yk_simulation_energy_scale(const YkSimulation *sim);
+// Lower rates count as rest, rad/s or machine sizes per second.
+double yk_simulation_rate_floor(const YkSimulation *sim);
+double yk_simulation_margin(const YkSimulation *sim); // of the pose that stands
+
+// happenings.c: keeps what happens, so many at most.
 void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value);
+
+// events.c
 void yk_simulation_look(YkSimulation *sim); // after a step: finds what happened in it
 bool yk_simulation_look_dead(YkSimulation *sim);
 void yk_simulation_watch_start(YkSimulation *sim);

@@ -140,7 +140,7 @@ static void use(bool *is_used, int32_t point)
     if (point != YK_NONE) is_used[point] = true;
 }
 
-// Which points something of the machine uses, besides their place.
+// Marks the points that something of the machine uses, besides their place.
 static void mark_used(const YkModel *model, bool *is_used)
 {
     for (size_t j = 0; j < model->joint_count; j++)

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "compile/closure.h"
-#include "compile/inputs.h"
+#include "compile/topology.h"
 #include "solve/all_loops.h"
 #include "solve/assemble.h"
 #include "solve/coincidence.h"
@@ -37,7 +37,7 @@ static bool allocate(YkState *s)
 static void mark_guesses(YkState *s)
 {
     const YkModel *model = s->mech->model;
-    yk_inputs_guess(s->mech, s->guess);
+    yk_start_guess(s->mech, s->guess);
     for (size_t k = 0; k < model->start_count; k++) {
         const YkCoordinate *c = &model->coordinates[model->starts[k].coordinate];
         int32_t q = model->starts[k].is_rate ? YK_NONE : yk_tree_coordinate(s->mech, c->joint, c->is_distance);

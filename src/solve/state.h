@@ -12,7 +12,7 @@ typedef struct YkPhase { // of an input that has made many turns: stands for `an
     double value, angle;
 } YkPhase;
 
-// Who is told of the motions of a state, or of a simulation. A YkCertifier begins with one.
+// A witness is told of the motions of a state, or of a simulation. A YkCertifier begins with one.
 typedef enum YkWitnessed {
     YK_WITNESS_STEP, // the next verified pose of the motion
     YK_WITNESS_TRY,  // the same, but if the way to it is refuted it has not been told

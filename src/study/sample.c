@@ -7,7 +7,8 @@
 
 // --- uniform numbers
 
-double yk_uniform(uint64_t seed, uint64_t design, uint64_t parameter)
+// Returns a uniform number in (0, 1), never an end: counter-based, two rounds of splitmix64 (Steele, Lea & Flood 2014).
+static double uniform(uint64_t seed, uint64_t design, uint64_t parameter)
 {
     uint64_t stream = yk_mix(seed + YK_MIX_STEP * (2 * parameter + 1));
     uint64_t bits = yk_mix(yk_mix(stream + YK_MIX_STEP * (design + 1)) ^ stream);
@@ -74,7 +75,8 @@ bool yk_distribution_is_valid(const YkDistribution *d)
     return has_ends && (d->kind == YK_DISTRIBUTION_UNIFORM || (d->low <= d->center && d->center <= d->high));
 }
 
-double yk_distribution_quantile(const YkDistribution *d, double p)
+// Returns the value below which a part p in (0, 1) of a distribution lies. Source (triangular): Evans et al. 2000.
+static double quantile_of(const YkDistribution *d, double p)
 {
     double width = d->high - d->low, low = d->center - d->low, x;
     switch (d->kind) {
@@ -94,7 +96,7 @@ double yk_distribution_quantile(const YkDistribution *d, double p)
 
 double yk_distribution_draw(const YkDistribution *d, uint64_t seed, uint64_t design, uint64_t parameter)
 {
-    return yk_distribution_quantile(d, yk_uniform(seed, design, parameter));
+    return quantile_of(d, uniform(seed, design, parameter));
 }
 
 // A normal distribution cut off at a and b (in deviations): density at the ends over the part between them.

@@ -1,8 +1,8 @@
 // Dragging with one free input: along its way until the distance grows, or the motion ends.
-#include "sweep/drag.h"
 #include <stdlib.h>
 #include <string.h>
 #include "loads/point.h"
+#include "sweep/drag_walk.h"
 
 enum { EVENTS_KEPT = 64, STEPS_MAX = 4000 };
 static const double TURN_MAX = 8 * YK_PI / 180, REACHED = 1e-9; // REACHED: of the machine's size
@@ -78,93 +78,14 @@ void yk_drag_free(YkDrag *d)
     free(d);
 }
 
-// --- at a pose ------------------------------------------------------------------------------------
-
-static YkLoadPoint point_here(const YkDrag *d)
-{
-    return yk_load_point(d->state->mech, &d->state->space, &d->end);
-}
-
-double yk_drag_distance(const YkDrag *d)
-{
-    return yk_norm(yk_sub(point_here(d).at, d->target));
-}
+// --- along one input ------------------------------------------------------------------------------
 
 // How the squared distance's half goes with the path.
 static double slope_here(const YkDrag *d)
 {
-    YkLoadPoint p = point_here(d);
+    YkLoadPoint p = yk_load_point(d->state->mech, &d->state->space, &d->end);
     return yk_dot(yk_sub(p.at, d->target), p.velocity);
 }
-
-double yk_drag_scale(const YkDrag *d, size_t active)
-{
-    return yk_input_unit(d->state->mech, (size_t)d->active[active]);
-}
-
-static double value_of(const YkDrag *d, size_t stop)
-{
-    return yk_loads_coordinate(d->state, &d->state->space, d->stops[stop].coordinate).position;
-}
-
-// How far the coordinate is beyond its stop, over its scale.
-static double beyond(const YkDrag *d, size_t stop)
-{
-    const YkDragStop *s = &d->stops[stop];
-    double value = value_of(d, stop);
-    return fmax(s->low - value, value - s->high) / s->scale;
-}
-
-bool yk_drag_is_beyond(const YkDrag *d, size_t stop)
-{
-    return beyond(d, stop) > 1e-12;
-}
-
-// A machine that stands beyond a stop already may stay there.
-static void widen_stops(YkDrag *d)
-{
-    for (size_t k = 0; k < d->stop_count; k++) {
-        double value = value_of(d, k);
-        d->stops[k].low = fmin(d->stops[k].own->low, value);
-        d->stops[k].high = fmax(d->stops[k].own->high, value);
-    }
-}
-
-size_t yk_drag_meet_stop(YkDrag *d, double a, double *b)
-{
-    size_t met = SIZE_MAX;
-    YkPath *path = &d->walk.path;
-    for (size_t k = 0; k < d->stop_count; k++) {
-        if (!yk_drag_is_beyond(d, k)) continue;
-        double inside = a, outside = *b;
-        for (int j = 0; j < 60 && fabs(outside - inside) > 1e-13 * yk_path_scale(path); j++) {
-            double middle = 0.5 * (inside + outside);
-            bool is_out = yk_path_probe(path, middle, true) < 0 || beyond(d, k) > 0;
-            *(is_out ? &outside : &inside) = middle;
-        }
-        yk_path_probe(path, *b = inside, true);
-        met = k;
-    }
-    return met;
-}
-
-void yk_drag_begin_walk(YkDrag *d)
-{
-    YkWalk *w = &d->walk;
-    w->event_count = w->more_events = 0;
-    w->status = YK_OK;
-    w->limit_block = -1;
-    for (size_t k = 0; k < w->margin_count; k++) w->flipped_at[k] = NAN;
-    for (size_t k = 0; k < w->path.meeting_count; k++) w->path.meetings[k].is_known = false;
-    w->has_begun = false;
-    YkPath *path = &w->path;
-    memcpy(path->others, d->state->valid_input, 3 * d->state->mech->input_count * sizeof *path->others);
-    path->last = path->is_line ? 0 : d->state->valid_input[3 * path->input];
-    path->way = 0;
-    w->from = path->last;
-}
-
-// --- along one input ------------------------------------------------------------------------------
 
 // How far to go at once: no body turns farther than TURN_MAX.
 static double stride(const YkDrag *d)
@@ -186,7 +107,7 @@ static double distance_beside(YkDrag *d, double at, double off)
     return there;
 }
 
-// Which way the distance falls: +1, -1, or 0. *is_end: on one side the machine does not close.
+// Returns which way the distance falls: +1, -1, or 0. *is_end: on one side the machine does not close.
 static double find_way(YkDrag *d, double at, bool *is_end)
 {
     *is_end = false;
@@ -285,7 +206,7 @@ YkStatus yk_state_drag(YkDrag *d, const double target[2], YkDragged *dragged)
     *e = (YkDragged){.end = YK_DRAG_NEAREST, .block = -1, .coordinate = -1};
     if (!d->state->has_pose || !isfinite(target[0]) || !isfinite(target[1])) return YK_BAD_ARGUMENT;
     d->target = yk_vec(target[0], target[1]);
-    widen_stops(d);
+    yk_drag_widen_stops(d);
     bool is_own = yk_state_begin(d->state);
     if (d->active_count == 1) drag_single(d, e);
     if (d->active_count > 1) yk_drag_many(d, e);

@@ -2,7 +2,7 @@
 // that are walked. Ways on which a stop or a limit lies are taken out of the step, which then slides along it.
 #include <string.h>
 #include "loads/point.h"
-#include "sweep/drag.h"
+#include "sweep/drag_walk.h"
 
 enum { STEPS_MAX = 300 };
 static const double STEP_MAX = 8 * YK_PI / 180, STILL = 1e-10; // rad, or sizes of the machine

@@ -86,7 +86,7 @@ const char *yk_design_kind_name(YkDesignKind kind)
     return (size_t)kind < YK_DESIGN_KINDS ? names[kind] : NULL;
 }
 
-// Where link (0) or arm (1) begins.
+// Returns where link (0) or arm (1) begins.
 static YkVec dyad_end(const YkDesign *d, int which, const YkDesignPlaces *at)
 {
     YkChainVariant variant = yk_chain_variant(d->kind, d->variant);

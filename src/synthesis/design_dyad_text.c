@@ -1,5 +1,5 @@
 // Writes the link and the arm of a machine with a dyad, and what gears the cranks of a five-bar.
-#include "synthesis/design_text.h"
+#include "synthesis/design_writer.h"
 #include "synthesis/paths/path_chain.h"
 
 static const char *const bodies[] = {"ground", "input", "coupler", "output"};

@@ -1,32 +1,11 @@
 // Writes the model file of a design.
 #include <math.h>
-#include "base/number.h"
-#include "synthesis/design_text.h"
+#include "synthesis/design_writer.h"
 #include "synthesis/paths/path_chain.h"
 
 enum { DIGITS = 12, PATH_DIGITS = 15, ALL_DIGITS = 17 }; // of lengths and angles: of a search, of a path; of a formula
 
 typedef YkDesignWriter Writer;
-
-void yk_write_number(const Writer *w, double value)
-{
-    char digits[YK_NUMBER_SIZE];
-    size_t length = yk_number_write_digits(value == 0 ? 0 : value, w->digits, digits);
-    yk_text_add(w->text, digits, length);
-}
-
-void yk_write_length(const Writer *w, const char *before, double value)
-{
-    yk_text_puts(w->text, before);
-    yk_write_number(w, value / w->unit);
-}
-
-void yk_write_angle(const Writer *w, const char *before, double value, const char *after)
-{
-    yk_text_puts(w->text, before);
-    yk_write_number(w, value * 180 / YK_PI);
-    yk_text_puts(w->text, after);
-}
 
 static void add_name(const Writer *w, const YkText *name)
 {

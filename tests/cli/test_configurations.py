@@ -92,6 +92,9 @@ class Configurations(Case):
         self.assertIn("two solutions", why["why"])
         self.assertTrue(0 < why["from"] < 0.04 and why["to"] == 0, why)
         self.assertNotIn("not_certified", Run(*over).json())
+        long = self.write("long.yaml", re.sub(r"\b(C|theta)\b", lambda word: 20 * word[0].ljust(5, "C"), TRIAD_ON_PARALLELOGRAM))
+        why = Run("sweep", long, "--over", 20 * "theta" + "=60:-30deg", "--steps", "9", "--format", "json").json()["not_certified"]
+        self.assertEqual((why["joint"], why["coordinate"]), (100 * "C", 20 * "theta"))
         why = Run("sweep", example("geared-five-bar"), "--over", "t=0:1s", "--steps", "4", "--format", "json").json()["not_certified"]
         self.assertEqual((why["proved"], why["coordinate"], why["from"]), (0, None, None))
         self.assertIn("gears", why["why"])

@@ -153,6 +153,17 @@ start: {th: %r, ps: %r}
         self.wrong(818, "map", file, "--pose", "theta2=0.5")
         self.wrong(818, "map", file, "--pose", "theta3=0.5", "--reach", "theta2=1")
 
+    def test_a_pose_of_several_configurations_is_told_by_what_tells_them_apart(self):
+        file, at = example("four-bar"), "theta2=0.5"
+        run = Run("map", file, "--pose", at, "--reach", "theta2=1")
+        listed = re.search(r"`(\w+)` is (\S+) deg or (\S+) deg", run.err)
+        self.assertTrue(run.code == 2 and listed, run.err)
+        solved = self.good("solve", file, "--at", at, "--all", "--format", "json").json()["configurations"]
+        values = [math.degrees(c["coordinates"][listed[1]]["position"]) for c in solved]
+        for found, value in zip(sorted(map(float, listed.groups()[1:])), sorted(values)):
+            self.assertAlmostEqual(found, value, 2)
+            self.good("map", file, "--pose", at, "--pose", f"{listed[1]}={found} deg", "--reach", at, "--reach", f"{listed[1]}={found} deg")
+
     def theta3(self, file, at, index):
         answer = self.good("solve", file, "--at", f"theta2={at}", "--all", "--format", "json").json()
         return answer["configurations"][index]["coordinates"]["theta3"]["position"]

@@ -129,7 +129,7 @@ static void freedom_by_rank_agrees_for_all_known_machines(void **state)
         Machine m = machine(machines[k].source);
         double guess[64];
         bool accepted[64];
-        yk_inputs_guess(m.mech, guess);
+        yk_start_guess(m.mech, guess);
         int freedom = freedom_from(m.mech, guess, accepted), taken = 0;
         if (freedom != machines[k].by_rank) print_error("%s\n", machines[k].source);
         assert_int_equal(freedom, machines[k].by_rank);
@@ -282,7 +282,7 @@ static void only_what_moves_independently_is_accepted(void **state)
     (void)state;
     Machine m = machine("three-crank-parallelogram"); // theta1, phi, theta2, theta3
     double guess[8];
-    yk_inputs_guess(m.mech, guess);
+    yk_start_guess(m.mech, guess);
     static const int32_t orders[][4] = {{0, 1, 2, 3}, {3, 2, 1, 0}, {1, 0, 2, 3}};
     for (size_t k = 0; k < 3; k++) {
         bool accepted[4] = {false};

@@ -218,7 +218,7 @@ static void the_guess_is_start_and_drives_at_time_zero(void **state)
     (void)state;
     double guess[4];
     Machine m = machine(FIVE_BAR "drives: {q: 1.5 + 3 rad/s * t}\nstart: {v: 0.25, q: 9, v.rate: 4}\n");
-    yk_inputs_guess(m.mech, guess);
+    yk_start_guess(m.mech, guess);
     const double expected[] = {0, 1.5, 0, 0.25}; // p, q, u, v
     for (size_t k = 0; k < 4; k++) CHECK_NEAR(guess[k], expected[k], 0);
     machine_free(&m);

@@ -217,7 +217,9 @@ static void names_have_letters_digits_and_dashes(void **state)
     memset(name, 'n', 101);
     name[101] = '\0';
     snprintf(text, sizeof text, "bodies: {%s: {}}\njoints: {O: {pin: [ground, %s]}}\n", name, name);
-    fixture_refused(text, YK_CODE_BAD_NAME, 1, 10, NULL);
+    YkProblems *problems = fixture_refuse(text);
+    assert_non_null(strstr(fixture_problem(problems, YK_CODE_BAD_NAME)->hint, "at most 100 letters"));
+    yk_problems_free(problems);
     snprintf(text, sizeof text, "bodies: {%s: {}}\njoints: {O: {pin: [ground, %s]}}\n", name + 1, name + 1);
     yk_model_free(fixture_load(text));
 }

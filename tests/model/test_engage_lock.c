@@ -120,6 +120,8 @@ static void what_cannot_be_held_is_said(void **state)
     refused("locks: {l: [s], m: [c]}", "x", YK_CODE_UNKNOWN_LOCK, "the model has no lock `x`", "it has `l`, `m`");
     refused("locks: {l: [s]}\nstart: {s: 0}\ndrives: {s: 1 rad/s * t}", "l", YK_CODE_BAD_LOCK,
             "lock `l` holds `s`, which is driven", NULL);
+    refused("locks: {l: [c.rate]}", "l", YK_CODE_RATE_NOT_HERE, "`c.rate` is a rate; the coordinate itself is expected",
+            NULL);
     refused("locks: {l: [s]}", "l", YK_CODE_BAD_LOCK, "lock `l` holds `s`, but nothing says where",
             "give `s` a value under `start:`");
     refused("locks: {l: {join: [[arm, bar]]}}", "l", YK_CODE_BAD_LOCK, "lock `l` holds what slides in joint `E`",

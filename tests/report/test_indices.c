@@ -196,6 +196,7 @@ static void sweeps_and_simulations_answer(void **unused)
         assert_true(isnan(yk_simulation_work(simulation, past(yk_simulation_work_count(simulation), which))));
         assert_null(yk_simulation_work_name(simulation, past(yk_simulation_work_count(simulation), which)));
         assert_null(yk_rest_state(rest, index));
+        assert_int_equal(yk_rest_equilibrium(rest, index).stability, YK_STABILITY_NONE);
         assert_true(isnan(yk_rest_equilibrium(rest, index).potential) && yk_rest_input(rest, k) == YK_NOT_FOUND);
         assert_true(!yk_rest_mass(rest, index) && !yk_rest_damping(rest, index) && !yk_rest_stiffness(rest, index));
         assert_true(isnan(yk_rest_mode(rest, index, 0).frequency) && isnan(yk_rest_mode(rest, 0, k).frequency));

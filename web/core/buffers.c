@@ -17,7 +17,7 @@ double *yk_core_room(size_t count)
     return yk_core.numbers;
 }
 
-// Where the caller writes `length` bytes, and a final NUL; 0 when out of memory.
+// Returns where the caller writes `length` bytes and a final NUL; 0 when out of memory.
 YK_DOOR(ys_input) char *ys_input(size_t length)
 {
     yk_text_free(&yk_core.input);
@@ -37,7 +37,7 @@ YK_DOOR(ys_number_count) size_t ys_number_count(void)
     return yk_core.number_count;
 }
 
-// Where the caller writes numbers; 0 when out of memory.
+// Returns where the caller writes numbers; 0 when out of memory.
 YK_DOOR(ys_number_room) double *ys_number_room(size_t count)
 {
     return yk_core_room(count);

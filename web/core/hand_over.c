@@ -4,7 +4,6 @@
 #include <string.h>
 #include "core.h"
 #include "exports.h"
-#include "solve/state.h"
 
 // Writes a text, or reads it into an empty one.
 static void walk_text(YkArchive *a, YkText *text)
@@ -44,14 +43,6 @@ static void walk_sliders(YkArchive *a)
         walk_word(a, &slider->value);
         if (a->is_reading) yk_core.slider_count = k + 1;
     }
-}
-
-void yk_core_walk_state(YkArchive *a, YkState *state)
-{
-    size_t inputs = yk_input_count(yk_state_mechanism(state));
-    yk_state_archive(state, a);
-    yk_archive_numbers(a, state->arrival, inputs);
-    yk_archive_numbers(a, state->heading, inputs);
 }
 
 static void walk_settings(YkArchive *a)

@@ -2,75 +2,6 @@
 #include <stdlib.h>
 #include "derive/forces/free_bodies.h"
 
-// --- Names
-
-static uint64_t pair_of(const int32_t body[2])
-{
-    uint64_t a = (uint32_t)body[0], b = (uint32_t)body[1];
-    return a < b ? a << 32 | b : b << 32 | a;
-}
-
-// The bodies that a relation ties directly; those of a law are held by the joint along which it acts.
-static bool is_between(const YkModel *model, const YkRelation *r, int32_t body[2])
-{
-    const YkRack *rack = r->kind == YK_RELATION_RACK ? &model->racks[r->index] : NULL;
-    const YkCam *cam = r->kind == YK_RELATION_CAM ? &model->cams[r->index] : NULL;
-    const int32_t *pair = r->kind == YK_RELATION_GEAR   ? model->gears[r->index].body
-                          : r->kind == YK_RELATION_BELT ? model->belts[r->index].body
-                                                        : NULL;
-    for (int k = 0; pair && k < 2; k++) body[k] = pair[k];
-    if (rack) body[0] = rack->pinion, body[1] = rack->rack;
-    if (cam) body[0] = cam->cam, body[1] = cam->follower;
-    return pair || rack || cam;
-}
-
-typedef struct Pair {
-    uint64_t bodies;
-    int32_t index;
-} Pair;
-
-static int by_bodies(const void *a, const void *b)
-{
-    const Pair *left = a, *right = b;
-    return left->bodies < right->bodies ? -1 : left->bodies > right->bodies;
-}
-
-// Marks joints and relations (behind them) between two bodies that another joint or relation is between, too. False
-// when out of memory.
-static bool find_doubles(YkDerivation *d, bool *is_double)
-{
-    const YkModel *model = d->model;
-    size_t count = model->joint_count;
-    Pair *pairs = yk_derive_scratch(d, count + d->mech->relation_count + 1, sizeof *pairs);
-    if (!pairs) return false;
-    for (size_t j = 0; j < count; j++) pairs[j] = (Pair){pair_of(model->joints[j].body), (int32_t)j};
-    for (size_t k = 0; k < d->mech->relation_count; k++) {
-        int32_t body[2];
-        if (is_between(model, &d->mech->relations[k], body))
-            pairs[count++] = (Pair){pair_of(body), (int32_t)(model->joint_count + k)};
-    }
-    qsort(pairs, count, sizeof *pairs, by_bodies);
-    for (size_t k = 1; k < count; k++)
-        if (pairs[k].bodies == pairs[k - 1].bodies) is_double[pairs[k].index] = is_double[pairs[k - 1].index] = true;
-    free(pairs);
-    return true;
-}
-
-const char *yk_derive_between(const YkDeriveForces *f, const int32_t body[2], size_t index, const char *name)
-{
-    YkDerivation *d = f->d;
-    const char *mark = d->model->body_count > 10 ? "_" : "";
-    const char *first = yk_derive_numbered(d, "", (size_t)body[0]);
-    const char *pair = yk_derive_numbered(d, yk_derive_text(d, first, mark, ""), (size_t)body[1]);
-    return f->is_double[index] ? yk_derive_text(d, pair, "_", name) : pair;
-}
-
-const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part)
-{
-    const char *mark = f->d->model->body_count > 10 ? "_" : "";
-    return yk_derive_text(f->d, letter, mark, *part ? yk_derive_text(f->d, name, part, "") : name);
-}
-
 // An unknown of a joint (of a junction: on a body): its symbol.
 static int32_t unknown(YkDeriveForces *f, const char *letter, const char *name, char part, int32_t joint, int32_t body)
 {
@@ -258,7 +189,7 @@ bool yk_derive_enter_contacts(YkDeriveForces *f)
 {
     YkDerivation *d = f->d;
     bool *marked = YK_NEW(d->arena, bool, d->model->body_count + 1);
-    if (!allocate(f) || !find_doubles(d, f->is_double) || !yk_derive_find_junctions(f)) {
+    if (!allocate(f) || !yk_derive_find_doubles(d, f->is_double) || !yk_derive_find_junctions(f)) {
         d->failed = true;
         return false;
     }

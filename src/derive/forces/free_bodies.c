@@ -4,7 +4,9 @@
 #include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 
-void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first)
+// " + F_{01}", " - F_{12}": what acts on a body; `first`: without a plus. A load is named by its kind: W, S, D, R, F,
+// Q.
+static void put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first)
 {
     if (contact->is_negative || !first) yk_line_sign(page, line, contact->is_negative ? "-" : "+");
     yk_line_vector(page, line, contact->letter, NULL, contact->between);
@@ -16,7 +18,7 @@ bool yk_derive_put_contacts(const YkDeriveForces *f, YkPage *page, YkLine *line,
     const int32_t *contacts = yk_derive_contacts_on(f, body, &count);
     for (size_t k = 0; k < count; k++) {
         if (!f->contacts[contacts[k]].letter) continue;
-        yk_derive_put_contact(page, line, &f->contacts[contacts[k]], first);
+        put_contact(page, line, &f->contacts[contacts[k]], first);
         first = false;
     }
     return first;
@@ -108,7 +110,7 @@ static void put_contact_lines(const YkDeriveForces *f, YkPage *page, const YkDer
     by = yk_derive_text(d, by, yk_derive_contact_point(d, contact), "");
     if (contact->letter) {
         YkLine *line = yk_page_formula(page, by);
-        yk_derive_put_contact(page, line, contact, true);
+        put_contact(page, line, contact, true);
         put_column(d, page, line, contact->push.force);
     }
     if (!contact->moment) return;

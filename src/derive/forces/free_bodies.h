@@ -250,9 +250,6 @@ const int32_t *yk_derive_contacts_on(const YkDeriveForces *f, int32_t body, size
 const int32_t *yk_derive_pushes_on(const YkDeriveForces *f, int32_t body, size_t *count);
 
 // --- free_bodies.c: pieces of vector equations
-// " + F_{01}", " - F_{12}": what acts on a body; `first`: without a plus. A load is named by its kind: W, S, D, R, F,
-// Q.
-void yk_derive_put_contact(YkPage *page, YkLine *line, const YkDeriveContact *contact, bool first);
 // All contact forces on a body. Returns whether the line is still empty.
 bool yk_derive_put_contacts(const YkDeriveForces *f, YkPage *page, YkLine *line, int32_t body, bool first);
 void yk_derive_put_load(YkPage *page, YkLine *line, const YkDeriveLoad *load, size_t push, bool first);
@@ -275,6 +272,9 @@ bool yk_derive_find_junctions(YkDeriveForces *f); // of contacts; false when out
 bool yk_derive_enter_meshes(YkDeriveForces *f);   // the contacts of relations, after those of joints
 bool yk_derive_sort_contacts(YkDeriveForces *f);  // false when out of memory
 bool yk_derive_sort_pushes(YkDeriveForces *f);
+// contact_names.c: marks joints and relations (behind them) between two bodies that another joint or relation is between,
+// too. Returns false when out of memory.
+bool yk_derive_find_doubles(YkDerivation *d, bool *is_double);
 // Makes a new symbol of a joint's or relation's force: letter, bodies ("12"), part.
 const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part);
 // Returns "01": exerted by the ground on body 1; the name is added if others join the same two bodies. index: of
@@ -294,6 +294,5 @@ const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side)
 // Returns a load's value: an element, or a symbol for it, named by both texts.
 const YkPoisson *yk_derive_load_value(YkDeriveForces *f, const YkStrength *strength, const char *name,
                                       const char *ending);
-void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values);
 
 #endif

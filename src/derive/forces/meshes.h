@@ -37,7 +37,9 @@ YkMeshAxis yk_mesh_axis(YkMeshMaking *m, int32_t wheel, int32_t carrier);
 // Makes the unknown that the relation transmits, named by a letter and the two bodies' "12"; word: what it is.
 void yk_mesh_unknown(YkMeshMaking *m, const char *letter, const int32_t body[2], const char *word);
 
-// --- Pushes
+// --- Pushes (mesh_parts.c)
+// Keeps a contact of the relation, at its point.
+void yk_mesh_add_contact(YkMeshMaking *m, YkDeriveContact contact);
 // Adds a force on body[1] and its opposite on body[0]; the arms lead from their references to where it acts.
 void yk_mesh_force(YkMeshMaking *m, const char *letter, const int32_t body[2], const YkMeshHeld held[2],
                    const YkPoisson *const arm[2], const YkPoisson *force);

@@ -154,7 +154,7 @@ static void fill_rates(const YkDeriveForces *f, double *values)
             values[f->lengths[k].rate_symbol] = yk_ring_value(f->d->ring, f->lengths[k].rate, values).x;
 }
 
-void yk_derive_fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values)
+static void fill_forces(void *context, const YkState *state, YkDynamics *dynamics, double *values)
 {
     const YkDeriveForces *f = context;
     (void)state;
@@ -231,14 +231,14 @@ static YkDeriveForces *make(YkDerivation *d)
     *f = (YkDeriveForces){.d = d};
     bool well = yk_derive_enter_masses(f) && yk_derive_enter_loads(f) && yk_derive_enter_contacts(f) &&
                 yk_derive_allocate_multipliers(f);
-    return well && yk_derive_add_source(d, yk_derive_fill_forces, f) ? f : NULL;
+    return well && yk_derive_add_source(d, fill_forces, f) ? f : NULL;
 }
 
 // The derivation finds its forces by the source of their values.
 const YkDeriveForces *yk_derive_forces(YkDerivation *d)
 {
     for (size_t k = 0; k < d->source_count; k++)
-        if (d->sources[k].fill == yk_derive_fill_forces) return d->sources[k].context;
+        if (d->sources[k].fill == fill_forces) return d->sources[k].context;
     return make(d);
 }
 

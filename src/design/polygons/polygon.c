@@ -33,7 +33,7 @@ static YkVec place_of(const Walk *w, size_t body, YkVec at)
     return yk_add(m->at, yk_mul(m->e, yk_sub(at, yk_reference_point(w->model, body))));
 }
 
-// Where an end is. A joint is where its point on the second body is, which slides along the line of the first where it
+// Returns where an end is. A joint is where its point on the second body is, which slides along the line of the first where it
 // slides.
 static YkVec end_at(const Walk *w, const YkPolygonEnd *end)
 {

@@ -83,8 +83,7 @@ bool yk_train_case_solve(YkTrainCase *one, const YkTrainNet *net, const YkLock *
 void yk_train_case_free(YkTrainCase *one);
 YkFraction yk_train_coefficient(const YkTrainNet *net, const YkTrainRow *row, int32_t term);  // sign * value
 const YkFraction *yk_train_case_share(const YkTrainCase *one, int32_t column, int32_t input); // of a determined column
-int yk_train_case_freedom(const YkTrainCase *one); // of a case without inputs
-void yk_train_row_name(const YkTrainCase *one, const YkTrainRow *row, YkText *text);
+int yk_train_case_freedom(const YkTrainCase *one);       // of a case without inputs
 const char *yk_train_keep(YkArena *arena, YkText *text); // a copy of the text, which is emptied; NULL: out of memory
 
 // Returns the share of an input in a column's speed as a formula, or its reciprocal (inverse); NULL if there is none.

@@ -124,7 +124,7 @@ static bool solve(const YkTrainCase *one, YkExactSystem *system, bool has_traces
 
 // --- Words
 
-void yk_train_row_name(const YkTrainCase *one, const YkTrainRow *row, YkText *text)
+static void add_row_name(const YkTrainCase *one, const YkTrainRow *row, YkText *text)
 {
     const YkModel *model = one->net->model;
     switch (row->kind) {
@@ -165,7 +165,7 @@ static void name_row(const YkTrainCase *one, const YkTrainDrive *drives, const Y
     if (row->kind == YK_ROW_INPUT) {
         yk_text_format(text, "the drive of %q", drives[row->index].shown.name);
     } else {
-        yk_train_row_name(one, row, text);
+        add_row_name(one, row, text);
     }
 }
 

@@ -2,14 +2,6 @@
 #include <math.h>
 #include "design/trains/train_torques.h"
 
-double yk_train_column_speed(const YkTrain *train, int32_t column)
-{
-    if (column == 0) return 0;
-    if (column < train->net.bodies) return train->bodies[column - 1].speed;
-    const YkModel *model = train->model;
-    return train->rack_speeds[model->gear_count + model->belt_count + (size_t)(column - train->net.bodies)];
-}
-
 static void add_torque(YkTrain *train, const char *name, const char *role, int32_t on, int32_t from, double torque)
 {
     double speed = yk_train_column_speed(train, train->net.column_of[on]) -

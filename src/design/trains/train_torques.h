@@ -1,4 +1,4 @@
-// The torque balance of a train: what its two files share.
+// The torque balance of a train.
 #ifndef DESIGN_TRAIN_TORQUES_H
 #define DESIGN_TRAIN_TORQUES_H
 #include "design/trains/train.h"
@@ -19,6 +19,10 @@ typedef struct YkTrainBalance {
     YkExactSystem system; // rows: columns of the net; columns: rows of the case, then the load; rights: the known
 } YkTrainBalance;
 
+// train_balance.c: sets the equations up and reduces them. Returns false when out of memory.
+bool yk_train_balance(YkTrainBalance *work);
+// Returns the coefficient that turns a row's multiplier into a torque; the driven side of a mesh gets less.
+YkFraction yk_train_torque_of(const YkTrainBalance *work, int32_t row, int32_t term, YkOverflow *overflow);
 // Returns a solved unknown: the multiplier of a row (known or found), or a column of the system; NaN if it is not
 // determined.
 double yk_train_multiplier(const YkTrainBalance *work, int32_t row);

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "map/workspace/tile.h"
 
-enum { COARSE = 64, ZOOMS = 6, SEARCHES = 24 };
+enum { COARSE = 64, ZOOMS = 6 };
 
 void yk_field_end(YkField *f)
 {
@@ -19,19 +19,13 @@ void yk_field_end(YkField *f)
     free(f->tiles);
 }
 
-static int count_at(YkField *f, double x, double y, int *counts)
-{
-    double at[2] = {x, y};
-    return yk_box_count(&f->tracer, at, at, counts);
-}
-
 // --- dividing
 
 bool yk_field_begin(YkField *f, const double start[2])
 {
     double reach = yk_tracer_reach(f->tracer.mech);
-    count_at(f, start[0] + 0.0123456789 * (f->is_angle[0] ? 1 : reach),
-             start[1] + 0.0198765432 * (f->is_angle[1] ? 1 : reach), NULL);
+    yk_field_count_at(f, start[0] + 0.0123456789 * (f->is_angle[0] ? 1 : reach),
+                      start[1] + 0.0198765432 * (f->is_angle[1] ? 1 : reach), NULL);
     if (yk_field_is_over(f)) return false;
     if (yk_box_remember(&f->tracer, &f->first)) return true;
     f->tracer.out_of_memory = true;
@@ -137,34 +131,6 @@ bool yk_field_fill(YkField *f, double tolerance)
 }
 
 // --- the curves
-
-static int16_t first_difference(const YkField *f, const int *a, const int *b)
-{
-    for (size_t level = 1; level <= f->tracer.piece_count; level++)
-        if (a[level] != b[level]) return (int16_t)(level - 1);
-    return 0;
-}
-
-// Bisects the way from a cell's centre to its neighbour's.
-YkCrossing yk_field_find_crossing(YkField *f, size_t x, size_t y, int axis)
-{
-    double at[2] = {yk_field_center(f, 0, x), yk_field_center(f, 1, y)}, from = 0, to = 1;
-    int own[2][YK_BOX_LEVELS] = {{0}}, middle[YK_BOX_LEVELS] = {0};
-    int first = count_at(f, at[0], at[1], own[0]);
-    int second = count_at(f, at[0] + (axis == 0 ? f->step[0] : 0), at[1] + (axis == 1 ? f->step[1] : 0), own[1]);
-    for (int k = 0; k < SEARCHES && first >= 0 && second >= 0 && first != second; k++) {
-        double half = 0.5 * (from + to);
-        int count = count_at(f, at[0] + (axis == 0 ? half * f->step[0] : 0),
-                             at[1] + (axis == 1 ? half * f->step[1] : 0), middle);
-        if (count < 0) break;
-        bool is_before = count == first;
-        memcpy(own[is_before ? 0 : 1], middle, sizeof middle);
-        *(is_before ? &from : &to) = half;
-        if (!is_before) second = count;
-    }
-    int16_t piece = first >= 0 && second >= 0 ? first_difference(f, own[0], own[1]) : 0;
-    return (YkCrossing){yk_crossing_key(y * f->n + x, axis), (float)(0.5 * (from + to)), piece};
-}
 
 YkCrossing yk_field_crossing(YkField *f, size_t x, size_t y, int axis)
 {

@@ -14,7 +14,7 @@ static bool is_open(const YkShape *shape, const YkDiscCoefficients *c, size_t ro
         double length = yk_norm(side), radius = c->radius[a] + (sign == 0 ? 0 : c->radius[b]);
         bool is_slide = k >= shape->angles && k < shape->unknowns;
         if (is_slide && (length > 0 || radius > 0)) return false;
-        // Of the longest side the least length counts in place of the greatest.
+        // For the longest side the least length counts in place of the greatest.
         longest = fmax(longest, length / out - radius + (length * out + radius));
         sum += length * out + radius;
     }

@@ -116,7 +116,8 @@ static bool masses_times_common(YkSheet *sheet, YkShow *sum, YkShownTerm *terms,
     return true;
 }
 
-void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
+// Adds a polynomial (the atom, common to all its terms, is left out) to a sum, grouped by inertias and masses.
+static void show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count)
 {
     size_t products, end;
     if (count == 1) { // nothing to group
@@ -170,7 +171,7 @@ static void bracket_times_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, 
     if (moving)
         append_terms(sheet, bracket, terms, count);
     else
-        yk_show_polynomial(sheet, bracket, terms, count);
+        show_polynomial(sheet, bracket, terms, count);
     atom.is_imaginary = false;
     atom.surd = 0;
     YkShow *tail = yk_show_term(sheet, one, gravity, &atom);
@@ -204,7 +205,7 @@ void yk_show_by_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t cou
         for (end = start + 1; end < count && yk_compare_atoms(sheet->ring, &atom, &terms[end].atom) == 0; end++) {}
         bool is_plain = atom.function == YK_SHOWN_ONE && !atom.is_imaginary && atom.surd == 0;
         if (is_plain)
-            yk_show_polynomial(sheet, sum, terms + start, end - start);
+            show_polynomial(sheet, sum, terms + start, end - start);
         else
             atom_group(sheet, sum, terms + start, end - start);
     }

@@ -22,7 +22,7 @@ YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial)
     return (YkMonomial){powers, powers ? count : 0, classes};
 }
 
-int yk_compare_monomials(YkMonomial a, YkMonomial b)
+static int compare_monomials(YkMonomial a, YkMonomial b)
 {
     if (a.powers == b.powers && a.count == b.count) return 0;
     for (size_t i = 0; i < a.count && i < b.count; i++) {
@@ -34,7 +34,7 @@ int yk_compare_monomials(YkMonomial a, YkMonomial b)
 
 bool yk_is_same_monomial(YkMonomial a, YkMonomial b)
 {
-    return a.count == b.count && yk_compare_monomials(a, b) == 0;
+    return a.count == b.count && compare_monomials(a, b) == 0;
 }
 
 int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b)
@@ -50,9 +50,9 @@ static bool precedes(const YkRing *ring, const YkShownTerm *a, const YkShownTerm
 {
     int sign = order == YK_BY_ATOM ? yk_compare_atoms(ring, &a->atom, &b->atom) : 0;
     if (sign != 0) return sign < 0;
-    if (order == YK_BY_MONOMIAL || order == YK_BY_ATOM) return yk_compare_monomials(a->monomial, b->monomial) <= 0;
+    if (order == YK_BY_MONOMIAL || order == YK_BY_ATOM) return compare_monomials(a->monomial, b->monomial) <= 0;
     YkRingClass kind = order == YK_BY_RATE ? YK_RING_RATE : YK_RING_ACCELERATION;
-    return yk_compare_monomials(yk_part_of(a->monomial, kind, kind), yk_part_of(b->monomial, kind, kind)) <= 0;
+    return compare_monomials(yk_part_of(a->monomial, kind, kind), yk_part_of(b->monomial, kind, kind)) <= 0;
 }
 
 // Sorts few terms by insertion, more by merging; stable, so that equal terms keep their order on every machine.

@@ -69,7 +69,6 @@ YkShownTerm *yk_shown_terms(YkSheet *sheet, const YkPoisson *a, size_t *count);
 
 // --- reading_order.c: the reader's order. Monomials: by class, then symbol, higher powers first.
 YkMonomial yk_monomial(YkSheet *sheet, uint32_t monomial); // from one of the ring's monomials
-int yk_compare_monomials(YkMonomial a, YkMonomial b);
 bool yk_is_same_monomial(YkMonomial a, YkMonomial b);
 int yk_compare_atoms(const YkRing *ring, const YkAtom *a, const YkAtom *b);
 typedef enum YkTermOrder { YK_BY_MONOMIAL, YK_BY_ATOM, YK_BY_RATE, YK_BY_ACCELERATION } YkTermOrder;
@@ -145,8 +144,6 @@ typedef struct YkRateProduct {
     YkShow *rates;
 } YkRateProduct;
 YkRateProduct *yk_rate_products(YkSheet *sheet, const YkShownTerm *terms, size_t count, size_t *products);
-// Adds a polynomial (the atom, common to all its terms, is left out) to a sum, grouped by inertias and masses.
-void yk_show_polynomial(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count);
 // Adds terms grouped by their atoms, constants first.
 void yk_show_by_atom(YkSheet *sheet, YkShow *sum, YkShownTerm *terms, size_t count);
 // Shows the whole element in the sheet's style: a sum or a term.
@@ -159,7 +156,6 @@ static inline int64_t yk_surd_square(unsigned surd) // 2, 3 or 6
 }
 // Writes a symbol's name.
 void yk_write_name(YkRing *ring, int32_t symbol, YkRingFormat format, YkText *text);
-void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text); // TEXT, BOOK, LATEX, C
 void yk_write_mathml(const YkSheet *sheet, const YkShow *sum, YkText *text);
 // The angle of a function: its terms in order, each with sign and multiple, including pi.
 typedef struct YkAngleShown {

@@ -263,7 +263,8 @@ static void put_sum(const Pen *pen, const YkShow *sum)
     }
 }
 
-void yk_write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text)
+// Writes a sum on one line: for TEXT, BOOK, LATEX and C.
+static void write_linear(const YkSheet *sheet, const YkShow *sum, YkText *text)
 {
     const YkRingFormat format = sheet->format;
     const Pen pen = {.sheet = sheet,
@@ -287,7 +288,7 @@ static bool write_element(YkRing *ring, const YkPoisson *a, YkRingFormat format,
     if (sum && !yk_arena_failed(sheet.arena) && format == YK_RING_MATHML)
         yk_write_mathml(&sheet, sum, text);
     else if (sum && !yk_arena_failed(sheet.arena))
-        yk_write_linear(&sheet, sum, text);
+        write_linear(&sheet, sum, text);
     bool well = sum && !yk_arena_failed(sheet.arena) && !text->failed;
     if (!well && (text->failed || yk_ring_status(ring) == YK_RING_OK)) yk_ring_fail(ring, YK_RING_MEMORY);
     return well;

@@ -155,7 +155,7 @@ static void take_pair(YkSynthesis *s, size_t i, size_t k)
     yk_synthesis_take_pair(s, &pair);
 }
 
-// Whether two kinds of dyads make a machine that the task seeks.
+// Returns whether two kinds of dyads make a machine that the task seeks.
 static bool is_sought(const YkSynthesis *s, YkDyadKind a, YkDyadKind b)
 {
     if (a == YK_DYAD_RR && b == YK_DYAD_RR) return s->task->has_four_bar;

@@ -34,13 +34,6 @@ bool yk_bar_has_loop(YkDesignKind kind)
     return kind == YK_DESIGN_FOUR_BAR || kind == YK_DESIGN_WATT || kind == YK_DESIGN_STEPHENSON;
 }
 
-YkVec yk_bar_pivot(const YkBar *bar)
-{
-    YkVec at = yk_vec(bar->v[YK_BAR_X], bar->v[YK_BAR_Y]);
-    if (!bar->hangs_at_end) return at;
-    return yk_sub(at, yk_scale(bar->v[YK_BAR_GROUND], yk_unit(bar->v[YK_BAR_TURN])));
-}
-
 // From the moving joint A to the output's fixed pivot.
 static YkVec across(const YkBar *bar, YkVec ground, YkVec crank)
 {

@@ -48,7 +48,12 @@ typedef struct YkBarPoint {
 } YkBarPoint;
 
 // Returns the fixed pivot of the input.
-YkVec yk_bar_pivot(const YkBar *bar);
+static inline YkVec yk_bar_pivot(const YkBar *bar)
+{
+    YkVec at = yk_vec(bar->v[YK_BAR_X], bar->v[YK_BAR_Y]);
+    if (!bar->hangs_at_end) return at;
+    return yk_sub(at, yk_scale(bar->v[YK_BAR_GROUND], yk_unit(bar->v[YK_BAR_TURN])));
+}
 // Finds the point at the input's absolute angle, rad. Returns false where the bar does not close. Cost: some 100 ns.
 bool yk_bar_point(const YkBar *bar, double input, YkBarPoint *point);
 // Finds the axes in which the coupler point is fixed: their origin as seen from the input pivot, and their direction.

@@ -139,7 +139,7 @@ static bool find_frames(const YkBar *bar, double input, YkChainFrame frame[4])
     return true;
 }
 
-// Where the dyad's link (0) or arm (1) begins.
+// Returns where the dyad's link (0) or arm (1) begins.
 static YkChainPlace end_of(const YkBar *bar, const YkChainFrame *frame, int which)
 {
     YkChainVariant variant = yk_chain_variant(bar->kind, bar->variant);

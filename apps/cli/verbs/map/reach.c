@@ -221,7 +221,7 @@ static int answer_reach(Reach *r)
     if (r->from.count > 1) {
         yk_session_refuse(session, YK_CODE_OPTION_MISSING, "--pose has several configurations at this %s",
                           r->answer->name);
-        yk_problem_hint(session->problems, "give another coordinate too; `yoke solve --all` lists them");
+        yk_map_hint_apart(r->answer, r->from.values, r->from.places, r->from.count);
         return YK_EXIT_WRONG;
     }
     if (!good || !find_way(r) || !read_way(r)) {

@@ -134,9 +134,8 @@ static const char *explain_stop(YkSimulationAnswer *answer, YkText *message)
 static bool close_rows(YkSimulationAnswer *answer, const YkText *summary)
 {
     YkSession *session = answer->session;
-    (void)yk_words_of_problems(session, session->problems);
-    session->ran_out |= yk_memory_ran_out() || summary->failed || yk_problems_ran_out(session->problems);
-    if (!session->ran_out) return yk_stream_close(&answer->stream, session->problems);
+    session->out.failed |= summary->failed;
+    if (yk_session_has_memory(session)) return yk_stream_close(&answer->stream, session->problems);
     yk_stream_drop(&answer->stream);
     return false;
 }

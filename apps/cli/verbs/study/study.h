@@ -12,7 +12,7 @@ typedef enum YkStudyFormat { YK_STUDY_TEXT, YK_STUDY_JSON, YK_STUDY_CSV, YK_STUD
 
 typedef YkDesignAxis YkAxis; // a parameter that varies
 
-// Of an answer, over the valid designs, at every pose.
+// Statistics of an answer over the valid designs, at every pose.
 typedef struct YkMoments {
     size_t count;
     double mean, deviation, least, largest;

@@ -1,6 +1,6 @@
-// What the files about dragging share: drag.c with one free input, drag_many.c with several.
-#ifndef SWEEP_DRAG_H
-#define SWEEP_DRAG_H
+// What dragging with one free input (drag.c) and with several (drag_many.c) share: the pose that stands, the stops, a walk.
+#ifndef SWEEP_DRAG_WALK_H
+#define SWEEP_DRAG_WALK_H
 #include <yoke/drag.h>
 #include "loads/loads.h"
 #include "sweep/walk.h"
@@ -34,10 +34,11 @@ struct YkDrag {
 double yk_drag_distance(const YkDrag *drag);             // of the pose that stands
 double yk_drag_scale(const YkDrag *drag, size_t active); // 1 rad, or the machine's size
 void yk_drag_begin_walk(YkDrag *drag);                   // a new walk from where the state stands
-bool yk_drag_is_beyond(const YkDrag *drag, size_t stop); // at the pose that stands
-// Of the stops that the pose at b is beyond, the one that is met first after a, and where; SIZE_MAX: none. The path
+void yk_drag_widen_stops(YkDrag *drag); // so that a machine that stands beyond a stop already may stay there
+// Returns the stop, of those that the pose at b is beyond, that is met first after a, and where; SIZE_MAX: none. The path
 // stands at b, or there.
 size_t yk_drag_meet_stop(YkDrag *drag, double a, double *b);
+// drag_many.c: drags with several free inputs.
 void yk_drag_many(YkDrag *drag, YkDragged *dragged);
 
 #endif

@@ -1,6 +1,6 @@
 // How the model file of a design is written.
-#ifndef SYNTHESIS_DESIGN_TEXT_H
-#define SYNTHESIS_DESIGN_TEXT_H
+#ifndef SYNTHESIS_DESIGN_WRITER_H
+#define SYNTHESIS_DESIGN_WRITER_H
 #include "synthesis/design.h"
 
 typedef struct YkDesignWriter {
@@ -9,7 +9,6 @@ typedef struct YkDesignWriter {
     int digits;
 } YkDesignWriter;
 
-void yk_write_number(const YkDesignWriter *w, double value);
 // Write text before a length (m) in the file's unit, or around an angle (rad) in degrees.
 void yk_write_length(const YkDesignWriter *w, const char *before, double value);
 void yk_write_angle(const YkDesignWriter *w, const char *before, double value, const char *after);
