@@ -293,7 +293,8 @@ static void every_line_is_true_where_it_holds(void **state)
     assert_true(lines_read > 300);
 }
 
-// Wherever the cam stands, lines that hold there have the program's lift and its derivatives. (In the third program much cancels.)
+// Wherever the cam stands, lines that hold there have the program's lift and its derivatives. (In the third program
+// much cancels.)
 static void every_place_has_its_lines(void **state)
 {
     (void)state;

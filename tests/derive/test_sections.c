@@ -66,8 +66,8 @@ static int points_in(const YkLine *line, const char *point)
     return count;
 }
 
-// Where a body slides on one that turns, the parts add up to the engine's acceleration of its point; that of the guide's
-// origin is among them where it has one.
+// Where a body slides on one that turns, the parts add up to the engine's acceleration of its point; that of the
+// guide's origin is among them where it has one.
 static void check_slidings(Machine *m, const char *name)
 {
     for (const YkLine *line = m->page.first; line; line = line->next)
