@@ -61,13 +61,35 @@ static void rounding_is_no_amount(void **state)
     check("units: {}", 1e-9, YK_QUANTITY_LENGTH, "1e-9 m");
 }
 
+// Of lengths and their rates rounding is measured by the machine: 1e-13 of 1 km is a tenth of a nanometre.
+static void rounding_of_lengths_grows_with_the_machine(void **state)
+{
+    (void)state;
+    YkProblems *problems = yk_problems_new();
+    static const char text[] = "bodies: {ground: {points: {O: [0, 0]}}, crank: {points: {O: [0, 0], A: [1 km, 0]}}}\n"
+                               "joints: {O: {pin: [ground, crank], angle: theta}}\n";
+    YkModel *model = yk_model_parse(text, strlen(text), "test", NULL, problems);
+    YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
+    assert_non_null(mech);
+    assert_true(yk_mechanism_size(mech) >= 1000);
+    for (int quantity = YK_QUANTITY_ANGLE; quantity <= YK_QUANTITY_ENERGY; quantity++) {
+        bool is_length =
+            quantity == YK_QUANTITY_LENGTH || quantity == YK_QUANTITY_SPEED || quantity == YK_QUANTITY_ACCELERATION;
+        double rounding = 5e-11, shown = yk_amount_in_unit(model, mech, rounding, (YkQuantity)quantity);
+        CHECK_NEAR(shown, is_length ? 0 : rounding, 0);
+        CHECK_NEAR(yk_amount_in_unit(model, NULL, rounding, (YkQuantity)quantity), rounding, 0);
+    }
+    yk_mechanism_free(mech);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(amounts_are_told_in_the_files_units),
-        cmocka_unit_test(radians_are_told_in_degrees_too),
-        cmocka_unit_test(unusual_units_of_force_are_not_told),
-        cmocka_unit_test(rounding_is_no_amount),
+        cmocka_unit_test(amounts_are_told_in_the_files_units),        cmocka_unit_test(radians_are_told_in_degrees_too),
+        cmocka_unit_test(unusual_units_of_force_are_not_told),        cmocka_unit_test(rounding_is_no_amount),
+        cmocka_unit_test(rounding_of_lengths_grows_with_the_machine),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
