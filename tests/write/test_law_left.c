@@ -41,7 +41,7 @@ static void it_is_told_in_the_files_units(void **state)
     check(
         (YkLawLeft){
             .law = "push", .user = YK_LAW_USER_FORCE, .name = "F", .from = 0, .to = 2, .argument = 2.5, .value = 1e-13},
-        "the force `F` leaves the range of law `push`, 0 s to 2 s: at 2.5 s it keeps its end value, 0 N"); // up to rounding
+        "the force `F` leaves the range of law `push`, 0 s to 2 s: at 2.5 s it keeps its end value, 0 N");
     check((YkLawLeft){.law = "lift",
                       .user = YK_LAW_USER_DRIVE,
                       .name = "d5",
