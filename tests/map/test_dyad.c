@@ -73,7 +73,7 @@ static YkDiscCoefficients discs_round(const YkShape *shape, uint64_t *seed, doub
         at[2] = yk_sub(at[2], yk_mul(at[k], factor));
     }
     for (int k = 0; k < 3; k++) {
-        double aside = check_uniform(seed, 0, 6.3), off = check_uniform(seed, 0, 0.9) * width;
+        double aside = check_uniform(seed, 0, 6.3), off = width * fmin(1, check_uniform(seed, 0.5, 2));
         c.at[k] = yk_add(at[k], yk_vec(off * cos(aside), off * sin(aside)));
         c.radius[k] = width + 1e-15;
     }

@@ -84,11 +84,32 @@ static void rounding_of_lengths_grows_with_the_machine(void **state)
     yk_problems_free(problems);
 }
 
+static void ranges_are_told_by_their_finite_ends(void **state)
+{
+    (void)state;
+    static const struct {
+        double low, high;
+        const char *expected;
+    } cases[] = {{2.96, 3.49, "2.96 to 3.49"},
+                 {3, INFINITY, "3 or more"},
+                 {-INFINITY, 5, "up to 5"},
+                 {-INFINITY, INFINITY, "any"}};
+    for (size_t k = 0; k < 4; k++) {
+        YkText text = {0};
+        yk_amount_between(&text, cases[k].low, cases[k].high, 3);
+        assert_string_equal(yk_text_get(&text), cases[k].expected);
+        yk_text_free(&text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(amounts_are_told_in_the_files_units),        cmocka_unit_test(radians_are_told_in_degrees_too),
-        cmocka_unit_test(unusual_units_of_force_are_not_told),        cmocka_unit_test(rounding_is_no_amount),
+        cmocka_unit_test(amounts_are_told_in_the_files_units),
+        cmocka_unit_test(radians_are_told_in_degrees_too),
+        cmocka_unit_test(unusual_units_of_force_are_not_told),
+        cmocka_unit_test(rounding_is_no_amount),
+        cmocka_unit_test(ranges_are_told_by_their_finite_ends),
         cmocka_unit_test(rounding_of_lengths_grows_with_the_machine),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
