@@ -106,7 +106,7 @@ static size_t run_of(const YkLaw *law, const double *x, size_t n, const YkPiece 
 {
     double end = law->period > 0 ? law->from + law->period : law->to;
     size_t count = 0;
-    if (n < WIDE || !(*x >= law->from && *x < end)) return 0;
+    if (n < WIDE) return 0;
     *piece = find(law, *x);
     if (*piece + 1 < law->pieces + law->piece_count && (*piece)[1].from < end) end = (*piece)[1].from;
     if ((*piece)->waves > 0 || (*piece)->terms == 0) return 0;

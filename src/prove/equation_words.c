@@ -93,7 +93,7 @@ static const char *dotted_name(YkEquationReader *reader, const char *name)
     for (int k = 0; k < 2; k++) {
         size_t length = strlen(name), size = strlen(endings[k]);
         if (length <= size || strcmp(name + length - size, endings[k]) != 0) continue;
-        length -= size + (length > size + 1 && name[length - size - 1] == '_');
+        length -= size + (name[length - size - 1] == '_');
         const char *base = yk_arena_copy(reader->d->arena, name, length);
         if (base && yk_ring_find(reader->d->ring, base) >= 0)
             return yk_derive_text(reader->d, base, k == 0 ? "''" : "'", "");

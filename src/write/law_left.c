@@ -17,8 +17,7 @@ static void add(YkText *text, const YkModel *model, double value, YkDimension di
 {
     YkQuantity quantity = yk_amount_quantity(dimension);
     yk_amount_write_shown(text, model, yk_amount_of(model, value, quantity), quantity, DIGITS);
-    bool is_plain = dimension.length == 0 && dimension.mass == 0 && dimension.time == 0;
-    if (quantity == YK_QUANTITY_NUMBER && !is_plain) yk_text_puts(text, " (SI)");
+    if (quantity == YK_QUANTITY_NUMBER) yk_text_puts(text, " (SI)"); // a plain number was read as an angle or a length
 }
 
 // Returns what a law keeps beyond its end; what is rounding against its largest value is 0.

@@ -35,6 +35,24 @@ static void a_million_random_bit_patterns_in_17_digits_read_back(void **state)
     }
 }
 
+// The first characters of a text read as they would alone, whatever follows them.
+static void what_follows_the_end_is_not_read(void **state)
+{
+    (void)state;
+    static const char letters[] = "0123456789.eE+-";
+    uint64_t seed = 23;
+    for (int i = 0; i < 20000; i++) {
+        char text[12], alone[12];
+        for (size_t k = 0; k < sizeof text; k++) text[k] = letters[check_random(&seed) % (sizeof letters - 1)];
+        size_t length = check_random(&seed) % sizeof text;
+        memcpy(alone, text, length);
+        alone[length] = '\0';
+        double here = -1, there = -1;
+        assert_int_equal(yk_number_read(text, length, &here), yk_number_read(alone, length, &there));
+        if (yk_double_bits(here) != yk_double_bits(there)) fail_msg("%s: %a, then %a", alone, here, there);
+    }
+}
+
 static void random_decimals_read_as_strtod_reads_them(void **state)
 {
     (void)state;
@@ -293,6 +311,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_million_random_bit_patterns_in_17_digits_read_back),
         cmocka_unit_test(random_decimals_read_as_strtod_reads_them),
+        cmocka_unit_test(what_follows_the_end_is_not_read),
         cmocka_unit_test(midpoints_round_to_even_and_their_neighbours_away),
         cmocka_unit_test(hard_cases_read_as_strtod_reads_them),
         cmocka_unit_test(eight_hundred_digits_and_more_are_all_looked_at),

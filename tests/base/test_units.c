@@ -267,6 +267,40 @@ static void dimensions_have_the_names_of_the_field(void **state)
         assert_string_equal(yk_dimension_name(cases[i].dimension), cases[i].name);
 }
 
+// By units that measure nothing else.
+static void units_have_the_names_of_what_they_measure(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {{"cm^2", "an area"},
+                                           {"mm^3", "a volume"},
+                                           {"rpm", "an angular speed"},
+                                           {"rad/s^2", "an angular acceleration"},
+                                           {"deg/s^3", "an angular jerk"},
+                                           {"km/h", "a speed"},
+                                           {"mm/s^2", "an acceleration"},
+                                           {"m/s^3", "a jerk"},
+                                           {"g*cm^2", "a moment of inertia"},
+                                           {"kg/m^3", "a density"},
+                                           {"N*s", "a momentum"},
+                                           {"N*m*s", "an angular momentum or angular damping"},
+                                           {"N*m*s/rad", "an angular damping"},
+                                           {"lbf", "a force"},
+                                           {"kJ", "a torque or energy"},
+                                           {"Nmm/deg", "an angular stiffness"},
+                                           {"N/mm", "a stiffness"},
+                                           {"N*s/m", "a damping"},
+                                           {"kW", "a power"},
+                                           {"bar", "a pressure"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        double size;
+        YkDimension dimension;
+        const char *bad;
+        size_t bad_length;
+        assert_true(yk_unit_read(cases[i][0], strlen(cases[i][0]), &size, &dimension, &bad, &bad_length));
+        assert_string_equal(yk_dimension_name(dimension), cases[i][1]);
+    }
+}
+
 // The unnamed ones are written out by hand-made macros: read them back.
 static void every_unnamed_dimension_is_spelt_out(void **state)
 {
@@ -361,6 +395,7 @@ int main(void)
         cmocka_unit_test(dimensions_differ_in_more_than_the_angle),
         cmocka_unit_test(dimensions_multiply_as_a_group),
         cmocka_unit_test(dimensions_have_the_names_of_the_field),
+        cmocka_unit_test(units_have_the_names_of_what_they_measure),
         cmocka_unit_test(every_unnamed_dimension_is_spelt_out),
         cmocka_unit_test(bare_numbers_are_si_by_default),
         cmocka_unit_test(with_a_force_unit_stiffness_and_torque_follow_it_and_inertia_the_mass),

@@ -35,6 +35,11 @@ static double value_of(const Machine *m, const YkPoisson *a)
     return yk_ring_value(m->d->ring, a, m->values).x;
 }
 
+static double quotient(const Machine *m, const YkLine *line)
+{
+    return value_of(m, line->value) / (line->value_under ? value_of(m, line->value_under) : 1);
+}
+
 static bool holds(const Machine *m, const YkLine *line)
 {
     double within = line->within ? value_of(m, line->within) : 0.5;
@@ -288,6 +293,35 @@ static void every_line_is_true_where_it_holds(void **state)
     assert_true(lines_read > 300);
 }
 
+// Wherever the cam stands, lines that hold there have the program's lift and its derivatives. (In the third program
+// much cancels.)
+static void every_place_has_its_lines(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < 2; k++) {
+        char text[4000];
+        snprintf(text, sizeof text, "%s%s", programs[k], rest);
+        Machine m = machine_of(text);
+        write_cam(&m);
+        for (int place = 0; place < 36; place++) {
+            double angle = 0.02 + place * 0.1742, is[YK_LAW_ORDER + 1];
+            assert_true(turn_to(&m, angle));
+            yk_law_eval(m.model->laws[0].law, angle, is);
+            bool is_dwell = is[1] == 0 && is[2] == 0; // whose lines are numbers
+            for (int order = 0; order < 3 && !is_dwell; order++) {
+                if (is[order] == 0) continue;
+                bool is_there = false;
+                for (const YkLine *line = m.page.first; line && !is_there; line = line->next)
+                    is_there = line->within && line->value && holds(&m, line) &&
+                               fabs(quotient(&m, line) - is[order]) <= 1e-9 * (1e-3 + fabs(is[order]));
+                if (!is_there) print_error("program %zu: no line has derivative %d at %g\n", k, order, angle);
+                assert_true(is_there);
+            }
+        }
+        machine_end(&m);
+    }
+}
+
 static void a_second_page_says_the_same(void **state)
 {
     (void)state;
@@ -315,11 +349,6 @@ static const YkLine *line_of(const Machine *m, const char *remark)
         if (line->kind == YK_LINE_FORMULA && line->text && strncmp(line->text, remark, strlen(remark)) == 0)
             return line;
     return NULL;
-}
-
-static double quotient(const Machine *m, const YkLine *line)
-{
-    return value_of(m, line->value) / value_of(m, line->value_under);
 }
 
 static void check_vector(const Machine *m, const YkLine *line, const double expected[2])
@@ -384,8 +413,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_cep_cam_prints_as_in_the_book), cmocka_unit_test(its_system_is_solved_exactly),
         cmocka_unit_test(symbols_of_the_file_stay_symbols),  cmocka_unit_test(jumps_are_named),
-        cmocka_unit_test(every_line_is_true_where_it_holds), cmocka_unit_test(a_second_page_says_the_same),
-        cmocka_unit_test(a_machine_without_laws_says_so),    cmocka_unit_test(shapes_are_those_of_the_cam_verb),
+        cmocka_unit_test(every_line_is_true_where_it_holds), cmocka_unit_test(every_place_has_its_lines),
+        cmocka_unit_test(a_second_page_says_the_same),       cmocka_unit_test(a_machine_without_laws_says_so),
+        cmocka_unit_test(shapes_are_those_of_the_cam_verb),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -67,7 +67,20 @@
     "  e: {along: phi, stiffness: 3, damping: 0.2}\nefforts: {x: 3 N - 1 N*s/m * y.rate, phi: 0.5 N*m * cos(phi)}\n"   \
     "start: {q: 0.3, q.rate: 0.4, x: 0.5, y: 0.4, phi: 0.2, x.rate: 0.3, y.rate: -0.2, phi.rate: 0.7}\n"
 
-static const char *const machines[] = {LEVER, SLOT, PULLS, FREE};
+// More joints than are added up in the angles of the last bodies, with welds in their midst, forwards and backwards.
+#define BODY(ON, NAME, PLACE)                                                                                          \
+    "  " NAME ": {points: {" ON ": [0, 0], " NAME ": [0.3, 0.1]}, mass: 1, center: [0.1, 0.02], inertia: " PLACE "}\n"
+#define CHAIN                                                                                                          \
+    "gravity: [0, -9.81]\nbodies:\n  ground: {points: {g: [0, 0]}}\n" BODY("g", "a", "0.1") BODY("a", "b", "0.1")      \
+        BODY("b", "c", "0.2") BODY("c", "d", "0.3") BODY("d", "e", "0.1") BODY("e", "f", "0.2") BODY("f", "h", "0.1")  \
+            BODY("h", "i", "0.1") "joints:\n  g: {pin: [ground, a], angle: q1}\n  a: {pin: [b, a], angle: q2}\n"       \
+                                  "  b: {pin: [b, c], angle: q3}\n  c: {pin: [c, d], angle: q4}\n"                     \
+                                  "  d: {weld: [e, d], turned: 25 deg}\n  e: {weld: [e, f], turned: 40 deg}\n"         \
+                                  "  f: {pin: [f, h], angle: q5}\n  h: {pin: [h, i], angle: q6}\n"                     \
+                                  "forces: {F: {body: i, at: i, value: [2 N, 3 N], axes: body}}\n"                     \
+                                  "start: {q1: 0.3, q2: 0.2, q3: -0.5, q4: 0.4, q5: 0.7, q6: -0.2}\n"
+
+static const char *const machines[] = {LEVER, SLOT, PULLS, FREE, CHAIN};
 
 static void every_line_holds_and_reads_back(void **state)
 {
@@ -95,6 +108,29 @@ static void every_line_holds_and_reads_back(void **state)
     }
 }
 
+// Angles of bodies are shown by those of the joints, or by that of a body before them: the engine's, but for whole
+// turns.
+static void angles_of_bodies_add_up_over_pins_and_welds(void **state)
+{
+    (void)state;
+    Machine m = machine_of(CHAIN);
+    forces_of(&m);
+    write_section(&m, "newton-euler");
+    size_t seen = 0;
+    for (int turn = 0; turn < 6; turn++) {
+        if (!random_pose(&m, turn == 0)) continue;
+        for (const YkLine *line = m.page.first; line; line = line->next)
+            for (size_t b = 1; line->text && line->value && !line->left && b < m.model->body_count; b++) {
+                if (strcmp(line->text, m.model->bodies[b].name) != 0) continue;
+                double off = remainder(at_pose(&m, line->value) - yk_state_body(m.state, b).position, 2 * YK_PI);
+                CHECK_NEAR(off, 0, 1e-12);
+                seen++;
+            }
+    }
+    assert_true(seen >= 20);
+    machine_end(&m);
+}
+
 static void loads_that_are_no_polynomials_tell_what_they_are(void **state)
 {
     (void)state;
@@ -120,6 +156,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_line_holds_and_reads_back),
+        cmocka_unit_test(angles_of_bodies_add_up_over_pins_and_welds),
         cmocka_unit_test(loads_that_are_no_polynomials_tell_what_they_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -43,6 +43,16 @@
           "cams: {c: {cam: shaft, follower: rocker, law: swing, roller: 10 mm, base: 45 mm, " KEYS "}}\n"              \
           "start: {theta: 50 deg, theta.rate: 8}\n"
 
+// A cam of two rollers: the second bears where the first would have to pull.
+#define TAPPET_OF_TWO                                                                                                  \
+    LIFT "gravity: [0, -9.81]\nbodies:\n  ground: {points: {K: [0, 0]}}\n"                                             \
+         "  shaft: {points: {K: [0, 0]}, mass: 0.5, inertia: 0.001}\n"                                                 \
+         "  tappet: {points: {T: [0, 0]}, mass: 0.2, inertia: 0.0001}\n"                                               \
+         "joints:\n  K: {pin: [ground, shaft], angle: th}\n  G: {slide: [ground, tappet], along: y, distance: s}\n"    \
+         "cams: {c: {cam: shaft, follower: tappet, law: lift, roller: 8 mm, base: 40 mm, offset: 4 mm, "               \
+         "conjugate: {roller: 9 mm, span: 150 mm}}}\nforces: {F: {body: tappet, value: [0, 20 N * "                    \
+         "sin(20*th)]}}\nstart: {th: 40 deg, th.rate: 20}\n"
+
 // A pulley's motion follows another's by a law.
 #define FOLLOW_ANGLE(OWN, OF)                                                                                          \
     SWING "bodies:\n  ground: {points: {A: [0, 0], B: [1, 0]}}\n  p: {points: {A: [0, 0]}, mass: 1, inertia: 0.3}\n"   \
@@ -121,30 +131,34 @@
          "cams: {valve: {cam: shaft, follower: tappet, law: lift, roller: 10 mm, base: 30 mm, offset: 5 mm}}\n"        \
          "start: {o: 40 deg, o.rate: 5, m: -40 deg, l: 20 deg, c: 170 deg, b: 80 deg, tt: 120 deg}\n"
 
-static const char *const machines[] = {GEARED_FIVE_BAR,
-                                       RACK,
-                                       RACK_BACKWARDS,
-                                       CAM,
-                                       FLAT,
-                                       FOLLOW,
-                                       PLANETARY_SET,
-                                       PLANETARY_LINKAGE,
-                                       BELT,
-                                       CAM_ON_ARM,
-                                       CAM_BACKWARDS,
-                                       ROCKER("[ground, rocker]", "at: P"),
-                                       ROCKER("[rocker, ground]", "at: P"),
-                                       ROCKER("[ground, rocker]", "arm: 80 mm"),
-                                       FOLLOW_ANGLE("z", "x"),
-                                       FOLLOW_ANGLE("x", "z"),
-                                       COAXIAL,
-                                       SLANTED,
-                                       WHEEL_IN_LOOP,
-                                       FOLLOW_DISTANCE,
-                                       WHEEL_ON_WHEEL,
-                                       CAM_IN_LOOP,
-                                       PLANETS_ON_PLATE,
-                                       PLANETS_IN_PAIRS};
+static const char *const machines[] = {
+    GEARED_FIVE_BAR,
+    RACK,
+    RACK_BACKWARDS,
+    CAM,
+    FLAT,
+    FOLLOW,
+    PLANETARY_SET,
+    PLANETARY_LINKAGE,
+    BELT,
+    CAM_ON_ARM,
+    CAM_BACKWARDS,
+    ROCKER("[ground, rocker]", "at: P"),
+    ROCKER("[rocker, ground]", "at: P"),
+    ROCKER("[ground, rocker]", "arm: 80 mm"),
+    ROCKER("[ground, rocker]",
+           "at: P, conjugate: {arm: 75 mm, angle: 80 deg}") "efforts: {phi: 3 N*m * sin(20*theta)}\n",
+    TAPPET_OF_TWO,
+    FOLLOW_ANGLE("z", "x"),
+    FOLLOW_ANGLE("x", "z"),
+    COAXIAL,
+    SLANTED,
+    WHEEL_IN_LOOP,
+    FOLLOW_DISTANCE,
+    WHEEL_ON_WHEEL,
+    CAM_IN_LOOP,
+    PLANETS_ON_PLATE,
+    PLANETS_IN_PAIRS};
 enum { MACHINES = sizeof machines / sizeof *machines };
 
 static void they_do_the_work_that_the_relation_asks_for(void **state)

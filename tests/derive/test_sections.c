@@ -38,6 +38,67 @@ static void check_formulas(Machine *m, const char *name)
     }
 }
 
+static size_t slidings_seen;
+
+// The value of the vector that a line of this group gives the name; the group ends with the next heading.
+static YkVec named_vector(const Machine *m, const YkLine *line, const char *name)
+{
+    for (line = line->next; line && line->kind != YK_LINE_HEADING; line = line->next) {
+        const YkPagePiece *last = line->last;
+        if (!last || last->kind != YK_PIECE_MATRIX || !line->first->sub || strcmp(line->first->sub, name) != 0)
+            continue;
+        const YkPoisson *const *parts = last->matrix->entries;
+        return yk_vec(yk_ring_value(m->d->ring, parts[0], m->values).x,
+                      yk_ring_value(m->d->ring, parts[1], m->values).x);
+    }
+    fail_msg("no %s", name);
+    return yk_vec(NAN, NAN);
+}
+
+// How many accelerations of points the sums of this group have, or how often that of the one.
+static int points_in(const YkLine *line, const char *point)
+{
+    int count = 0;
+    for (line = line->next; line && line->kind != YK_LINE_HEADING; line = line->next)
+        for (const YkPagePiece *piece = line->first ? line->first->next : NULL; piece; piece = piece->next)
+            if (piece->kind == YK_PIECE_VECTOR && piece->super)
+                count += point == NULL || strcmp(piece->super, point) == 0;
+    return count;
+}
+
+// Where a body slides on one that turns, the parts add up to the engine's acceleration of its point; that of the
+// guide's origin is among them where it has one.
+static void check_slidings(Machine *m, const char *name)
+{
+    for (const YkLine *line = m->page.first; line; line = line->next)
+        for (size_t j = 0; line->kind == YK_LINE_HEADING && j < m->model->joint_count; j++) {
+            char ending[200];
+            snprintf(ending, sizeof ending, "%s slides on %s (%s)", m->model->bodies[m->model->joints[j].body[1]].name,
+                     m->model->bodies[m->model->joints[j].body[0]].name, m->model->joints[j].name);
+            YkDerivePlace place = yk_derive_place(m->d, (int32_t)j, 1);
+            if (strcmp(line->text, ending) != 0 || place.point == YK_NONE) continue;
+            int32_t guide = m->model->joints[j].body[0];
+            const YkPoisson *origin = yk_derive_origin(m->d, guide);
+            origin = yk_ring_time_derivative(m->d->ring, yk_ring_time_derivative(m->d->ring, origin));
+            YkVec sum = yk_ring_value(m->d->ring, origin, m->values);
+            int moves = sum.x != 0 || sum.y != 0;
+            assert_int_equal(points_in(line, yk_derive_point_name(m->d, guide, YK_NONE)), moves);
+            assert_int_equal(points_in(line, NULL), 1 + moves); // and the place that it slides over
+            double size = 1;
+            static const char *const parts[] = {"tangential", "centripetal", "Coriolis", "relative"};
+            for (size_t k = 0; k < 4; k++) {
+                YkVec part = named_vector(m, line, parts[k]);
+                sum = yk_add(sum, part), size += hypot(part.x, part.y);
+            }
+            YkPointMotion is = yk_state_point(m->state, (size_t)place.point);
+            if (hypot(sum.x - is.acceleration[0], sum.y - is.acceleration[1]) > 1e-9 * size)
+                print_error("%s: %s\n", name, ending);
+            CHECK_NEAR(sum.x, is.acceleration[0], 1e-9 * size);
+            CHECK_NEAR(sum.y, is.acceleration[1], 1e-9 * size);
+            slidings_seen++;
+        }
+}
+
 static void visit_poses(Machine *m, const char *name)
 {
     write_all(m, name);
@@ -49,6 +110,7 @@ static void visit_poses(Machine *m, const char *name)
                 is_clear &= yk_block_info(m->mech, b).kind > YK_BLOCK_RPR || yk_state_transmission(m->state, b) > 0.1;
             if (!is_clear) continue;
             check_formulas(m, name);
+            check_slidings(m, name);
             poses_seen++;
         }
 }
@@ -56,10 +118,10 @@ static void visit_poses(Machine *m, const char *name)
 static void every_formula_holds_at_random_poses_of_the_engine(void **state)
 {
     (void)state;
-    formulas_seen = poses_seen = 0;
+    formulas_seen = poses_seen = slidings_seen = 0;
     assert_true(each_example(visit_poses) > 30);
     assert_true(formulas_seen > 1000);
-    assert_true(poses_seen > 60);
+    assert_true(poses_seen > 60 && slidings_seen >= 8);
 }
 
 static void check_back(Machine *m, const YkPoisson *a)

@@ -7,6 +7,7 @@ static void a_function_of_two_arguments_between_braces_or_brackets_is_told_once(
     check_refused("a: {along: atan2(3, 1.5), to: B}\n", YK_CODE_YAML_COMMA, 1, 12, "quote it: `\"atan2(3, 1.5)\"`");
     check_refused("a: [max(1, 2), 0]\n", YK_CODE_YAML_COMMA, 1, 5, "`max(1, 2)`");
     check_refused("a: [0, max(min(3, x), max(1, 2)), 0]\n", YK_CODE_YAML_COMMA, 1, 8, "`max(min(3, x), max(1, 2))`");
+    check_refused("a: [(1, 2), 0]\n", YK_CODE_YAML_COMMA, 1, 5, "`(1, 2)`");
     check_refused("a:\n  - {b: max(1,\n        2)}\n", YK_CODE_YAML_COMMA, 2, 9, "`max(1, 2)`");
 }
 
@@ -24,6 +25,7 @@ static void what_is_whole_stays_as_it_is(void **state)
 {
     (void)state;
     check_tree("{a: \"max(1, 2)\", b: 3}", 0, "{a: \"max(1, 2)\", b: 3}");
+    check_tree("['f(1', 2)]", 0, "[\"f(1\", 2)]");
     check_tree("a: max(1, 2)\n", 0, "{a: max(1, 2)}");
     check_tree("[(1 + 2), (3)]", 0, "[(1 + 2), (3)]");
     check_tree("{a: (1, b: 2}", 0, "{a: (1, b: 2}"); // never closed: the expression says so

@@ -34,6 +34,16 @@ static void a_period_must_be_filled_exactly(void **state)
     assert_int_equal(yk_law_finish(bench.builder, 2 * (1 + 1e-12), bench.arena, &law), YK_LAW_OK); // rounding
     assert_non_null(law);
     bench_free(&bench);
+    for (int power = -12; power <= 12; power += 4) { // in whatever unit
+        double unit = pow(10, power);
+        bench = bench_new(0, 0);
+        assert_int_equal(yk_law_add_dwell(bench.builder, unit), YK_LAW_OK);
+        assert_int_equal(yk_law_finish(bench.builder, unit * (1 + 1e-7), bench.arena, &law), YK_LAW_NOT_FILLED);
+        assert_int_equal(yk_law_finish(bench.builder, unit * (1 - 1e-7), bench.arena, &law), YK_LAW_OVERFILLED);
+        assert_int_equal(yk_law_finish(bench.builder, unit * (1 + 1e-12), bench.arena, &law), YK_LAW_OK);
+        assert_int_equal(yk_law_finish(bench.builder, unit * (1 - 1e-12), bench.arena, &law), YK_LAW_OK);
+        bench_free(&bench);
+    }
 }
 
 static void a_segment_must_end_after_it_starts(void **state)

@@ -59,6 +59,33 @@ static void many_places_have_the_bits_of_one(void **state)
     }
 }
 
+// A polynomial of every number of terms, a straight line among them.
+static void lanes_have_the_bits_of_one_in_polynomials_of_all_degrees(void **state)
+{
+    (void)state;
+    enum { PLACES = 64, MOST = 12 };
+    uint64_t seed = 5;
+    for (size_t terms = 1; terms <= MOST; terms++) {
+        YkLawCondition conditions[MOST];
+        Bench bench = bench_new(-1, 0);
+        for (size_t k = 0; k < terms; k++)
+            conditions[k] = (YkLawCondition){-1 + 3.0 * (double)k / (double)terms, 0, check_uniform(&seed, -1, 1)};
+        conditions[terms - 1].at = 2;
+        if (terms == 1) assert_int_equal(yk_law_add_dwell(bench.builder, 2), YK_LAW_OK);
+        if (terms > 1) assert_int_equal(yk_law_add_polynomial(bench.builder, conditions, terms), YK_LAW_OK);
+        const YkLaw *law = bench_finish(&bench, 0);
+        double x[PLACES], value[PLACES], first[PLACES], second[PLACES], *const d[] = {value, first, second};
+        for (int k = 0; k < PLACES; k++) x[k] = check_uniform(&seed, -1, 2);
+        yk_law_eval_lanes(law, x, d, PLACES);
+        for (int k = 0; k < PLACES; k++)
+            for (int m = 0; m < 3; m++) {
+                double one = law_value(law, x[k], m);
+                assert_memory_equal(&d[m][k], &one, sizeof one);
+            }
+        bench_free(&bench);
+    }
+}
+
 static void just_below_its_start_a_periodic_law_is_at_its_end(void **state)
 {
     (void)state;
@@ -146,6 +173,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_law_with_a_period_repeats_itself),
         cmocka_unit_test(many_places_have_the_bits_of_one),
+        cmocka_unit_test(lanes_have_the_bits_of_one_in_polynomials_of_all_degrees),
         cmocka_unit_test(just_below_its_start_a_periodic_law_is_at_its_end),
         cmocka_unit_test(outside_its_range_a_law_without_a_period_stands_still),
         cmocka_unit_test(at_a_joint_holds_what_follows),

@@ -57,6 +57,20 @@ static void the_answer_is_what_defines_it(void **unused)
     }
 }
 
+// An unknown that nothing resists stays as it is, and the others are solved as if it were not there.
+static void an_unknown_without_a_diagonal_entry_stays(void **unused)
+{
+    (void)unused;
+    for (double guess = -2; guess <= 2; guess += 0.5) {
+        Problem p = {.n = 3, .A = {2, 0, 1, 0, 0, 0, 1, 0, 2}, .b = {-3, 1, -3}, .x = {0, guess, 0}};
+        for (size_t i = 0; i < 3; i++) p.bounds[i] = (YkBounds){-5, 5};
+        assert_true(yk_bounded_solve(3, p.A, p.b, p.bounds, 100, p.x, p.work, p.order));
+        CHECK_NEAR(p.x[0], 1, 1e-12);
+        CHECK_NEAR(p.x[1], guess, 0);
+        CHECK_NEAR(p.x[2], 1, 1e-12);
+    }
+}
+
 // Two unknowns almost alike: sweeps alone creep.
 static void what_creeps_is_solved_at_once(void **unused)
 {
@@ -84,6 +98,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_answer_is_what_defines_it),
+        cmocka_unit_test(an_unknown_without_a_diagonal_entry_stays),
         cmocka_unit_test(what_creeps_is_solved_at_once),
         cmocka_unit_test(what_is_not_found_is_told),
     };

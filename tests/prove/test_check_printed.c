@@ -91,6 +91,9 @@ static void half_angles_are_read(void **state)
     Machine m = machine_of(crank);
     CHECK_KINDS(&m, IS("tan(th/2) = sin(th)/(1 + cos(th))"), IS("tan(th/2)^2 = (1 - cos(th))/(1 + cos(th))"),
                 IS_HERE("2 sin(th/2) cos(th/2) = sin(th)"), IS_HERE("cos(th/2)^2 = (1 + cos(th))/2"),
+                IS("cos(ph + th/2) = cos(ph) cos(th/2) - sin(ph) sin(th/2)"),
+                IS("sin(th/2 + pi/3 - 2 ph) = sin(th/2) cos(2 ph - pi/3) - cos(th/2) sin(2 ph - pi/3)"),
+                IS_NOT("cos(ph + th/2) = cos(ph) cos(th/2) + sin(ph) sin(th/2)"),
                 IS_NOT("tan(th/2) = sin(th)/(1 - cos(th))"), IS_NOT("sin(th/2) = sin(th)/2"), CANNOT("sin(r) = 0"),
                 CANNOT("sin(w) = 0"));
     machine_end(&m);

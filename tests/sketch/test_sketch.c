@@ -6,7 +6,7 @@ static YkSketch *sketch_of(const char *text)
 {
     YkProblems *problems = yk_problems_new();
     YkSketch *sketch = yk_sketch_parse(text, strlen(text), "test", NULL, problems);
-    if (!sketch) print_error("%s", yk_problems_text(problems, 0));
+    if (yk_problems_count(problems) > 0) print_error("%s", yk_problems_text(problems, 0));
     assert_non_null(sketch);
     assert_int_equal(yk_problems_count(problems), 0);
     yk_problems_free(problems);
@@ -130,6 +130,11 @@ static void what_something_uses_is_no_open_end(void **state)
     check_ends("bodies: {ground: {points: {O: [0, 0]}}, arm: {" ARM "}}\n" HELD
                "forces: {f: {body: arm, at: A, value: [1, 0]}}\n",
                "arm.B");
+    check_ends("laws: {swing: {period: 2*pi, segments: [{dwell: {to: 2*pi}}]}}\n"
+               "bodies: {ground: {points: {O: [0, 0], K: [1, -1]}}, arm: {" ARM "}, shaft: {points: {K: [0, 0]}}}\n"
+               "joints: {O: {pin: [ground, arm]}, K: {pin: [ground, shaft]}}\n"
+               "cams: {c: {cam: shaft, follower: arm, law: swing, roller: 0.1, base: 0.9, at: A}}\n",
+               "arm.B"); // at A is a roller
     check_ends("bodies: {ground: {points: {O: [0, 0]}}, arm: {" ARM ", mass: 1, inertia: 1}}\n" HELD, ""); // a pendulum
     check_ends("bodies: {ground: {points: {O: [0, 0]}}, arm: {" ARM "}, rod: {points: {A: [0, 0], C: [1, 0]}}}\n"
                "joints: {O: {pin: [ground, arm]}, A: {pin: [arm, rod]}}\n",
@@ -150,6 +155,32 @@ static void a_pin_whose_name_is_taken_gets_another(void **state)
     assert_string_equal(lack.mend, "`ground` and `rocker` both have a point `O`: pin them, as in `joints: {O-rocker: "
                                    "{pin: [ground, rocker], at: O}}`");
     yk_sketch_free(sketch);
+}
+
+// Two bodies that a joint joins already are not pinned once more, whichever of them it names first.
+static void bodies_that_are_joined_are_not_pinned_again(void **state)
+{
+    (void)state;
+    static const char *const pins[] = {"[rod, other]", "[other, rod]"};
+    for (size_t k = 0; k < 2; k++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "bodies: {ground: {points: {O: [0, 0]}}, crank: {points: {O: [0, 0], A: [1, 0]}},\n"
+                 "  rod: {points: {A: [0, 0], D: [1, 0], B: [2, 0]}}, other: {points: {D: [0, 0], B: [1, 0]}}}\n"
+                 "joints: {O: {pin: [ground, crank]}, A: {pin: [crank, rod]}, D: {pin: %s}}\n",
+                 pins[k]);
+        YkSketch *sketch = sketch_of(text);
+        size_t ends = 0;
+        for (size_t i = 0; i < yk_sketch_lack_count(sketch); i++) {
+            YkLack lack = yk_sketch_lack(sketch, i);
+            if (lack.kind != YK_LACK_END) continue;
+            ends++;
+            assert_string_equal(yk_model_body_name(yk_sketch_model(sketch), lack.body), "other");
+            assert_null(lack.path); // B of `rod` is on a body to which it is joined
+        }
+        assert_int_equal(ends, 1);
+        yk_sketch_free(sketch);
+    }
 }
 
 // What holds a group that floats is no joint of the sketch.
@@ -259,6 +290,7 @@ int main(void)
         cmocka_unit_test(open_ends_name_the_point_they_could_be_pinned_to),
         cmocka_unit_test(what_something_uses_is_no_open_end),
         cmocka_unit_test(a_pin_whose_name_is_taken_gets_another),
+        cmocka_unit_test(bodies_that_are_joined_are_not_pinned_again),
         cmocka_unit_test(an_open_end_of_a_group_that_floats_could_be_pinned_to_the_ground),
         cmocka_unit_test(masses_make_drives_optional),
         cmocka_unit_test(a_frame_lacks_a_freedom),

@@ -52,6 +52,24 @@ static inline Standing standing(const char *model)
     yk_problems_free(problems);
     return s;
 }
+// What is said of a candidate's parameters is what its file has under their names.
+static inline void check_parameters(const YkSynthesis *synthesis, size_t candidate)
+{
+    Standing s = standing(yk_synthesis_candidate(synthesis, candidate).model);
+    double value = NAN;
+    size_t named = 0;
+    for (size_t k = 0;; k++) {
+        const char *name = yk_synthesis_parameter(synthesis, candidate, k, &value);
+        double own = name ? yk_model_parameter(s.model, name) : NAN;
+        if (!name) break;
+        if (isfinite(own)) named++;
+        if (isfinite(own)) CHECK_NEAR(value, own, 1e-12 * (fabs(own) + 1));
+    }
+    assert_true(named >= 4);
+    yk_state_free(s.state);
+    yk_mechanism_free(s.mech);
+    yk_model_free(s.model);
+}
 static inline void standing_free(Standing *s)
 {
     yk_state_free(s->state);

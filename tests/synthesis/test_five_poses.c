@@ -62,6 +62,41 @@ static void random_poses(YkPose *pose, size_t count, uint64_t *seed)
     }
 }
 
+// Through two and three positions: a pivot of the body along a line of the ground, a line of the body through a point
+// of the ground, and a link at a given pivot of the ground.
+static void dyads_through_two_and_three_positions_hold_at_them(void **state)
+{
+    (void)state;
+    uint64_t seed = 6;
+    size_t found[3] = {0};
+    for (int round = 0; round < 400; round++) {
+        size_t count = 2 + (size_t)round % 2;
+        YkPose pose[3] = {{.angle = 0}};
+        random_poses(pose, count, &seed);
+        double direction = check_uniform(&seed, -3, 3), along = check_uniform(&seed, -1, 1);
+        YkVec pivot = yk_vec(check_uniform(&seed, -3, 3), check_uniform(&seed, -3, 3));
+        YkDyad slide, block, link;
+        bool is[3] = {yk_pose_slide(pose, count, direction, along, &slide),
+                      yk_pose_block(pose, count, direction, along, &block),
+                      yk_pose_pivot(pose, count, pivot, along, &link)};
+        for (int k = 0; k < 3; k++) found[k] += is[k];
+        for (size_t k = 0; k < count && is[0]; k++) {
+            YkVec off = yk_sub(yk_pose_apply(pose[k], vector(slide.moving)), vector(slide.fixed));
+            CHECK_NEAR(yk_cross(yk_unit(slide.direction), off), 0, 1e-9);
+        }
+        if (is[0]) CHECK_NEAR(yk_dot(vector(slide.fixed), yk_unit(slide.direction)), 0, 1e-9);
+        if (is[0]) CHECK_NEAR(yk_cross(yk_unit(slide.direction), yk_unit(direction)), 0, 1e-12);
+        for (size_t k = 0; k < count && is[1]; k++) {
+            YkVec off = yk_sub(vector(block.fixed), yk_pose_apply(pose[k], vector(block.moving)));
+            CHECK_NEAR(yk_cross(yk_unit(block.direction + pose[k].angle), off), 0, 1e-9);
+        }
+        if (is[1]) CHECK_NEAR(yk_dot(vector(block.moving), yk_unit(block.direction)), 0, 1e-9);
+        if (is[2]) CHECK_NEAR(slack(pose, count, &link), 0, 1e-9);
+        if (is[2]) CHECK_NEAR(hypot(link.fixed[0] - pivot.x, link.fixed[1] - pivot.y), 0, 1e-12);
+    }
+    for (int k = 0; k < 3; k++) assert_true(found[k] > 200);
+}
+
 static void random_positions_have_none_two_or_four_dyads(void **state)
 {
     (void)state;
@@ -242,6 +277,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_published_five_positions_have_their_four_dyads),
+        cmocka_unit_test(dyads_through_two_and_three_positions_hold_at_them),
         cmocka_unit_test(random_positions_have_none_two_or_four_dyads),
         cmocka_unit_test(a_four_bar_is_found_again_from_five_of_its_positions),
         cmocka_unit_test(a_body_moved_on_a_line_has_a_dyad_with_a_slide),

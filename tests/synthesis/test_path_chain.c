@@ -120,8 +120,7 @@ static double error_of(const YkText *text, double part, const char *mechanism, c
     const char *name = NULL;
     for (const char *next; (next = yk_synthesis_parameter(a.synthesis, 0, names, NULL)) != NULL; names++) name = next;
     if (last) assert_string_equal(name, last);
-    Standing s = standing(c.model);
-    standing_free(&s);
+    for (size_t k = 0; k < yk_synthesis_count(a.synthesis); k++) check_parameters(a.synthesis, k);
     assert_non_null(yk_synthesis_picture(a.synthesis));
     double error = c.error;
     answer_free(&a);

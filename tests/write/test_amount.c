@@ -61,6 +61,47 @@ static void rounding_is_no_amount(void **state)
     check("units: {}", 1e-9, YK_QUANTITY_LENGTH, "1e-9 m");
 }
 
+// Of lengths and their rates rounding is measured by the machine: 1e-13 of 1 km is a tenth of a nanometre.
+static void rounding_of_lengths_grows_with_the_machine(void **state)
+{
+    (void)state;
+    YkProblems *problems = yk_problems_new();
+    static const char text[] = "bodies: {ground: {points: {O: [0, 0]}}, crank: {points: {O: [0, 0], A: [1 km, 0]}}}\n"
+                               "joints: {O: {pin: [ground, crank], angle: theta}}\n";
+    YkModel *model = yk_model_parse(text, strlen(text), "test", NULL, problems);
+    YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
+    assert_non_null(mech);
+    assert_true(yk_mechanism_size(mech) >= 1000);
+    for (int quantity = YK_QUANTITY_ANGLE; quantity <= YK_QUANTITY_ENERGY; quantity++) {
+        bool is_length =
+            quantity == YK_QUANTITY_LENGTH || quantity == YK_QUANTITY_SPEED || quantity == YK_QUANTITY_ACCELERATION;
+        double rounding = 5e-11, shown = yk_amount_in_unit(model, mech, rounding, (YkQuantity)quantity);
+        CHECK_NEAR(shown, is_length ? 0 : rounding, 0);
+        CHECK_NEAR(yk_amount_in_unit(model, NULL, rounding, (YkQuantity)quantity), rounding, 0);
+    }
+    yk_mechanism_free(mech);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
+static void ranges_are_told_by_their_finite_ends(void **state)
+{
+    (void)state;
+    static const struct {
+        double low, high;
+        const char *expected;
+    } cases[] = {{2.96, 3.49, "2.96 to 3.49"},
+                 {3, INFINITY, "3 or more"},
+                 {-INFINITY, 5, "up to 5"},
+                 {-INFINITY, INFINITY, "any"}};
+    for (size_t k = 0; k < 4; k++) {
+        YkText text = {0};
+        yk_amount_between(&text, cases[k].low, cases[k].high, 3);
+        assert_string_equal(yk_text_get(&text), cases[k].expected);
+        yk_text_free(&text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -68,6 +109,8 @@ int main(void)
         cmocka_unit_test(radians_are_told_in_degrees_too),
         cmocka_unit_test(unusual_units_of_force_are_not_told),
         cmocka_unit_test(rounding_is_no_amount),
+        cmocka_unit_test(ranges_are_told_by_their_finite_ends),
+        cmocka_unit_test(rounding_of_lengths_grows_with_the_machine),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
