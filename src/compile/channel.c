@@ -146,7 +146,7 @@ static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
     }
     if (cut_suffix(name, ".distance")) {
         int joint = find_joint(mech, name);
-        if (joint >= 0 && mech->joint_distance[joint] == YK_NONE) return false;
+        if (joint >= 0 && (mech->joint_distance[joint] == YK_NONE || mech->model->joints[joint].is_free)) return false;
         return set(channel, YK_CHANNEL_JOINT_DISTANCE, joint, order, true);
     }
     return false;

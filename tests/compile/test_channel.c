@@ -148,6 +148,21 @@ static void the_names_of_the_manual_parse_as_it_says(void **state)
     machine_free(&m);
 }
 
+// It has two distances: none of them is "the" distance. Its coordinates have names of their own.
+static void a_free_joint_has_no_distance(void **state)
+{
+    (void)state;
+    Machine m = machine("bodies: {ground: {}, plate: {}}\n"
+                        "joints: {J: {free: [ground, plate], at: [x, y, phi]}}\nstart: {x: 3, y: 4, phi: 1}\n");
+    YkChannel channel;
+    YkProblems *problems = yk_problems_new();
+    assert_int_equal(yk_channel_parse(m.mech, "J.distance", &channel, problems), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_channel_parse(m.mech, "J.angle", &channel, problems), YK_OK);
+    assert_int_equal(yk_channel_parse(m.mech, "y", &channel, problems), YK_OK);
+    yk_problems_free(problems);
+    machine_free(&m);
+}
+
 static void unknown_names_are_refused_with_a_hint(void **state)
 {
     (void)state;
@@ -243,6 +258,7 @@ int main(void)
         cmocka_unit_test(names_of_forces_are_one_to_one),
         cmocka_unit_test(joints_off_the_tree_can_be_asked_for_too),
         cmocka_unit_test(the_names_of_the_manual_parse_as_it_says),
+        cmocka_unit_test(a_free_joint_has_no_distance),
         cmocka_unit_test(unknown_names_are_refused_with_a_hint),
         cmocka_unit_test(the_nearest_name_is_suggested_not_the_first_that_is_near),
         cmocka_unit_test(endless_names_are_refused),
