@@ -47,9 +47,12 @@ static YkVec named_vector(const Machine *m, const YkLine *line, const char *name
         const YkPagePiece *last = line->last;
         if (!last || last->kind != YK_PIECE_MATRIX || !line->first->sub || strcmp(line->first->sub, name) != 0)
             continue;
-        const YkPoisson *const *parts = last->matrix->entries;
-        return yk_vec(yk_ring_value(m->d->ring, parts[0], m->values).x,
-                      yk_ring_value(m->d->ring, parts[1], m->values).x);
+        double part[2];
+        for (size_t k = 0; k < 2; k++) {
+            const YkRingView entry = yk_shown_entry(last->matrix, k);
+            part[k] = yk_ring_value(m->d->ring, yk_ring_view(m->d->ring, &entry), m->values).x;
+        }
+        return yk_vec(part[0], part[1]);
     }
     fail_msg("no %s", name);
     return yk_vec(NAN, NAN);
