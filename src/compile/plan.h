@@ -34,7 +34,8 @@ typedef struct YkPlan {
     size_t head, tail, unknown_clusters;
     // Judges which equations determine which unknowns if equations repeat each other; or NULL.
     const struct YkClosedPose *pose;
-    struct YkInputSum *forms; // per orientation: its angle as a sum of inputs, if it is one (machines with relations)
+    // Per orientation: its angle, per distance: itself, as a sum of inputs, if it is one (machines with relations).
+    struct YkInputSum *forms, *distance_forms;
     YkTermList list;
     size_t missing; // unknowns that nothing determines
     bool failed;    // out of memory

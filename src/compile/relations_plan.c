@@ -1,7 +1,7 @@
 // Relations in the plan: once all but one of its angles and distances are known, a relation gives the last.
 //
-// An angle that is a sum of inputs is kept as such a sum (a *form*), so that gear trains stay exact over any number of
-// turns; an angle that loops place is taken nearest to a reference that follows the motion.
+// What is a sum of inputs is kept as such a sum (a *form*), so that trains of gears and racks stay exact over any number
+// of turns; an angle that loops place is taken nearest to a reference that follows the motion.
 #include "base/memory.h"
 #include "compile/plan.h"
 #include "compile/relations.h"
@@ -13,14 +13,40 @@ typedef struct YkInputSum {
     size_t count;
 } YkInputSum;
 
+// Makes the forms, of orientations and their slots, then of distances: the ground's is 0, and inputs are their own.
+static void start_forms(YkPlan *plan)
+{
+    const YkMechanism *mech = plan->mech;
+    size_t slots = mech->slot_count + mech->orientation_count + 1;
+    YkInputSum *forms = YK_NEW(plan->arena, YkInputSum, slots + mech->distance_count);
+    YkRelationSource *own = YK_NEW(plan->arena, YkRelationSource, mech->input_count + 1);
+    if (!forms || !own) return;
+    plan->forms = forms;
+    plan->distance_forms = forms + slots;
+    forms[0].is_known = true;
+    for (size_t i = 0; i < mech->input_count; i++) {
+        const YkTreeCoordinate *c = &mech->coordinates[mech->inputs[i]];
+        own[i] = (YkRelationSource){YK_SOURCE_INPUT, (int32_t)i, YK_NONE, 1};
+        if (c->is_distance) plan->distance_forms[c->distance] = (YkInputSum){true, 0, &own[i], 1};
+    }
+}
+
 static YkInputSum *forms_of(YkPlan *plan)
 {
-    if (!plan->forms) {
-        plan->forms = YK_NEW(plan->arena, YkInputSum, plan->mech->slot_count + plan->mech->orientation_count + 1);
-        if (plan->forms) plan->forms[0].is_known = true; // the ground
-    }
+    if (!plan->forms) start_forms(plan);
     if (!plan->forms) plan->failed = true;
     return plan->forms;
+}
+
+static YkInputSum *form_of(const YkPlan *plan, YkRelationTerm term)
+{
+    return (term.is_distance ? plan->distance_forms : plan->forms) + term.index;
+}
+
+// Returns x + y, or 0 where that is but rounding: over hundreds of turns of an input, rounding would be a miss.
+static double sum_of(double x, double y)
+{
+    return fabs(x + y) < 1e-12 * (fabs(x) + fabs(y)) ? 0 : x + y;
 }
 
 // Adds target += factor * form.
@@ -37,7 +63,7 @@ static void add_form(YkPlan *plan, YkInputSum *target, const YkInputSum *form, d
         size_t at = 0;
         while (at < count && sources[at].index != form->sources[k].index) at++;
         if (at == count) sources[count++] = (YkRelationSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, 0};
-        sources[at].factor += factor * form->sources[k].factor;
+        sources[at].factor = sum_of(sources[at].factor, factor * form->sources[k].factor);
     }
     target->sources = sources;
     target->count = count;
@@ -118,7 +144,7 @@ static void add_source(YkPlan *plan, YkRelationSource source, uint32_t first)
     YkMechanism *mech = plan->mech;
     for (size_t k = first; k < mech->source_count; k++) {
         if (mech->sources[k].kind != source.kind || mech->sources[k].index != source.index) continue;
-        mech->sources[k].factor += source.factor;
+        mech->sources[k].factor = sum_of(mech->sources[k].factor, source.factor);
         return;
     }
     if (!YK_ROOM(mech->sources, mech->source_count, mech->source_capacity)) {
@@ -134,17 +160,13 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
 {
     YkMechanism *mech = plan->mech;
     if (factor == 0) return 0;
-    if (term.is_distance) {
-        add_source(plan, (YkRelationSource){YK_SOURCE_DISTANCE, term.index, YK_NONE, factor}, first);
-        return 0;
-    }
-    int32_t slot = term.index;
     // Takes only the part beyond the target's group.
-    if (skip_root >= 0 && mech->group_root[slot] == skip_root) slot = mech->relative_slot[slot];
-    if (slot == 0) return 0;
-    const YkInputSum *form = &plan->forms[slot];
+    if (!term.is_distance && skip_root >= 0 && mech->group_root[term.index] == skip_root)
+        term.index = mech->relative_slot[term.index];
+    const YkInputSum *form = form_of(plan, term);
     if (!form->is_known) {
-        add_source(plan, (YkRelationSource){YK_SOURCE_SLOT, slot, YK_NONE, factor}, first);
+        YkSourceKind kind = term.is_distance ? YK_SOURCE_DISTANCE : YK_SOURCE_SLOT;
+        add_source(plan, (YkRelationSource){kind, term.index, YK_NONE, factor}, first);
         return 0;
     }
     for (size_t k = 0; k < form->count; k++)
@@ -158,11 +180,11 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
 // Notes the target's own form if all its sources are inputs.
 static void note_form(YkPlan *plan, const YkRelation *r)
 {
-    if (r->target.is_distance || r->law) return;
+    if (r->law) return;
     YkInputSum form = {true, r->offset, yk_from(plan->mech->sources, r->first_source), r->source_count};
     for (uint32_t k = 0; k < r->source_count; k++)
         if (form.sources[k].kind != YK_SOURCE_INPUT) return;
-    YkInputSum *target = &plan->forms[r->target.index];
+    YkInputSum *target = form_of(plan, r->target);
     add_form(plan, target, &form, 1);
     target->is_known = true;
 }
@@ -221,16 +243,13 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
 }
 
-// Makes a check: everything that the relation ties is known, so it repeats others, and the pose has to fit it. Factors that
-// are rounding would turn hundreds of turns of an input into a miss.
+// Makes a check: everything that the relation ties is known, so it repeats others, and the pose has to fit it.
 static void check(YkPlan *plan, size_t index)
 {
     YkRelation *r = &plan->mech->relations[index];
     r->is_redundant = true;
     r->weight = yk_relation_weight(plan->mech, r);
     write_sources(plan, r, r->weight, &(Columns){0});
-    for (size_t k = r->first_source; k < plan->mech->source_count; k++)
-        if (fabs(plan->mech->sources[k].factor) < 1e-12 * plan->mech->size) plan->mech->sources[k].factor = 0;
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_CHECK, .target = (int32_t)index});
     plan->mech->redundant_relation_count++;
 }
@@ -332,11 +351,13 @@ static bool gather(YkPlan *plan, Rows *rows)
 static void subtract_row(Rows *rows, size_t i, size_t from, double times)
 {
     for (size_t c = 0; c < rows->columns; c++) {
-        double *x = &rows->factor[i * rows->columns + c], y = times * rows->factor[from * rows->columns + c];
-        *x = fabs(*x - y) < 1e-12 * (fabs(*x) + fabs(y)) ? 0 : *x - y;
+        double *x = &rows->factor[i * rows->columns + c];
+        *x = sum_of(*x, -times * rows->factor[from * rows->columns + c]);
     }
-    for (size_t k = 0; k < rows->count; k++)
-        rows->share[i * rows->count + k] -= times * rows->share[from * rows->count + k];
+    for (size_t k = 0; k < rows->count; k++) {
+        double *x = &rows->share[i * rows->count + k];
+        *x = sum_of(*x, -times * rows->share[from * rows->count + k]);
+    }
 }
 
 static void swap_rows(Rows *rows, size_t i, size_t j)
