@@ -13,27 +13,14 @@ typedef struct YkInputSum {
     size_t count;
 } YkInputSum;
 
-// Makes the forms, of orientations and their slots, then of distances: the ground's is 0, and inputs are their own.
-static void start_forms(YkPlan *plan)
-{
-    const YkMechanism *mech = plan->mech;
-    size_t slots = mech->slot_count + mech->orientation_count + 1;
-    YkInputSum *forms = YK_NEW(plan->arena, YkInputSum, slots + mech->distance_count);
-    YkRelationSource *own = YK_NEW(plan->arena, YkRelationSource, mech->input_count + 1);
-    if (!forms || !own) return;
-    plan->forms = forms;
-    plan->distance_forms = forms + slots;
-    forms[0].is_known = true;
-    for (size_t i = 0; i < mech->input_count; i++) {
-        const YkTreeCoordinate *c = &mech->coordinates[mech->inputs[i]];
-        own[i] = (YkRelationSource){YK_SOURCE_INPUT, (int32_t)i, YK_NONE, 1};
-        if (c->is_distance) plan->distance_forms[c->distance] = (YkInputSum){true, 0, &own[i], 1};
-    }
-}
-
 static YkInputSum *forms_of(YkPlan *plan)
 {
-    if (!plan->forms) start_forms(plan);
+    if (!plan->forms) {
+        size_t slots = plan->mech->slot_count + plan->mech->orientation_count + 1;
+        plan->forms = YK_NEW(plan->arena, YkInputSum, slots + plan->mech->distance_count);
+        plan->distance_forms = yk_from(plan->forms, slots);
+        if (plan->forms) plan->forms[0].is_known = true; // the ground
+    }
     if (!plan->forms) plan->failed = true;
     return plan->forms;
 }
@@ -70,25 +57,22 @@ static void add_form(YkPlan *plan, YkInputSum *target, const YkInputSum *form, d
     target->constant += factor * form->constant;
 }
 
-static void note_turn(YkPlan *plan, const YkStep *step)
+// Adds two forms: the parent's, which is the ground's for a distance, and an input or what turns with the parent.
+static void note_step(YkPlan *plan, const YkStep *step)
 {
-    YkInputSum *forms = plan->forms;
-    YkInputSum *form = &forms[step->target];
-    if (step->kind == YK_STEP_TURN && forms[step->parent].is_known) {
-        YkInputSum input = {true, step->offset, &(YkRelationSource){YK_SOURCE_INPUT, step->input, YK_NONE, 1}, 1};
-        add_form(plan, form, &forms[step->parent], 1);
-        add_form(plan, form, &input, step->sign);
-        form->is_known = true;
-    } else if (step->kind == YK_STEP_COMPOSE && forms[step->parent].is_known && forms[step->other].is_known) {
-        add_form(plan, form, &forms[step->parent], 1);
-        add_form(plan, form, &forms[step->other], 1);
-        form->is_known = true;
-    }
+    bool is_composed = step->kind == YK_STEP_COMPOSE;
+    YkInputSum input = {true, step->offset, &(YkRelationSource){YK_SOURCE_INPUT, step->input, YK_NONE, 1}, 1};
+    const YkInputSum *parent = &plan->forms[step->parent], *other = is_composed ? &plan->forms[step->other] : &input;
+    if (!parent->is_known || !other->is_known) return;
+    YkInputSum *form = form_of(plan, (YkRelationTerm){step->kind == YK_STEP_DISTANCE, step->target, 0});
+    add_form(plan, form, parent, 1);
+    add_form(plan, form, other, is_composed ? 1 : step->sign);
+    form->is_known = true;
 }
 
-void yk_plan_note_turn(YkPlan *plan, const YkStep *step)
+void yk_plan_note_step(YkPlan *plan, const YkStep *step)
 {
-    if (plan->mech->relation_count > 0 && forms_of(plan)) note_turn(plan, step);
+    if (plan->mech->relation_count > 0 && forms_of(plan)) note_step(plan, step);
 }
 
 static bool is_known(const YkPlan *plan, YkRelationTerm term)
@@ -211,15 +195,16 @@ static double add_any_term(YkPlan *plan, YkRelationTerm term, double factor, uin
     return term.is_distance ? 0 : add_term(plan, term, factor, first, root.index);
 }
 
-// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant).
-static void write_sources(YkPlan *plan, YkRelation *r, double times, const Columns *columns)
+// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant), with the terms
+// of `from`: the relation itself, or its sum with others.
+static void write_sources(YkPlan *plan, YkRelation *r, const YkRelation *from, double times, const Columns *columns)
 {
     YkMechanism *mech = plan->mech;
     r->gain = -times;
-    r->offset = -times * r->constant;
+    r->offset = -times * from->constant;
     r->first_source = (uint32_t)mech->source_count;
-    for (uint32_t k = 0; k < r->term_count; k++) {
-        YkRelationTerm term = mech->relation_terms[r->first_term + k];
+    for (uint32_t k = 0; k < from->term_count; k++) {
+        YkRelationTerm term = mech->relation_terms[from->first_term + k];
         r->offset += add_any_term(plan, term, times * term.factor, r->first_source, columns);
     }
     r->source_count = (uint32_t)mech->source_count - r->first_source;
@@ -237,19 +222,22 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
     YkRelation *r = &plan->mech->relations[index];
     r->is_solved = true;
     r->target = unknown;
-    write_sources(plan, r, -1 / unknown.factor, &(Columns){0});
+    write_sources(plan, r, r, -1 / unknown.factor, &(Columns){0});
     note_form(plan, r);
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_RELATION, .target = (int32_t)index});
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
 }
 
-// Makes a check: everything that the relation ties is known, so it repeats others, and the pose has to fit it.
-static void check(YkPlan *plan, size_t index)
+// Makes a check of a relation that repeats others: the pose has to fit it, or its sum with them. Factors that are rounding
+// would turn hundreds of turns of an input into a miss.
+static void check(YkPlan *plan, size_t index, const YkRelation *from)
 {
     YkRelation *r = &plan->mech->relations[index];
     r->is_redundant = true;
     r->weight = yk_relation_weight(plan->mech, r);
-    write_sources(plan, r, r->weight, &(Columns){0});
+    write_sources(plan, r, from, r->weight, &(Columns){0});
+    for (size_t k = r->first_source; k < plan->mech->source_count; k++)
+        if (fabs(plan->mech->sources[k].factor) < 1e-12 * plan->mech->size) plan->mech->sources[k].factor = 0;
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_CHECK, .target = (int32_t)index});
     plan->mech->redundant_relation_count++;
 }
@@ -282,7 +270,7 @@ void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *colum
     mech->group_relations[mech->group_relation_count++] = (int32_t)relation;
     r->is_solved = true;
     r->weight = yk_relation_weight(mech, r);
-    write_sources(plan, r, r->weight, &(Columns){columns, count});
+    write_sources(plan, r, r, r->weight, &(Columns){columns, count});
 }
 
 // --- several at once
@@ -294,11 +282,20 @@ typedef struct Rows {
     int32_t *relation;       // [share]
     int32_t *own;            // [row]: the relation that it was at first
     YkRelationTerm *unknown; // [column]
-    double *factor;          // [row][column]
-    double *share;           // [row][row]
+    double *cell;            // [row][share, then column]
 } Rows;
 
 enum { ROWS_MAX = 400 };
+
+static double *shares_of(const Rows *rows, size_t row)
+{
+    return rows->cell + row * (rows->count + rows->columns);
+}
+
+static double *factors_of(const Rows *rows, size_t row)
+{
+    return shares_of(rows, row) + rows->count;
+}
 
 static size_t column_of(Rows *rows, YkRelationTerm root)
 {
@@ -329,20 +326,19 @@ static bool gather(YkPlan *plan, Rows *rows)
     }
     if (rows->count < 2 || rows->count > ROWS_MAX) return false;
     rows->unknown = YK_NEW(plan->arena, YkRelationTerm, unknowns + 1);
-    rows->factor = YK_NEW(plan->arena, double, rows->count *(unknowns + 1));
-    rows->share = YK_NEW(plan->arena, double, rows->count * rows->count);
+    rows->cell = YK_NEW(plan->arena, double, rows->count *(rows->count + unknowns + 1));
     rows->own = YK_NEW(plan->arena, int32_t, rows->count);
     if (yk_arena_failed(plan->arena)) return false;
     for (int pass = 0; pass < 2; pass++) // first the columns, then, once their number is known, the factors
         for (size_t i = 0; i < rows->count; i++) {
             const YkRelation *r = &mech->relations[rows->relation[i]];
             rows->own[i] = rows->relation[i];
-            rows->share[i * rows->count + i] = 1;
+            if (pass == 1) shares_of(rows, i)[i] = 1;
             for (uint32_t k = 0; k < r->term_count; k++) {
                 YkRelationTerm term = mech->relation_terms[r->first_term + k];
                 if (is_known(plan, term)) continue;
                 size_t c = column_of(rows, root_of(plan, term));
-                if (pass == 1) rows->factor[i * rows->columns + c] += term.factor;
+                if (pass == 1) factors_of(rows, i)[c] += term.factor;
             }
         }
     return true;
@@ -350,14 +346,8 @@ static bool gather(YkPlan *plan, Rows *rows)
 
 static void subtract_row(Rows *rows, size_t i, size_t from, double times)
 {
-    for (size_t c = 0; c < rows->columns; c++) {
-        double *x = &rows->factor[i * rows->columns + c];
-        *x = sum_of(*x, -times * rows->factor[from * rows->columns + c]);
-    }
-    for (size_t k = 0; k < rows->count; k++) {
-        double *x = &rows->share[i * rows->count + k];
-        *x = sum_of(*x, -times * rows->share[from * rows->count + k]);
-    }
+    double *x = shares_of(rows, i), *y = shares_of(rows, from);
+    for (size_t k = 0; k < rows->count + rows->columns; k++) x[k] = sum_of(x[k], -times * y[k]);
 }
 
 static void swap_rows(Rows *rows, size_t i, size_t j)
@@ -365,15 +355,11 @@ static void swap_rows(Rows *rows, size_t i, size_t j)
     int32_t own = rows->own[i];
     rows->own[i] = rows->own[j];
     rows->own[j] = own;
-    for (size_t c = 0; c < rows->columns; c++) {
-        double x = rows->factor[i * rows->columns + c];
-        rows->factor[i * rows->columns + c] = rows->factor[j * rows->columns + c];
-        rows->factor[j * rows->columns + c] = x;
-    }
-    for (size_t k = 0; k < rows->count; k++) {
-        double x = rows->share[i * rows->count + k];
-        rows->share[i * rows->count + k] = rows->share[j * rows->count + k];
-        rows->share[j * rows->count + k] = x;
+    double *x = shares_of(rows, i), *y = shares_of(rows, j);
+    for (size_t k = 0; k < rows->count + rows->columns; k++) {
+        double kept = x[k];
+        x[k] = y[k];
+        y[k] = kept;
     }
 }
 
@@ -384,12 +370,12 @@ static void reduce(Rows *rows)
     for (size_t c = 0; c < rows->columns && rank < rows->count; c++) {
         size_t best = rank;
         for (size_t i = rank; i < rows->count; i++)
-            if (fabs(rows->factor[i * rows->columns + c]) > fabs(rows->factor[best * rows->columns + c])) best = i;
-        double pivot = rows->factor[best * rows->columns + c];
+            if (fabs(factors_of(rows, i)[c]) > fabs(factors_of(rows, best)[c])) best = i;
+        double pivot = factors_of(rows, best)[c];
         if (fabs(pivot) < 1e-12) continue;
         if (best != rank) swap_rows(rows, best, rank);
         for (size_t i = 0; i < rows->count; i++) {
-            double x = rows->factor[i * rows->columns + c];
+            double x = factors_of(rows, i)[c];
             if (i != rank && x != 0) subtract_row(rows, i, rank, x / pivot);
         }
         rank++;
@@ -404,7 +390,7 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
     YkRelation *sum = &mech->relations[index];
     *sum = (YkRelation){.kind = YK_RELATION_GEAR, .first_term = (uint32_t)mech->relation_term_count};
     for (size_t k = 0; k < rows->count; k++) {
-        double share = rows->share[row * rows->count + k];
+        double share = shares_of(rows, row)[k];
         const YkRelation *r = &mech->relations[rows->relation[k]];
         if (share == 0) continue;
         sum->name = r->name;
@@ -419,15 +405,12 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
     return index;
 }
 
-// Drops the rounding that remains in the factors of distances that a row does not determine. Angles keep theirs: the root of
-// a group cancels, but not what its orientations turn relative to each other, which is known.
-static void drop_rounding(const YkPlan *plan, const YkRelation *sum, YkRelationTerm wanted)
+// Handles a row without unknowns: the relation that it was at first repeats others. In their sum all that they tie cancels,
+// so that it does not matter how often a wheel has turned.
+static void check_row(YkPlan *plan, const Rows *rows, size_t row)
 {
-    for (uint32_t k = 0; k < sum->term_count; k++) {
-        YkRelationTerm *term = &plan->mech->relation_terms[sum->first_term + k];
-        bool is_wanted = wanted.is_distance && wanted.index == term->index;
-        if (term->is_distance && !is_wanted && !plan->distance_known[term->index]) term->factor = 0;
-    }
+    size_t sum = derive(plan, rows, row);
+    check(plan, (size_t)rows->own[row], &plan->mech->relations[sum]);
 }
 
 // Solves what the relations determine together; returns whether there was anything.
@@ -441,17 +424,15 @@ static bool solve_together(YkPlan *plan)
         if (plan->mech->derived_count == plan->mech->relation_count) break; // each derived relation uses one up
         size_t single = rows.columns, count = 0;
         for (size_t c = 0; c < rows.columns; c++)
-            if (rows.factor[i * rows.columns + c] != 0) {
+            if (factors_of(&rows, i)[c] != 0) {
                 single = c;
                 count++;
             }
-        if (count == 0)
-            plan->mech->relations[rows.own[i]].is_redundant = true; // checked once all that it ties is known
+        if (count == 0) check_row(plan, &rows, i);
         if (count != 1 || is_known(plan, rows.unknown[single])) continue;
         size_t index = derive(plan, &rows, i);
         YkRelationTerm unknown = rows.unknown[single];
-        drop_rounding(plan, &plan->mech->relations[index], unknown);
-        unknown.factor = rows.factor[i * rows.columns + single];
+        unknown.factor = factors_of(&rows, i)[single];
         solve(plan, index, unknown);
         solved = true;
     }
@@ -471,10 +452,10 @@ bool yk_plan_relations(YkPlan *plan)
     for (size_t k = 0; k < mech->relation_count && !plan->failed; k++) {
         YkRelation *r = &mech->relations[k];
         YkRelationTerm unknown = {0};
-        if (r->is_solved || r->weight > 0) continue; // one that is checked has a weight
+        if (r->is_solved || r->is_redundant) continue;
         size_t count = find_unknown(plan, r, &unknown);
-        if (count == 0) check(plan, k);
-        if (count != 1 || r->is_redundant) continue;
+        if (count == 0) check(plan, k, r);
+        if (count != 1) continue;
         solve(plan, k, unknown);
         solved = true;
     }
