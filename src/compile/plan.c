@@ -10,7 +10,8 @@ void yk_plan_step(YkPlan *plan, YkStep step)
         return;
     }
     mech->steps[mech->step_count++] = step;
-    if (step.kind == YK_STEP_TURN || step.kind == YK_STEP_COMPOSE) yk_plan_note_turn(plan, &step);
+    if (step.kind == YK_STEP_TURN || step.kind == YK_STEP_COMPOSE || step.kind == YK_STEP_DISTANCE)
+        yk_plan_note_step(plan, &step);
 }
 
 static bool allocate(YkPlan *plan)
@@ -315,7 +316,7 @@ bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence,
         const YkTreeCoordinate *c = &mech->coordinates[mech->inputs[i]];
         if (!c->is_distance) continue;
         plan->distance_known[c->distance] = true;
-        yk_plan_step(plan, (YkStep){.kind = YK_STEP_DISTANCE, .target = c->distance, .input = (int32_t)i});
+        yk_plan_step(plan, (YkStep){.kind = YK_STEP_DISTANCE, .target = c->distance, .input = (int32_t)i, .sign = 1});
     }
     if (plan->failed) return false;
     plan->root_known[0] = true;

@@ -34,7 +34,8 @@ typedef struct YkPlan {
     size_t head, tail, unknown_clusters;
     // Judges which equations determine which unknowns if equations repeat each other; or NULL.
     const struct YkClosedPose *pose;
-    struct YkInputSum *forms; // per orientation: its angle as a sum of inputs, if it is one (machines with relations)
+    // Per orientation: its angle, per distance: itself, as a sum of inputs, if it is one (machines with relations).
+    struct YkInputSum *forms, *distance_forms;
     YkTermList list;
     size_t missing; // unknowns that nothing determines
     bool failed;    // out of memory
@@ -64,7 +65,7 @@ void yk_plan_coordinate_sums(YkPlan *plan);
 size_t yk_plan_relation_columns(const YkPlan *plan, size_t relation, YkColumn *columns);
 // Puts a relation into the group of these columns.
 void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *columns, size_t count);
-void yk_plan_note_turn(YkPlan *plan, const YkStep *step); // notes that a TURN or COMPOSE step was made
+void yk_plan_note_step(YkPlan *plan, const YkStep *step); // notes that a TURN, COMPOSE or DISTANCE step was made
 static inline bool yk_plan_body_known(const YkPlan *plan, int32_t body)
 {
     return plan->cluster_known[plan->cluster[body]];

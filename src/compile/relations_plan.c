@@ -1,7 +1,7 @@
 // Relations in the plan: once all but one of its angles and distances are known, a relation gives the last.
 //
-// An angle that is a sum of inputs is kept as such a sum (a *form*), so that gear trains stay exact over any number of
-// turns; an angle that loops place is taken nearest to a reference that follows the motion.
+// What is a sum of inputs is kept as such a sum (a *form*), so that trains of gears and racks stay exact over any number
+// of turns; an angle that loops place is taken nearest to a reference that follows the motion.
 #include "base/memory.h"
 #include "compile/plan.h"
 #include "compile/relations.h"
@@ -16,11 +16,24 @@ typedef struct YkInputSum {
 static YkInputSum *forms_of(YkPlan *plan)
 {
     if (!plan->forms) {
-        plan->forms = YK_NEW(plan->arena, YkInputSum, plan->mech->slot_count + plan->mech->orientation_count + 1);
+        size_t slots = plan->mech->slot_count + plan->mech->orientation_count + 1;
+        plan->forms = YK_NEW(plan->arena, YkInputSum, slots + plan->mech->distance_count);
+        plan->distance_forms = yk_from(plan->forms, slots);
         if (plan->forms) plan->forms[0].is_known = true; // the ground
     }
     if (!plan->forms) plan->failed = true;
     return plan->forms;
+}
+
+static YkInputSum *form_of(const YkPlan *plan, YkRelationTerm term)
+{
+    return (term.is_distance ? plan->distance_forms : plan->forms) + term.index;
+}
+
+// Returns x + y, or 0 where that is but rounding: over hundreds of turns of an input, rounding would be a miss.
+static double sum_of(double x, double y)
+{
+    return fabs(x + y) < 1e-12 * (fabs(x) + fabs(y)) ? 0 : x + y;
 }
 
 // Adds target += factor * form.
@@ -37,32 +50,29 @@ static void add_form(YkPlan *plan, YkInputSum *target, const YkInputSum *form, d
         size_t at = 0;
         while (at < count && sources[at].index != form->sources[k].index) at++;
         if (at == count) sources[count++] = (YkRelationSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, 0};
-        sources[at].factor += factor * form->sources[k].factor;
+        sources[at].factor = sum_of(sources[at].factor, factor * form->sources[k].factor);
     }
     target->sources = sources;
     target->count = count;
     target->constant += factor * form->constant;
 }
 
-static void note_turn(YkPlan *plan, const YkStep *step)
+// Adds two forms: the parent's, which is the ground's for a distance, and an input or what turns with the parent.
+static void note_step(YkPlan *plan, const YkStep *step)
 {
-    YkInputSum *forms = plan->forms;
-    YkInputSum *form = &forms[step->target];
-    if (step->kind == YK_STEP_TURN && forms[step->parent].is_known) {
-        YkInputSum input = {true, step->offset, &(YkRelationSource){YK_SOURCE_INPUT, step->input, YK_NONE, 1}, 1};
-        add_form(plan, form, &forms[step->parent], 1);
-        add_form(plan, form, &input, step->sign);
-        form->is_known = true;
-    } else if (step->kind == YK_STEP_COMPOSE && forms[step->parent].is_known && forms[step->other].is_known) {
-        add_form(plan, form, &forms[step->parent], 1);
-        add_form(plan, form, &forms[step->other], 1);
-        form->is_known = true;
-    }
+    bool is_composed = step->kind == YK_STEP_COMPOSE;
+    YkInputSum input = {true, step->offset, &(YkRelationSource){YK_SOURCE_INPUT, step->input, YK_NONE, 1}, 1};
+    const YkInputSum *parent = &plan->forms[step->parent], *other = is_composed ? &plan->forms[step->other] : &input;
+    if (!parent->is_known || !other->is_known) return;
+    YkInputSum *form = form_of(plan, (YkRelationTerm){step->kind == YK_STEP_DISTANCE, step->target, 0});
+    add_form(plan, form, parent, 1);
+    add_form(plan, form, other, is_composed ? 1 : step->sign);
+    form->is_known = true;
 }
 
-void yk_plan_note_turn(YkPlan *plan, const YkStep *step)
+void yk_plan_note_step(YkPlan *plan, const YkStep *step)
 {
-    if (plan->mech->relation_count > 0 && forms_of(plan)) note_turn(plan, step);
+    if (plan->mech->relation_count > 0 && forms_of(plan)) note_step(plan, step);
 }
 
 static bool is_known(const YkPlan *plan, YkRelationTerm term)
@@ -118,7 +128,7 @@ static void add_source(YkPlan *plan, YkRelationSource source, uint32_t first)
     YkMechanism *mech = plan->mech;
     for (size_t k = first; k < mech->source_count; k++) {
         if (mech->sources[k].kind != source.kind || mech->sources[k].index != source.index) continue;
-        mech->sources[k].factor += source.factor;
+        mech->sources[k].factor = sum_of(mech->sources[k].factor, source.factor);
         return;
     }
     if (!YK_ROOM(mech->sources, mech->source_count, mech->source_capacity)) {
@@ -134,17 +144,13 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
 {
     YkMechanism *mech = plan->mech;
     if (factor == 0) return 0;
-    if (term.is_distance) {
-        add_source(plan, (YkRelationSource){YK_SOURCE_DISTANCE, term.index, YK_NONE, factor}, first);
-        return 0;
-    }
-    int32_t slot = term.index;
     // Takes only the part beyond the target's group.
-    if (skip_root >= 0 && mech->group_root[slot] == skip_root) slot = mech->relative_slot[slot];
-    if (slot == 0) return 0;
-    const YkInputSum *form = &plan->forms[slot];
+    if (!term.is_distance && skip_root >= 0 && mech->group_root[term.index] == skip_root)
+        term.index = mech->relative_slot[term.index];
+    const YkInputSum *form = form_of(plan, term);
     if (!form->is_known) {
-        add_source(plan, (YkRelationSource){YK_SOURCE_SLOT, slot, YK_NONE, factor}, first);
+        YkSourceKind kind = term.is_distance ? YK_SOURCE_DISTANCE : YK_SOURCE_SLOT;
+        add_source(plan, (YkRelationSource){kind, term.index, YK_NONE, factor}, first);
         return 0;
     }
     for (size_t k = 0; k < form->count; k++)
@@ -158,11 +164,11 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
 // Notes the target's own form if all its sources are inputs.
 static void note_form(YkPlan *plan, const YkRelation *r)
 {
-    if (r->target.is_distance || r->law) return;
+    if (r->law) return;
     YkInputSum form = {true, r->offset, yk_from(plan->mech->sources, r->first_source), r->source_count};
     for (uint32_t k = 0; k < r->source_count; k++)
         if (form.sources[k].kind != YK_SOURCE_INPUT) return;
-    YkInputSum *target = &plan->forms[r->target.index];
+    YkInputSum *target = form_of(plan, r->target);
     add_form(plan, target, &form, 1);
     target->is_known = true;
 }
@@ -189,15 +195,16 @@ static double add_any_term(YkPlan *plan, YkRelationTerm term, double factor, uin
     return term.is_distance ? 0 : add_term(plan, term, factor, first, root.index);
 }
 
-// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant).
-static void write_sources(YkPlan *plan, YkRelation *r, double times, const Columns *columns)
+// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant), with the terms
+// of `from`: the relation itself, or its sum with others.
+static void write_sources(YkPlan *plan, YkRelation *r, const YkRelation *from, double times, const Columns *columns)
 {
     YkMechanism *mech = plan->mech;
     r->gain = -times;
-    r->offset = -times * r->constant;
+    r->offset = -times * from->constant;
     r->first_source = (uint32_t)mech->source_count;
-    for (uint32_t k = 0; k < r->term_count; k++) {
-        YkRelationTerm term = mech->relation_terms[r->first_term + k];
+    for (uint32_t k = 0; k < from->term_count; k++) {
+        YkRelationTerm term = mech->relation_terms[from->first_term + k];
         r->offset += add_any_term(plan, term, times * term.factor, r->first_source, columns);
     }
     r->source_count = (uint32_t)mech->source_count - r->first_source;
@@ -215,20 +222,20 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
     YkRelation *r = &plan->mech->relations[index];
     r->is_solved = true;
     r->target = unknown;
-    write_sources(plan, r, -1 / unknown.factor, &(Columns){0});
+    write_sources(plan, r, r, -1 / unknown.factor, &(Columns){0});
     note_form(plan, r);
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_RELATION, .target = (int32_t)index});
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
 }
 
-// Makes a check: everything that the relation ties is known, so it repeats others, and the pose has to fit it. Factors that
-// are rounding would turn hundreds of turns of an input into a miss.
-static void check(YkPlan *plan, size_t index)
+// Makes a check of a relation that repeats others: the pose has to fit it, or its sum with them. Factors that are rounding
+// would turn hundreds of turns of an input into a miss.
+static void check(YkPlan *plan, size_t index, const YkRelation *from)
 {
     YkRelation *r = &plan->mech->relations[index];
     r->is_redundant = true;
     r->weight = yk_relation_weight(plan->mech, r);
-    write_sources(plan, r, r->weight, &(Columns){0});
+    write_sources(plan, r, from, r->weight, &(Columns){0});
     for (size_t k = r->first_source; k < plan->mech->source_count; k++)
         if (fabs(plan->mech->sources[k].factor) < 1e-12 * plan->mech->size) plan->mech->sources[k].factor = 0;
     yk_plan_step(plan, (YkStep){.kind = YK_STEP_CHECK, .target = (int32_t)index});
@@ -263,7 +270,7 @@ void yk_plan_group_relation(YkPlan *plan, size_t relation, const YkColumn *colum
     mech->group_relations[mech->group_relation_count++] = (int32_t)relation;
     r->is_solved = true;
     r->weight = yk_relation_weight(mech, r);
-    write_sources(plan, r, r->weight, &(Columns){columns, count});
+    write_sources(plan, r, r, r->weight, &(Columns){columns, count});
 }
 
 // --- several at once
@@ -275,11 +282,20 @@ typedef struct Rows {
     int32_t *relation;       // [share]
     int32_t *own;            // [row]: the relation that it was at first
     YkRelationTerm *unknown; // [column]
-    double *factor;          // [row][column]
-    double *share;           // [row][row]
+    double *cell;            // [row][share, then column]
 } Rows;
 
 enum { ROWS_MAX = 400 };
+
+static double *shares_of(const Rows *rows, size_t row)
+{
+    return rows->cell + row * (rows->count + rows->columns);
+}
+
+static double *factors_of(const Rows *rows, size_t row)
+{
+    return shares_of(rows, row) + rows->count;
+}
 
 static size_t column_of(Rows *rows, YkRelationTerm root)
 {
@@ -310,20 +326,19 @@ static bool gather(YkPlan *plan, Rows *rows)
     }
     if (rows->count < 2 || rows->count > ROWS_MAX) return false;
     rows->unknown = YK_NEW(plan->arena, YkRelationTerm, unknowns + 1);
-    rows->factor = YK_NEW(plan->arena, double, rows->count *(unknowns + 1));
-    rows->share = YK_NEW(plan->arena, double, rows->count * rows->count);
+    rows->cell = YK_NEW(plan->arena, double, rows->count *(rows->count + unknowns + 1));
     rows->own = YK_NEW(plan->arena, int32_t, rows->count);
     if (yk_arena_failed(plan->arena)) return false;
     for (int pass = 0; pass < 2; pass++) // first the columns, then, once their number is known, the factors
         for (size_t i = 0; i < rows->count; i++) {
             const YkRelation *r = &mech->relations[rows->relation[i]];
             rows->own[i] = rows->relation[i];
-            rows->share[i * rows->count + i] = 1;
+            if (pass == 1) shares_of(rows, i)[i] = 1;
             for (uint32_t k = 0; k < r->term_count; k++) {
                 YkRelationTerm term = mech->relation_terms[r->first_term + k];
                 if (is_known(plan, term)) continue;
                 size_t c = column_of(rows, root_of(plan, term));
-                if (pass == 1) rows->factor[i * rows->columns + c] += term.factor;
+                if (pass == 1) factors_of(rows, i)[c] += term.factor;
             }
         }
     return true;
@@ -331,12 +346,8 @@ static bool gather(YkPlan *plan, Rows *rows)
 
 static void subtract_row(Rows *rows, size_t i, size_t from, double times)
 {
-    for (size_t c = 0; c < rows->columns; c++) {
-        double *x = &rows->factor[i * rows->columns + c], y = times * rows->factor[from * rows->columns + c];
-        *x = fabs(*x - y) < 1e-12 * (fabs(*x) + fabs(y)) ? 0 : *x - y;
-    }
-    for (size_t k = 0; k < rows->count; k++)
-        rows->share[i * rows->count + k] -= times * rows->share[from * rows->count + k];
+    double *x = shares_of(rows, i), *y = shares_of(rows, from);
+    for (size_t k = 0; k < rows->count + rows->columns; k++) x[k] = sum_of(x[k], -times * y[k]);
 }
 
 static void swap_rows(Rows *rows, size_t i, size_t j)
@@ -344,15 +355,11 @@ static void swap_rows(Rows *rows, size_t i, size_t j)
     int32_t own = rows->own[i];
     rows->own[i] = rows->own[j];
     rows->own[j] = own;
-    for (size_t c = 0; c < rows->columns; c++) {
-        double x = rows->factor[i * rows->columns + c];
-        rows->factor[i * rows->columns + c] = rows->factor[j * rows->columns + c];
-        rows->factor[j * rows->columns + c] = x;
-    }
-    for (size_t k = 0; k < rows->count; k++) {
-        double x = rows->share[i * rows->count + k];
-        rows->share[i * rows->count + k] = rows->share[j * rows->count + k];
-        rows->share[j * rows->count + k] = x;
+    double *x = shares_of(rows, i), *y = shares_of(rows, j);
+    for (size_t k = 0; k < rows->count + rows->columns; k++) {
+        double kept = x[k];
+        x[k] = y[k];
+        y[k] = kept;
     }
 }
 
@@ -363,12 +370,12 @@ static void reduce(Rows *rows)
     for (size_t c = 0; c < rows->columns && rank < rows->count; c++) {
         size_t best = rank;
         for (size_t i = rank; i < rows->count; i++)
-            if (fabs(rows->factor[i * rows->columns + c]) > fabs(rows->factor[best * rows->columns + c])) best = i;
-        double pivot = rows->factor[best * rows->columns + c];
+            if (fabs(factors_of(rows, i)[c]) > fabs(factors_of(rows, best)[c])) best = i;
+        double pivot = factors_of(rows, best)[c];
         if (fabs(pivot) < 1e-12) continue;
         if (best != rank) swap_rows(rows, best, rank);
         for (size_t i = 0; i < rows->count; i++) {
-            double x = rows->factor[i * rows->columns + c];
+            double x = factors_of(rows, i)[c];
             if (i != rank && x != 0) subtract_row(rows, i, rank, x / pivot);
         }
         rank++;
@@ -383,7 +390,7 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
     YkRelation *sum = &mech->relations[index];
     *sum = (YkRelation){.kind = YK_RELATION_GEAR, .first_term = (uint32_t)mech->relation_term_count};
     for (size_t k = 0; k < rows->count; k++) {
-        double share = rows->share[row * rows->count + k];
+        double share = shares_of(rows, row)[k];
         const YkRelation *r = &mech->relations[rows->relation[k]];
         if (share == 0) continue;
         sum->name = r->name;
@@ -398,15 +405,12 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
     return index;
 }
 
-// Drops the rounding that remains in the factors of distances that a row does not determine. Angles keep theirs: the root of
-// a group cancels, but not what its orientations turn relative to each other, which is known.
-static void drop_rounding(const YkPlan *plan, const YkRelation *sum, YkRelationTerm wanted)
+// Handles a row without unknowns: the relation that it was at first repeats others. In their sum all that they tie cancels,
+// so that it does not matter how often a wheel has turned.
+static void check_row(YkPlan *plan, const Rows *rows, size_t row)
 {
-    for (uint32_t k = 0; k < sum->term_count; k++) {
-        YkRelationTerm *term = &plan->mech->relation_terms[sum->first_term + k];
-        bool is_wanted = wanted.is_distance && wanted.index == term->index;
-        if (term->is_distance && !is_wanted && !plan->distance_known[term->index]) term->factor = 0;
-    }
+    size_t sum = derive(plan, rows, row);
+    check(plan, (size_t)rows->own[row], &plan->mech->relations[sum]);
 }
 
 // Solves what the relations determine together; returns whether there was anything.
@@ -420,17 +424,15 @@ static bool solve_together(YkPlan *plan)
         if (plan->mech->derived_count == plan->mech->relation_count) break; // each derived relation uses one up
         size_t single = rows.columns, count = 0;
         for (size_t c = 0; c < rows.columns; c++)
-            if (rows.factor[i * rows.columns + c] != 0) {
+            if (factors_of(&rows, i)[c] != 0) {
                 single = c;
                 count++;
             }
-        if (count == 0)
-            plan->mech->relations[rows.own[i]].is_redundant = true; // checked once all that it ties is known
+        if (count == 0) check_row(plan, &rows, i);
         if (count != 1 || is_known(plan, rows.unknown[single])) continue;
         size_t index = derive(plan, &rows, i);
         YkRelationTerm unknown = rows.unknown[single];
-        drop_rounding(plan, &plan->mech->relations[index], unknown);
-        unknown.factor = rows.factor[i * rows.columns + single];
+        unknown.factor = factors_of(&rows, i)[single];
         solve(plan, index, unknown);
         solved = true;
     }
@@ -450,10 +452,10 @@ bool yk_plan_relations(YkPlan *plan)
     for (size_t k = 0; k < mech->relation_count && !plan->failed; k++) {
         YkRelation *r = &mech->relations[k];
         YkRelationTerm unknown = {0};
-        if (r->is_solved || r->weight > 0) continue; // one that is checked has a weight
+        if (r->is_solved || r->is_redundant) continue;
         size_t count = find_unknown(plan, r, &unknown);
-        if (count == 0) check(plan, k);
-        if (count != 1 || r->is_redundant) continue;
+        if (count == 0) check(plan, k, r);
+        if (count != 1) continue;
         solve(plan, k, unknown);
         solved = true;
     }

@@ -284,7 +284,7 @@ static void change(YkWitness *witness, const YkState *from, const YkState *to)
     bool was_closed = goes_on && c->chain.piece_count == 0; // all in closed form: the new groups alone can tell
     double off = goes_on ? gap_between(from, to) : 0;
     if (goes_on && !was_closed && c->last.stands && !stands_for(c, from, off)) note_change(c);
-    c->has_failed = !make_chain(c, to->mech);
+    if (!make_chain(c, to->mech)) c->has_failed = true;
     begin(witness, to);
     if (was_closed && c->last.stands && !stands_for(c, to, off)) note_change(c);
 }

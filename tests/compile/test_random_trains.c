@@ -7,19 +7,10 @@
 
 enum { TRAINS = 400 };
 
-// Angles that follow from a distance or by a law are known but for whole turns.
-static bool has_distance_input(const YkMechanism *mech)
-{
-    bool has_some = false;
-    for (size_t i = 0; i < yk_input_count(mech); i++)
-        has_some |= yk_coordinate_info(mech, yk_input_coordinate(mech, i)).is_distance;
-    return has_some;
-}
-
 // Every tie holds with rates and accelerations, to the rounding of what moves farthest.
 static void check_ties(const Train *t, const YkState *state, const YkMechanism *mech)
 {
-    bool is_known_by_turns = has_distance_input(mech) || mech->model->follow_count > 0;
+    bool is_known_by_turns = mech->model->follow_count > 0; // angles that follow by a law
     YkMotion q[BODIES] = {{0, 0, 0}};
     for (int b = 1; b < t->bodies; b++) {
         char name[8];
@@ -65,7 +56,7 @@ static void set_inputs(YkState *state, const YkMechanism *mech, uint64_t *seed)
 {
     for (size_t i = 0; i < yk_input_count(mech); i++) {
         YkMotion q = yk_state_input(state, i);
-        q.position += check_uniform(seed, -1, 1) * (has_distance_input(mech) ? 1e-3 : 1000); // hundreds of turns
+        q.position += check_uniform(seed, -1, 1) * 1000; // hundreds of turns
         q.velocity = check_uniform(seed, -2, 2);
         q.acceleration = check_uniform(seed, -2, 2);
         yk_state_set_input(state, i, q);

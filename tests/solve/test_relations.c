@@ -352,6 +352,45 @@ static void poses_are_as_far_apart_as_their_farthest_coordinates(void **unused)
     machine_free(&m);
 }
 
+// Belts that repeat one that closes a geared linkage leave the start what it is, whatever turns the wheel has made.
+static void repeated_belts_leave_the_start_nearest(void **unused)
+{
+    (void)unused;
+    static const char drag_link[] = "bodies:\n"
+                                    "  ground: {points: {A: [0, 0], D: [1, 0], P: [4, 4]}}\n"
+                                    "  crank: {points: {A: [0, 0], B: [3, 0]}}\n"
+                                    "  coupler: {points: {B: [0, 0], C: [3.5, 0]}}\n"
+                                    "  sun: {points: {D: [0, 0], C: [2.9, 0]}}\n"
+                                    "  wheel: {points: {P: [0, 0]}}\n"
+                                    "joints:\n"
+                                    "  A: {pin: [ground, crank], angle: th}\n"
+                                    "  D: {pin: [ground, sun], angle: phi}\n"
+                                    "  B: {pin: [crank, coupler], angle: be}\n"
+                                    "  C: {pin: [coupler, sun]}\n"
+                                    "  P: {pin: [ground, wheel], angle: q}\n"
+                                    "start: {th: -2.82, be: 2.27248, phi: -1.87109}\n"
+                                    "belts:\n"
+                                    "  m0: {between: [wheel, crank], radii: [0.03125, 0.03125], crossed: true}\n"
+                                    "  m1: {between: [sun, wheel], radii: [0.09375, 0.140625]}\n";
+    static const char *const repeated[] = {"", "  m2: {between: [sun, wheel], radii: [0.09375, 0.140625]}\n",
+                                           "  m2: {between: [sun, wheel], radii: [0.1875, 0.28125]}\n"};
+    for (size_t k = 0; k < 3; k++) {
+        char text[2000];
+        snprintf(text, sizeof text, "%s%s", drag_link, repeated[k]);
+        Machine m = machine_parse(text, false);
+        YkState *state = m.state;
+        assert_int_equal(yk_state_assemble(state), k == 0 ? YK_OK : YK_REDUNDANT);
+        double th = yk_state_coordinate(state, yk_coordinate_find(m.mech, "th")).position;
+        double phi = yk_state_coordinate(state, yk_coordinate_find(m.mech, "phi")).position;
+        double x = 1 + 2.9 * cos(phi) - 3 * cos(th), y = 2.9 * sin(phi) - 3 * sin(th);
+        CHECK_NEAR(hypot(x, y), 3.5, 1e-9);                          // the loop
+        CHECK_NEAR(remainder(2 * phi + 3 * th, 2 * YK_PI), 0, 1e-9); // the belts
+        CHECK_NEAR(th, -2.82, 0.1);
+        CHECK_NEAR(phi, -1.87109, 0.1);
+        machine_free(&m);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -364,6 +403,7 @@ int main(void)
         cmocka_unit_test(rates_are_differences_of_positions),
         cmocka_unit_test(a_pose_is_adopted_where_it_closes),
         cmocka_unit_test(a_pose_is_not_adopted_where_it_does_not_close),
+        cmocka_unit_test(repeated_belts_leave_the_start_nearest),
         cmocka_unit_test(poses_are_as_far_apart_as_their_farthest_coordinates),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
