@@ -1,4 +1,4 @@
-// Where a lock holds what the file does not place.
+// A warning about coordinates that a lock holds and the file does not place.
 #ifndef CLI_HELD_PLACES_H
 #define CLI_HELD_PLACES_H
 #include "cli.h"

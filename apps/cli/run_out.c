@@ -1,4 +1,4 @@
-// What a run keeps in memory, and whether it ran out of it.
+// Things that a run keeps in memory, and whether memory ran out.
 #include <stdlib.h>
 #include "session.h"
 

@@ -1,4 +1,4 @@
-// Where the search for a pose begins, as the model says.
+// The coordinates at which the search for a pose begins, as the model gives them.
 #include "compile/topology.h"
 
 void yk_start_guess(const YkMechanism *mech, double *guess)

@@ -103,23 +103,28 @@ static void add_field(Code *code, const YkLine *line)
     yk_ring_graph_define(&code->graph, line->solved, value);
 }
 
-// Adds a loop's equation; one array holds them all.
+static Result *find_result(const Code *code, const char *name)
+{
+    for (size_t k = code->first_result; k < code->result_count; k++)
+        if (code->results[k].name && strcmp(code->results[k].name, name) == 0) return &code->results[k];
+    return NULL;
+}
+
+// Adds the equation of a loop or a relation. One array holds them all: the values of what came between make room.
 static void add_row(Code *code, const YkLine *line)
 {
-    Result *last = code->result_count > code->first_result ? &code->results[code->result_count - 1] : NULL;
-    if (!last || !last->name || strcmp(last->name, "Phi") != 0) last = add_result(code, "Phi", -1, 0, 1);
-    if (last) last->rows++;
+    Result *rows = find_result(code, "Phi");
+    if (!rows) rows = add_result(code, "Phi", -1, 0, 1);
     add_value(code, value_of(code, line->over, line->under));
+    if (!rows || code->failed) return;
+    size_t at = rows->first + rows->rows++, last = code->value_count - 1;
+    YkRef value = code->values[last];
+    memmove(code->values + at + 1, code->values + at, (last - at) * sizeof value);
+    code->values[at] = value;
+    for (size_t k = (size_t)(rows - code->results) + 1; k < code->result_count; k++) code->results[k].first++;
 }
 
 // --- Names: p^{A/O} is p_A_O; a name that two lines share gets a number
-
-static bool is_taken(const Code *code, const char *name)
-{
-    for (size_t k = code->first_result; k < code->result_count; k++)
-        if (code->results[k].name && strcmp(code->results[k].name, name) == 0) return true;
-    return false;
-}
 
 static const char *name_of(Code *code, const YkPagePiece *piece)
 {
@@ -134,7 +139,7 @@ static const char *name_of(Code *code, const YkPagePiece *piece)
         }
     }
     size_t length = name.length;
-    for (unsigned number = 2; !name.failed && is_taken(code, yk_text_get(&name)); number++) {
+    for (unsigned number = 2; !name.failed && find_result(code, yk_text_get(&name)); number++) {
         name.length = length;
         yk_text_format(&name, "_%u", number);
     }
@@ -392,7 +397,7 @@ static void put_all(Code *code, YkText *text)
 // A variable is not called like what the function gives.
 static const char *name_of_variable(void *code, const char *wish)
 {
-    return is_taken(code, wish) ? yk_graph_text(&((Code *)code)->graph.graph, "%s_", wish) : wish;
+    return find_result(code, wish) ? yk_graph_text(&((Code *)code)->graph.graph, "%s_", wish) : wish;
 }
 
 static bool start(Code *code)

@@ -86,7 +86,7 @@ typedef struct YkGather {
 } YkGather;
 
 typedef struct YkPatterns YkPatterns;
-// Where the names stand in what was written last.
+// The names in the text that was written last.
 typedef struct YkMark {
     size_t at, length; // in the text
     int32_t symbol;

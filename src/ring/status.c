@@ -1,4 +1,4 @@
-// What went wrong in a ring, and the limits of its work.
+// The status of a ring - what went wrong in it - and the limits of its work.
 #include "ring/inside.h"
 
 const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status)

@@ -1,4 +1,4 @@
-// What dragging with one free input (drag.c) and with several (drag_many.c) share: the pose that stands, the stops, a walk.
+// Shared by dragging with one free input (drag.c) and with several (drag_many.c): the pose that stands, the stops, a walk.
 #ifndef SWEEP_DRAG_WALK_H
 #define SWEEP_DRAG_WALK_H
 #include <yoke/drag.h>

@@ -103,10 +103,11 @@ static double reach(Scan *scan, YkState *home, double from, double to)
     YkPath path;
     yk_state_copy(scan->path.state, home);
     yk_path_start(&path, scan->path.state, scan->path.state->mech->inputs[scan->path.input]);
-    bool ok = yk_walk_start(&walk, path, 2 * YK_PI / 180) && yk_path_probe(&walk.path, from, true) >= 0;
+    bool has_memory = yk_walk_start(&walk, path, 2 * YK_PI / 180);
+    bool closes = has_memory && yk_path_probe(&walk.path, from, true) >= 0;
     walk.from = from;
-    double end = !ok ? from : yk_walk_go(&walk, from, to) ? to : walk.path.last;
-    if (!walk.margins || !walk.flipped_at || !walk.path.others || walk.failed) end = (double)NAN;
+    double end = !closes ? from : yk_walk_go(&walk, from, to) ? to : walk.path.last;
+    if (!has_memory || walk.failed) end = (double)NAN;
     yk_walk_end(&walk);
     return end;
 }

@@ -128,6 +128,30 @@ class Generated(Case):
         self.assertGreater(share * sum(counts.values()), at_least(900))
         self.assertGreater(share * sum(1 for count in counts.values() if count), at_least(50))
 
+    def test_loops_slides_and_gears_share_one_array_of_equations(self):
+        example = self.path("beside.yaml")
+        with open(example, "w", encoding="utf-8") as file:
+            file.write("""bodies:
+  ground: {points: {O: [0, 0], Q: [3, 0], R: [0, 4], W: [6, 1]}}
+  crank: {points: {O: [0, 0], A: [1, 0]}}
+  rod: {points: {A: [0, 0], B: [2.5, 0]}}
+  rocker: {points: {Q: [0, 0], B: [2, 0]}}
+  block: {points: {R: [0, 0]}}
+  wheel: {points: {W: [0, 0]}}
+joints:
+  O: {pin: [ground, crank], angle: a}
+  A: {pin: [crank, rod], angle: b}
+  Q: {pin: [ground, rocker], angle: c}
+  B: {pin: [rod, rocker]}
+  R: {slide: [ground, block], along: 30 deg, from: R, distance: s}
+  W: {pin: [ground, wheel], angle: w}
+gears: {g: {mesh: [crank, wheel], teeth: [20, 40]}}
+start: {a: 1, b: 5, c: 1.2, s: 0.5}
+""")
+        arrays, _ = results(self.good("derive", example, "-q", "--format", "c").out)["loops"]
+        self.assertEqual([sizes for name, sizes in arrays if name == "Phi"], [[3]])  # two of the loop, one of the gear
+        self.assertGreater(self.compare(example), 20)
+
     def test_a_function_is_called_with_fields_of_ones_own(self):
         example = os.path.join(ROOT, "examples", "quick-return.yaml")
         solved = self.good("solve", example, "--format", "json").json()["configurations"][0]["coordinates"]

@@ -40,7 +40,7 @@ static void check_formulas(Machine *m, const char *name)
 
 static size_t slidings_seen;
 
-// The value of the vector that a line of this group gives the name; the group ends with the next heading.
+// Returns the value of the vector to which a line of this group gives the name; the group ends with the next heading.
 static YkVec named_vector(const Machine *m, const YkLine *line, const char *name)
 {
     for (line = line->next; line && line->kind != YK_LINE_HEADING; line = line->next) {
@@ -58,7 +58,7 @@ static YkVec named_vector(const Machine *m, const YkLine *line, const char *name
     return yk_vec(NAN, NAN);
 }
 
-// How many accelerations of points the sums of this group have, or how often that of the one.
+// Returns how many accelerations of points the sums of this group have, or how often they have that of one point.
 static int points_in(const YkLine *line, const char *point)
 {
     int count = 0;

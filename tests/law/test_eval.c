@@ -33,6 +33,20 @@ static void a_law_with_a_period_repeats_itself(void **state)
     }
 }
 
+// Evaluates the law at many places at once and at each alone: value, slope and curvature have the same bits.
+static void check_lanes(const YkLaw *law, const double *x, size_t count)
+{
+    enum { MOST = 200 };
+    double value[MOST], slope[MOST], curvature[MOST], *const d[] = {value, slope, curvature};
+    assert_true(count <= MOST);
+    yk_law_eval_lanes(law, x, d, count);
+    for (size_t k = 0; k < count; k++)
+        for (int m = 0; m < 3; m++) {
+            double one = law_value(law, x[k], m);
+            assert_memory_equal(&d[m][k], &one, sizeof one);
+        }
+}
+
 // Across pieces, in other periods, outside the range.
 static void many_places_have_the_bits_of_one(void **state)
 {
@@ -47,14 +61,9 @@ static void many_places_have_the_bits_of_one(void **state)
         assert_int_equal(yk_law_add_fall(bench.builder, 5, 5, &parabolas), YK_LAW_OK);
         assert_int_equal(yk_law_add_dwell(bench.builder, 2 * YK_PI - 1), YK_LAW_OK);
         const YkLaw *law = bench_finish(&bench, periodic * 2 * YK_PI);
-        double x[PLACES], value[PLACES], first[PLACES], second[PLACES], *const d[] = {value, first, second};
+        double x[PLACES];
         for (int k = 0; k < PLACES; k++) x[k] = -2 + 0.06 * k;
-        yk_law_eval_lanes(law, x, d, PLACES);
-        for (int k = 0; k < PLACES; k++)
-            for (int m = 0; m < 3; m++) {
-                double one = law_value(law, x[k], m);
-                assert_memory_equal(&d[m][k], &one, sizeof one);
-            }
+        check_lanes(law, x, PLACES);
         bench_free(&bench);
     }
 }
@@ -74,14 +83,9 @@ static void lanes_have_the_bits_of_one_in_polynomials_of_all_degrees(void **stat
         if (terms == 1) assert_int_equal(yk_law_add_dwell(bench.builder, 2), YK_LAW_OK);
         if (terms > 1) assert_int_equal(yk_law_add_polynomial(bench.builder, conditions, terms), YK_LAW_OK);
         const YkLaw *law = bench_finish(&bench, 0);
-        double x[PLACES], value[PLACES], first[PLACES], second[PLACES], *const d[] = {value, first, second};
+        double x[PLACES];
         for (int k = 0; k < PLACES; k++) x[k] = check_uniform(&seed, -1, 2);
-        yk_law_eval_lanes(law, x, d, PLACES);
-        for (int k = 0; k < PLACES; k++)
-            for (int m = 0; m < 3; m++) {
-                double one = law_value(law, x[k], m);
-                assert_memory_equal(&d[m][k], &one, sizeof one);
-            }
+        check_lanes(law, x, PLACES);
         bench_free(&bench);
     }
 }

@@ -76,9 +76,9 @@ static void moves_survive(void **unused)
 {
     (void)unused;
     skip_unless_interposed();
-    static const char *const files[] = {"four-bar", "non-grashof", "stephenson-awkward"};
+    static const char *const files[] = {"four-bar", "non-grashof", "stephenson-awkward", "watt-with-masses"};
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
-        Task t = {.m = machine_load(files[k]), .span = k == 1 ? 4 : 0.3};
+        Task t = {.m = machine_load(files[k]), .span = k == 1 ? 4 : k == 3 ? 0.05 : 0.3};
         survive(move, &t, files[k]);
         machine_free(&t.m);
     }

@@ -1,4 +1,4 @@
-// What the forces of gears, racks, belts and cams are made of: unknowns, places, forces and couples on bodies.
+// The parts of the forces of gears, racks, belts and cams: unknowns, places, forces and couples on bodies.
 #include "derive/forces/meshes.h"
 #include "derive/inside.h"
 
@@ -48,7 +48,7 @@ void yk_mesh_force(YkMeshMaking *m, const char *letter, const int32_t body[2], c
     }
 }
 
-// Adds a couple under a name of its own: of a belt's wheels, neither carries the other's opposite.
+// Adds a couple under a name of its own, for the wheels of a belt: neither carries the opposite of the other's.
 void yk_mesh_couple(YkMeshMaking *m, int32_t body, const YkPoisson *moment)
 {
     const YkPoisson *zero = yk_ring_rational(m->ring, 0, 1);

@@ -4,18 +4,18 @@
 #include <string.h>
 #include "base/mix.h"
 
-// Machines of few symbols have few elements that are alike; others none, as long arms: signs are no longer made once
-// IN_VAIN_MAX more found nothing than found a pattern. Of long elements no pattern is kept.
+// A machine of few symbols has few elements that are alike. Some large ones, such as long arms, have none: once
+// IN_VAIN_MAX more signs have found nothing than have found a pattern, no more are made. Long elements get no pattern.
 enum { RING_SYMBOLS_MIN = 128, IN_VAIN_MAX = 100 };
 enum { WORDS_MAX = 128, SYMBOLS_MAX = 16, PLACES = 1024, PATTERNS_MAX = PLACES / 2, PADDING = 16 };
 
-// What decides how an element is written, without names: its terms, its symbols numbered as they occur, their classes
+// All that decides how an element is written but for names: its terms, its symbols numbered as they occur, their classes
 // and order, and what replaces them.
 typedef struct Sign {
     uint64_t words[WORDS_MAX], hash;
     size_t word_count, symbol_count;
     int32_t symbols[SYMBOLS_MAX];
-    uint8_t place[64]; // by a symbol's mark: its number, or of another one with this mark
+    uint8_t place[64]; // by a symbol's mark: its number, or that of another symbol with this mark
     bool is_good;      // otherwise too long, or with angles such as pi/7, whose names are of another kind
 } Sign;
 
@@ -176,7 +176,7 @@ bool yk_pattern_write(YkRing *ring, const YkRingView *view, YkRingFormat format,
     return pattern != NULL;
 }
 
-// Copies the text without the names, and lists these. Returns NULL when out of memory.
+// Copies the text without the names, and lists the names. Returns NULL when out of memory.
 static Pattern *make(YkRing *ring, const YkText *text, size_t start)
 {
     Sign *sign = &ring->patterns->sign;

@@ -7,8 +7,8 @@
 
 // Writes an element by the pattern of one that is alike. Returns false if there is none.
 bool yk_pattern_write(YkRing *ring, const YkRingView *view, YkRingFormat format, YkRingStyle style, YkText *text);
-// Keeps what was written of a real element from `start` on, with the names that ring->marks lists, if yk_pattern_write
-// has found no pattern and wants these marks.
+// Keeps the text of a real element from `start` on, with the names that ring->marks lists, as a pattern. Call it after
+// yk_pattern_write has found none and has asked for these marks.
 void yk_pattern_keep(YkRing *ring, const YkRingView *view, YkRingFormat format, YkRingStyle style, const YkText *text,
                      size_t start);
 
