@@ -30,7 +30,7 @@ typedef struct YkMotionCertificate {
     int input;            // the input that moved most on the first step that is not proved; -1: there is none
     double from, to;      // its values before and after that step
     char message[200];    // one sentence
-    // About the first step that is not proved; the names belong to the certifier:
+    // About the first step that is not proved; the names live as long as the certifier:
     const char *why;           // a clause, or "" if all is proved
     const char *joint;         // of the group, or of the dyad before it, that is not proved; "": not known, or all are
     const char *coordinate;    // the name of `input`: a simulation may have other inputs than the machine it began with

@@ -6,7 +6,7 @@ static const double full_turn = 6.28318530717958647692;
 
 const char *yk_stability_word(YkStability stability)
 {
-    static const char *const words[] = {"stable", "unstable", "neutral"};
+    static const char *const words[] = {"stable", "unstable", "neutral", "none"};
     return words[stability];
 }
 
