@@ -68,6 +68,60 @@ static void what_hangs_on_parameters_alone_is_known_as_such(void **state)
     assert_false(g->values[mixed].of_parameters);
 }
 
+static void check_number(const YkGraph *g, YkRef ref, double expected)
+{
+    assert_int_equal(g->values[ref].op, YK_VALUE_NUMBER);
+    CHECK_NEAR(g->values[ref].number, expected, 1e-15 * fabs(expected));
+}
+
+// An operation of numbers is what it gives; of a number and a leaf it stays, in its order.
+static void numbers_alone_are_folded(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    static const double x[] = {-2, -0.5, 0.3, 1.7, 3};
+    static const YkValueKind ops[] = {YK_VALUE_LEAST, YK_VALUE_LARGEST, YK_VALUE_ANGLE};
+    for (size_t i = 0; i < 5; i++) {
+        YkRef a = yk_graph_number(g, x[i]);
+        check_number(g, yk_graph_unary(g, YK_VALUE_ROOT, a), sqrt(fmax(x[i], 0)));
+        check_number(g, yk_graph_unary(g, YK_VALUE_PER_ROOT, a), x[i] > 0 ? 1 / sqrt(x[i]) : 1e18);
+        check_number(g, yk_graph_unary(g, YK_VALUE_SIZE, a), fabs(x[i]));
+        check_number(g, yk_graph_unary(g, YK_VALUE_NONZERO, a), fabs(x[i]));
+        assert_int_equal(yk_graph_choose(g, a, t->x, t->y), x[i] < 0 ? t->x : t->y);
+        for (size_t k = 0; k < 5; k++) {
+            YkRef b = yk_graph_number(g, x[k]);
+            check_number(g, yk_graph_binary(g, YK_VALUE_LEAST, a, b), fmin(x[i], x[k]));
+            check_number(g, yk_graph_binary(g, YK_VALUE_LARGEST, a, b), fmax(x[i], x[k]));
+            check_number(g, yk_graph_binary(g, YK_VALUE_ANGLE, a, b), atan2(x[i], x[k]));
+            check_number(g, yk_graph_divide(g, a, b), x[i] / x[k]);
+            check_number(g, yk_graph_subtract(g, a, b), x[i] - x[k]);
+        }
+        for (size_t k = 0; k < 3; k++) {
+            YkRef first = yk_graph_binary(g, ops[k], a, t->x), last = yk_graph_binary(g, ops[k], t->x, a);
+            assert_int_equal(g->values[first].op, ops[k]);
+            assert_true(g->values[first].a == a && g->values[first].b == t->x);
+            assert_int_equal(g->values[last].op, ops[k]);
+            assert_true(g->values[last].a == t->x && g->values[last].b == a);
+        }
+    }
+}
+
+// What is known of derivatives carries stamps that count up; when they run out, nothing of before is taken for new.
+static void derivatives_stay_right_when_their_stamps_begin_anew(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    YkRef product = yk_graph_multiply(g, t->x, t->y), sum = yk_graph_add(g, product, t->length);
+    for (int round = 0; round < 3; round++) {
+        assert_int_equal(yk_graph_derivative(g, sum, t->x), t->y);
+        assert_int_equal(yk_graph_derivative(g, product, t->length), yk_graph_number(g, 0));
+        g->memo.newest = UINT32_MAX - 2;
+        assert_int_equal(yk_graph_derivative(g, sum, t->y), t->x);
+        assert_int_equal(yk_graph_derivative(g, sum, t->length), yk_graph_number(g, 1));
+        g->memo.newest = UINT32_MAX - 2;
+    }
+}
+
 // The argument keeps every function within its range: 0.2 to 0.8.
 static void derivatives_agree_with_differences(void **state)
 {
@@ -146,6 +200,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(what_is_constant_is_folded_and_what_is_there_is_found, set_up, tear_down),
         cmocka_unit_test_setup_teardown(what_hangs_on_parameters_alone_is_known_as_such, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(numbers_alone_are_folded, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(derivatives_stay_right_when_their_stamps_begin_anew, set_up, tear_down),
         cmocka_unit_test_setup_teardown(derivatives_agree_with_differences, set_up, tear_down),
         cmocka_unit_test_setup_teardown(terms_are_joined, set_up, tear_down),
     };
