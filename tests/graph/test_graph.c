@@ -106,6 +106,25 @@ static void numbers_alone_are_folded(void **state)
     }
 }
 
+// A power of a number is a product, a quotient or a root where that is the same, and stays a power elsewhere: of a leaf too.
+static void powers_are_powers(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    static const double exponents[] = {-9, -8, -3, -1, -0.5, 0, 0.5, 1, 1.5, 2, 7, 8, 9};
+    for (size_t k = 0; k < sizeof exponents / sizeof *exponents; k++) {
+        double e = exponents[k], x = 1.37;
+        YkRef number = yk_graph_number(g, e), power = yk_graph_power(g, t->x, number);
+        CHECK_NEAR(value(t, power, x, 2), pow(x, e), 1e-14 * pow(x, e));
+        bool is_short = (e == rint(e) && fabs(e) <= 8) || e == 0.5;
+        assert_int_equal(g->values[power].op == YK_VALUE_POWER, !is_short);
+        check_number(g, yk_graph_power(g, yk_graph_number(g, x), number), pow(x, e));
+        YkRef other = yk_graph_power(g, number, t->x);
+        if (e > 0) CHECK_NEAR(value(t, other, x, 2), pow(e, x), 1e-14 * pow(e, x));
+    }
+    CHECK_NEAR(value(t, yk_graph_power(g, t->x, t->y), 1.37, 2.2), pow(1.37, 2.2), 1e-14);
+}
+
 // What is known of derivatives carries stamps that count up; when they run out, nothing of before is taken for new.
 static void derivatives_stay_right_when_their_stamps_begin_anew(void **state)
 {
@@ -202,6 +221,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(what_hangs_on_parameters_alone_is_known_as_such, set_up, tear_down),
         cmocka_unit_test_setup_teardown(numbers_alone_are_folded, set_up, tear_down),
         cmocka_unit_test_setup_teardown(derivatives_stay_right_when_their_stamps_begin_anew, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(powers_are_powers, set_up, tear_down),
         cmocka_unit_test_setup_teardown(derivatives_agree_with_differences, set_up, tear_down),
         cmocka_unit_test_setup_teardown(terms_are_joined, set_up, tear_down),
     };
