@@ -125,6 +125,23 @@ static void powers_are_powers(void **state)
     CHECK_NEAR(value(t, yk_graph_power(g, t->x, t->y), 1.37, 2.2), pow(1.37, 2.2), 1e-14);
 }
 
+// Each operation counts once, however often it is used; signs, leaves and what depends on parameters alone cost nothing.
+static void operations_are_counted_once(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    YkRef product = yk_graph_multiply(g, t->x, t->y), sine = yk_graph_function(g, YK_SIN, product, YK_NONE);
+    YkRef sum = yk_graph_add(g, product, sine), minus = yk_graph_minus(g, product);
+    YkRef fixed = yk_graph_multiply(g, t->length, t->length), mixed = yk_graph_multiply(g, fixed, t->x);
+    YkRef chosen = yk_graph_choose(g, t->x, t->y, mixed);
+    assert_int_equal(yk_graph_cost(g, &product, 1), 1);
+    assert_int_equal(yk_graph_cost(g, &minus, 1), 1);
+    assert_int_equal(yk_graph_cost(g, &sum, 1), 3);
+    assert_int_equal(yk_graph_cost(g, &fixed, 1), 0);
+    assert_int_equal(yk_graph_cost(g, &chosen, 1), 2);
+    assert_int_equal(yk_graph_cost(g, (YkRef[]){sum, product, minus, chosen, t->x}, 5), 5);
+}
+
 // What is known of derivatives carries stamps that count up; when they run out, nothing of before is taken for new.
 static void derivatives_stay_right_when_their_stamps_begin_anew(void **state)
 {
@@ -222,6 +239,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(numbers_alone_are_folded, set_up, tear_down),
         cmocka_unit_test_setup_teardown(derivatives_stay_right_when_their_stamps_begin_anew, set_up, tear_down),
         cmocka_unit_test_setup_teardown(powers_are_powers, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(operations_are_counted_once, set_up, tear_down),
         cmocka_unit_test_setup_teardown(derivatives_agree_with_differences, set_up, tear_down),
         cmocka_unit_test_setup_teardown(terms_are_joined, set_up, tear_down),
     };
