@@ -68,6 +68,96 @@ static void what_hangs_on_parameters_alone_is_known_as_such(void **state)
     assert_false(g->values[mixed].of_parameters);
 }
 
+static void check_number(const YkGraph *g, YkRef ref, double expected)
+{
+    assert_int_equal(g->values[ref].op, YK_VALUE_NUMBER);
+    CHECK_NEAR(g->values[ref].number, expected, 1e-15 * fabs(expected));
+}
+
+// An operation of numbers is what it gives; of a number and a leaf it stays, in its order.
+static void numbers_alone_are_folded(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    static const double x[] = {-2, -0.5, 0.3, 1.7, 3};
+    static const YkValueKind ops[] = {YK_VALUE_LEAST, YK_VALUE_LARGEST, YK_VALUE_ANGLE};
+    for (size_t i = 0; i < 5; i++) {
+        YkRef a = yk_graph_number(g, x[i]);
+        check_number(g, yk_graph_unary(g, YK_VALUE_ROOT, a), sqrt(fmax(x[i], 0)));
+        check_number(g, yk_graph_unary(g, YK_VALUE_PER_ROOT, a), x[i] > 0 ? 1 / sqrt(x[i]) : 1e18);
+        check_number(g, yk_graph_unary(g, YK_VALUE_SIZE, a), fabs(x[i]));
+        check_number(g, yk_graph_unary(g, YK_VALUE_NONZERO, a), fabs(x[i]));
+        assert_int_equal(yk_graph_choose(g, a, t->x, t->y), x[i] < 0 ? t->x : t->y);
+        for (size_t k = 0; k < 5; k++) {
+            YkRef b = yk_graph_number(g, x[k]);
+            check_number(g, yk_graph_binary(g, YK_VALUE_LEAST, a, b), fmin(x[i], x[k]));
+            check_number(g, yk_graph_binary(g, YK_VALUE_LARGEST, a, b), fmax(x[i], x[k]));
+            check_number(g, yk_graph_binary(g, YK_VALUE_ANGLE, a, b), atan2(x[i], x[k]));
+            check_number(g, yk_graph_divide(g, a, b), x[i] / x[k]);
+            check_number(g, yk_graph_subtract(g, a, b), x[i] - x[k]);
+        }
+        for (size_t k = 0; k < 3; k++) {
+            YkRef first = yk_graph_binary(g, ops[k], a, t->x), last = yk_graph_binary(g, ops[k], t->x, a);
+            assert_int_equal(g->values[first].op, ops[k]);
+            assert_true(g->values[first].a == a && g->values[first].b == t->x);
+            assert_int_equal(g->values[last].op, ops[k]);
+            assert_true(g->values[last].a == t->x && g->values[last].b == a);
+        }
+    }
+}
+
+// A power of a number is a product, a quotient or a root where that is the same, and stays a power elsewhere: of a leaf too.
+static void powers_are_powers(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    static const double exponents[] = {-9, -8, -3, -1, -0.5, 0, 0.5, 1, 1.5, 2, 7, 8, 9};
+    for (size_t k = 0; k < sizeof exponents / sizeof *exponents; k++) {
+        double e = exponents[k], x = 1.37;
+        YkRef number = yk_graph_number(g, e), power = yk_graph_power(g, t->x, number);
+        CHECK_NEAR(value(t, power, x, 2), pow(x, e), 1e-14 * pow(x, e));
+        bool is_short = (e == rint(e) && fabs(e) <= 8) || e == 0.5;
+        assert_int_equal(g->values[power].op == YK_VALUE_POWER, !is_short);
+        check_number(g, yk_graph_power(g, yk_graph_number(g, x), number), pow(x, e));
+        YkRef other = yk_graph_power(g, number, t->x);
+        if (e > 0) CHECK_NEAR(value(t, other, x, 2), pow(e, x), 1e-14 * pow(e, x));
+    }
+    CHECK_NEAR(value(t, yk_graph_power(g, t->x, t->y), 1.37, 2.2), pow(1.37, 2.2), 1e-14);
+}
+
+// Each operation counts once, however often it is used; signs, leaves and what depends on parameters alone cost nothing.
+static void operations_are_counted_once(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    YkRef product = yk_graph_multiply(g, t->x, t->y), sine = yk_graph_function(g, YK_SIN, product, YK_NONE);
+    YkRef sum = yk_graph_add(g, product, sine), minus = yk_graph_minus(g, product);
+    YkRef fixed = yk_graph_multiply(g, t->length, t->length), mixed = yk_graph_multiply(g, fixed, t->x);
+    YkRef chosen = yk_graph_choose(g, t->x, t->y, mixed);
+    assert_int_equal(yk_graph_cost(g, &product, 1), 1);
+    assert_int_equal(yk_graph_cost(g, &minus, 1), 1);
+    assert_int_equal(yk_graph_cost(g, &sum, 1), 3);
+    assert_int_equal(yk_graph_cost(g, &fixed, 1), 0);
+    assert_int_equal(yk_graph_cost(g, &chosen, 1), 2);
+    assert_int_equal(yk_graph_cost(g, (YkRef[]){sum, product, minus, chosen, t->x}, 5), 5);
+}
+
+// What is known of derivatives carries stamps that count up; when they run out, nothing of before is taken for new.
+static void derivatives_stay_right_when_their_stamps_begin_anew(void **state)
+{
+    Graph *t = *state;
+    YkGraph *g = &t->g;
+    YkRef product = yk_graph_multiply(g, t->x, t->y), sum = yk_graph_add(g, product, t->length);
+    for (int round = 0; round < 3; round++) {
+        assert_int_equal(yk_graph_derivative(g, sum, t->x), t->y);
+        assert_int_equal(yk_graph_derivative(g, product, t->length), yk_graph_number(g, 0));
+        g->memo.newest = UINT32_MAX - 2;
+        assert_int_equal(yk_graph_derivative(g, sum, t->y), t->x);
+        assert_int_equal(yk_graph_derivative(g, sum, t->length), yk_graph_number(g, 1));
+        g->memo.newest = UINT32_MAX - 2;
+    }
+}
+
 // The argument keeps every function within its range: 0.2 to 0.8.
 static void derivatives_agree_with_differences(void **state)
 {
@@ -146,6 +236,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(what_is_constant_is_folded_and_what_is_there_is_found, set_up, tear_down),
         cmocka_unit_test_setup_teardown(what_hangs_on_parameters_alone_is_known_as_such, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(numbers_alone_are_folded, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(derivatives_stay_right_when_their_stamps_begin_anew, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(powers_are_powers, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(operations_are_counted_once, set_up, tear_down),
         cmocka_unit_test_setup_teardown(derivatives_agree_with_differences, set_up, tear_down),
         cmocka_unit_test_setup_teardown(terms_are_joined, set_up, tear_down),
     };

@@ -189,6 +189,8 @@ static void wrong_tasks_are_refused_with_their_place(void **state)
     refuse(FREE OVER GOAL "require: [coupler.P.y > 3]\n", YK_CODE_TASK_FUNCTION);
     refuse(FREE OVER GOAL "require: ['min(coupler.P.y) = 3']\n", YK_CODE_TASK_FUNCTION);
     refuse(FREE OVER GOAL "bounds: {lengths: [1, 2]}\n", YK_CODE_UNKNOWN_KEY);
+    refuse(FREE OVER GOAL "mechanisms: [four-bar]\n", YK_CODE_UNKNOWN_KEY);
+    refuse(FREE OVER GOAL "fix: {ground: 1}\n", YK_CODE_UNKNOWN_KEY);
     YkProblems *problems = yk_problems_new();
     static const char missing[] = "synthesis: machine\nmachine: nowhere.yaml\n" FREE OVER GOAL;
     assert_null(yk_task_parse(missing, strlen(missing), "bad.yaml", problems));
