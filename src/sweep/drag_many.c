@@ -186,13 +186,6 @@ static double find_step(YkDrag *d, Held *held, double damping)
     return cut_step(d);
 }
 
-static bool is_held(const Held *held, const Blocked *b)
-{
-    for (size_t k = 0; k < held->count; k++)
-        if (held->items[k].stop == b->stop && held->items[k].block == b->block) return true;
-    return false;
-}
-
 // A little back inside, where rates are known.
 static bool step_inside(YkDrag *d)
 {
@@ -235,7 +228,9 @@ void yk_drag_many(YkDrag *d, YkDragged *e)
         double before = yk_drag_distance(d);
         if (k % 40 == 0 && !(looked - before > 1e-5 * size)) break; // along a curved limit it only creeps
         if (k % 40 == 0) looked = before;
+        size_t count = held.count;
         find_normals(d, &held);
+        if (held.count < count) inwards = 2 * inwards + 1; // it was held already
         if (before <= 1e-10 * size || (!d->state->has_rates && !step_inside(d)) || !find_rates(d)) break;
         if (find_step(d, &held, damping) <= STILL || damping > 1e6 * size * size) {
             is_settled = held.count == 0 || !(pressed - before > 1e-6 * size);
@@ -254,12 +249,8 @@ void yk_drag_many(YkDrag *d, YkDragged *e)
         if (is_nearer) e->pass_count += passes;
         if (!is_nearer) go_home(d);
         if (is_blocked) last = blocked;
-        if (is_blocked && is_held(&held, &blocked))
-            inwards = 2 * inwards + 1;
-        else if (is_blocked && held.count < YK_DRAG_NORMALS)
-            held.items[held.count++] = blocked;
-        else if (is_blocked)
-            break;
+        if (is_blocked && held.count == YK_DRAG_NORMALS) break;
+        if (is_blocked) held.items[held.count++] = blocked;
         if (is_blocked && is_nearer) continue;
         double gain = is_nearer ? 0.5 * (before - after) * (before + after) / fmax(promise, 1e-300) : 0;
         damping = fmax(next_damping(damping, gain, &grow), 1e-12 * size * size);
