@@ -40,22 +40,29 @@ static void take_out(const YkDrag *d, double *v, const double *normal)
     for (size_t k = 0; k < d->active_count; k++) v[k] -= along * normal[k];
 }
 
-// The step -J' (J J' + damping)^-1 r without the blocked ways; its largest entry at most STEP_MAX. Returns it.
-static double find_step(YkDrag *d, double damping)
+// Finds the step -J' (J P J' + damping)^-1 r, where P takes out the blocked ways: what it does along them, they hold back.
+static void find_pull(YkDrag *d, double damping)
 {
     YkVec r = yk_sub(yk_load_point(d->state->mech, &d->state->space, &d->end).at, d->target);
-    for (size_t k = 0; k < d->normal_count; k++) {
-        take_out(d, d->jx, d->normal + k * d->active_count);
-        take_out(d, d->jy, d->normal + k * d->active_count);
-    }
     double xx = dot(d, d->jx, d->jx) + damping, xy = dot(d, d->jx, d->jy), yy = dot(d, d->jy, d->jy) + damping;
-    double det = xx * yy - xy * xy, most = 0;
-    double px = (yy * r.x - xy * r.y) / det, py = (xx * r.y - xy * r.x) / det;
-    for (size_t k = 0; k < d->active_count; k++) {
-        d->way[k] = -(d->jx[k] * px + d->jy[k] * py);
-        most = fmax(most, fabs(d->way[k]));
+    for (size_t k = 0; k < d->normal_count; k++) {
+        const double *normal = d->normal + k * d->active_count;
+        double x = dot(d, d->jx, normal), y = dot(d, d->jy, normal);
+        xx -= x * x;
+        xy -= x * y;
+        yy -= y * y;
     }
-    if (!(det > 0) || !isfinite(most)) return 0;
+    double det = xx * yy - xy * xy, px = (yy * r.x - xy * r.y) / det, py = (xx * r.y - xy * r.x) / det;
+    for (size_t k = 0; k < d->active_count; k++) d->way[k] = -(d->jx[k] * px + d->jy[k] * py);
+}
+
+// Takes the blocked ways out of the step and cuts it, so that its largest entry is at most STEP_MAX. Returns that.
+static double cut_step(YkDrag *d)
+{
+    double most = 0;
+    for (size_t k = 0; k < d->normal_count; k++) take_out(d, d->way, d->normal + k * d->active_count);
+    for (size_t k = 0; k < d->active_count; k++) most = fmax(most, fabs(d->way[k]));
+    if (!isfinite(most)) return 0;
     for (size_t k = 0; k < d->active_count && most > STEP_MAX; k++) d->way[k] *= STEP_MAX / most;
     return fmin(most, STEP_MAX);
 }
@@ -133,7 +140,7 @@ static double quantity(const YkDrag *d, const Blocked *b)
 static bool add_normal(YkDrag *d, const Blocked *b)
 {
     YkState *s = d->state;
-    if (d->normal_count + 1 >= d->active_count) return false;
+    if (d->normal_count == d->active_count) return false;
     double *normal = d->normal + d->normal_count * d->active_count, here = quantity(d, b);
     keep_home(d);
     for (size_t k = 0; k < d->active_count; k++) {
@@ -163,25 +170,20 @@ static void find_normals(YkDrag *d, Held *held)
     held->count = kept;
 }
 
-// What it would be better to leave, inwards, blocks no longer.
-static void let_go(YkDrag *d, Held *held)
+// Finds the step; what it leaves inwards blocks no longer. The step decides, not the slope: where there are more inputs than the
+// point needs, the two may go opposite ways along one of them.
+static double find_step(YkDrag *d, Held *held, double damping)
 {
-    YkVec r = yk_sub(yk_load_point(d->state->mech, &d->state->space, &d->end).at, d->target);
-    for (size_t k = held->count; k-- > 0;) {
-        const double *normal = d->normal + k * d->active_count;
-        if (r.x * dot(d, d->jx, normal) + r.y * dot(d, d->jy, normal) >= 0) continue;
-        held->items[k] = held->items[--held->count];
-        find_normals(d, held);
+    for (size_t k = held->count + 1; k-- > 0;) {
+        if (k < held->count) {
+            if (!(dot(d, d->way, d->normal + k * d->active_count) > 0)) continue;
+            held->items[k] = held->items[--held->count];
+            find_normals(d, held);
+            k = held->count;
+        }
+        find_pull(d, damping);
     }
-}
-
-static bool hold(Held *held, const Blocked *b)
-{
-    for (size_t k = 0; k < held->count; k++)
-        if (held->items[k].stop == b->stop && held->items[k].block == b->block) return true;
-    if (held->count == YK_DRAG_NORMALS) return false;
-    held->items[held->count++] = *b;
-    return true;
+    return cut_step(d);
 }
 
 // A little back inside, where rates are known.
@@ -216,7 +218,7 @@ static void tell(const YkDrag *d, const Blocked *blocked, YkDragged *e)
 
 void yk_drag_many(YkDrag *d, YkDragged *e)
 {
-    double size = d->state->mech->size, damping = 1e-3 * size * size, grow = 4, inwards = 1, pressed = INFINITY,
+    double size = d->state->mech->size, damping = 1e-3 * size * size, grow = 4, inwards = 0, pressed = INFINITY,
            looked = INFINITY;
     Held held = {.count = 0};
     Blocked blocked, last = {SIZE_MAX, -1};
@@ -226,10 +228,11 @@ void yk_drag_many(YkDrag *d, YkDragged *e)
         double before = yk_drag_distance(d);
         if (k % 40 == 0 && !(looked - before > 1e-5 * size)) break; // along a curved limit it only creeps
         if (k % 40 == 0) looked = before;
+        size_t count = held.count;
         find_normals(d, &held);
+        if (held.count < count) inwards = 2 * inwards + 1; // it was held already
         if (before <= 1e-10 * size || (!d->state->has_rates && !step_inside(d)) || !find_rates(d)) break;
-        let_go(d, &held);
-        if (find_step(d, damping) <= STILL || damping > 1e6 * size * size) {
+        if (find_step(d, &held, damping) <= STILL || damping > 1e6 * size * size) {
             is_settled = held.count == 0 || !(pressed - before > 1e-6 * size);
             if (is_settled) break;
             pressed = before; // it slid a little inside: once more without what holds it
@@ -245,13 +248,13 @@ void yk_drag_many(YkDrag *d, YkDragged *e)
         bool is_nearer = after < before, is_blocked = blocked.stop != SIZE_MAX || blocked.block >= 0;
         if (is_nearer) e->pass_count += passes;
         if (!is_nearer) go_home(d);
-        if (is_blocked && !hold(&held, &blocked)) break;
         if (is_blocked) last = blocked;
-        if (is_blocked) inwards *= 2;
+        if (is_blocked && held.count == YK_DRAG_NORMALS) break;
+        if (is_blocked) held.items[held.count++] = blocked;
         if (is_blocked && is_nearer) continue;
         double gain = is_nearer ? 0.5 * (before - after) * (before + after) / fmax(promise, 1e-300) : 0;
         damping = fmax(next_damping(damping, gain, &grow), 1e-12 * size * size);
-        if (!is_blocked) inwards = fmax(1, 0.5 * inwards);
+        if (!is_blocked) inwards *= 0.5;
     }
     e->end = is_settled && held.count == 0 ? YK_DRAG_NEAREST : YK_DRAG_SPENT;
     if (held.count > 0 && is_at(d, &last)) tell(d, &last, e);

@@ -48,6 +48,9 @@ static void test_designs_have_numbers(void **unused)
     assert_true(at[0] == 1.5 && at[1] == 0);
     yk_designs_at(&grid, 14, at);
     assert_true(at[0] == 2 && at[1] == 1);
+    axes[1].count = 0; // stays where it begins, and the others go on
+    yk_designs_at(&grid, 2, at);
+    assert_true(at[0] == 2 && at[1] == -1);
     axes[1].distribution = (YkDistribution){YK_DISTRIBUTION_NORMAL, -INFINITY, INFINITY, 3, 0.5};
     axes[0].distribution = (YkDistribution){YK_DISTRIBUTION_UNIFORM, 1, 2, 0, 0};
     YkDesigns sample = {axes, 2, true, 9};

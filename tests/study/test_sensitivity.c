@@ -39,6 +39,48 @@ static void test_derivatives_of_a_slider_crank_are_the_closed_form(void **unused
     machine_free(&m);
 }
 
+// A slider-crank that its slide drives: what closes it is the law of cosines, r^2 + s^2 - 2 r s cos(theta) = l^2. What a pose does
+// not give, its place or its rate, is the file's own.
+static void test_a_slide_that_drives_leaves_the_closed_form(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("parameters: {r: 0.05 m, l: 0.18 m}\n"
+                              "bodies:\n"
+                              "  ground: {points: {O: [0, 0]}}\n"
+                              "  crank: {points: {O: [0, 0], A: [r, 0]}}\n"
+                              "  rod: {points: {A: [0, 0], B: [l, 0]}}\n"
+                              "  piston: {points: {B: [0, 0]}}\n"
+                              "joints:\n"
+                              "  O: {pin: [ground, crank], angle: theta}\n"
+                              "  A: {pin: [crank, rod], angle: phi}\n"
+                              "  B: {pin: [rod, piston]}\n"
+                              "  S: {slide: [ground, piston], from: O, to: B, along: x, distance: s}\n"
+                              "drives: {s: 0.2 m + 0.1 m/s * t}\n"
+                              "start: {theta: 60 deg, phi: -75 deg}\n",
+                              true);
+    const char *names[] = {"r", "l"}, *of[] = {"theta", "s", "theta.rate"};
+    YkStudy *study = study_of(&m, names, 2, of, 3, 1);
+    double rate[] = {0.3, -0.2, 0.1}, place[] = {0.2, 0.19, 0.21}, zero = 0;
+    for (int k = 0; k < 3; k++) {
+        const double *const inputs[] = {k ? &place[k] : NULL, k < 2 ? &rate[k] : NULL, k < 2 ? &zero : NULL};
+        assert_int_equal(yk_study_sensitivities(study, inputs, derivative, difference), YK_OK);
+        double r = 0.05, l = 0.18, s = place[k], cosine = (r * r + s * s - l * l) / (2 * r * s),
+               sine = sqrt(1 - cosine * cosine);
+        double by_r = (s * cosine - r) / (r * s * sine), by_l = l / (r * s * sine);
+        double by_s = (r * cosine - s) / (r * s * sine), off = 1e-6; // theta' = by_s s'
+        CHECK_NEAR(derivative[0], by_r, 1e-8);
+        CHECK_NEAR(derivative[1], by_l, 1e-8);
+        CHECK_NEAR(difference[0], by_r, 1e-7);
+        CHECK_NEAR(difference[1], by_l, 1e-7);
+        for (int p = 0; p < 2; p++) CHECK_NEAR(derivative[2 + p], 0, 1e-12);
+        double long_l = l + off, c = (r * r + s * s - long_l * long_l) / (2 * r * s);
+        double other = (r * c - s) / (r * s * sqrt(1 - c * c));
+        CHECK_NEAR(difference[5], (other - by_s) / off * rate[k], 1e-3 * fabs(difference[5]));
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
 static void check_machine(const char *file, Machine m, size_t *checked)
 {
     const char *names[NAMES_MAX], *of[NAMES_MAX];
@@ -165,6 +207,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_derivatives_of_a_slider_crank_are_the_closed_form),
+        cmocka_unit_test(test_a_slide_that_drives_leaves_the_closed_form),
         cmocka_unit_test(test_both_ways_agree_on_the_examples),
         cmocka_unit_test(test_both_ways_agree_on_every_kind_of_position),
         cmocka_unit_test(test_a_neighbour_that_does_not_close_is_told),
