@@ -40,7 +40,7 @@ find_program(YOKE_WASM_OPT wasm-opt)
 function(yoke_shrink target)
   if(YOKE_WASM_OPT)
     add_custom_command(TARGET ${target} POST_BUILD COMMAND ${YOKE_WASM_OPT} --zero-filled-memory --low-memory-unused
-      --flatten --rereloop --simplify-locals-nonesting -Oz -Oz $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}> VERBATIM)
+      --inlining --flatten --rereloop --simplify-locals-nonesting -Oz -Oz $<TARGET_FILE:${target}> -o $<TARGET_FILE:${target}> VERBATIM)
   endif()
 endfunction()
 
