@@ -7,16 +7,9 @@
 #include "model/model.h"
 #include "session.h"
 
-static bool is_placed(const YkModel *model, int32_t coordinate)
-{
-    for (size_t k = 0; k < model->start_count; k++)
-        if (model->starts[k].coordinate == coordinate && !model->starts[k].is_rate) return true;
-    return false;
-}
-
 static bool is_unplaced_hold(const YkModel *model, const YkDrive *drive)
 {
-    return drive->is_hold && !is_placed(model, drive->coordinate);
+    return drive->is_hold && !yk_start_of(model, drive->coordinate);
 }
 
 static void warn(YkSession *session, const YkDrive *drive, double place)
@@ -26,7 +19,7 @@ static void warn(YkSession *session, const YkDrive *drive, double place)
     yk_text_format(&words,
                    "lock %q holds %q at 0, since `start:` gives it no value; without the lock the machine starts at ",
                    session->model->engaged, coordinate->name);
-    yk_add_value(session, &words, place, yk_quantity_of(coordinate->is_distance, false), YK_DIGITS);
+    yk_add_value(session, &words, place, yk_quantity_of(coordinate->is_distance, 0), YK_DIGITS);
     session->ran_out |= words.failed;
     yk_problem(session->problems, YK_CODE_HELD_AT_ZERO, drive->place, "%s", yk_text_get(&words));
     yk_problem_hint(session->problems, "give `%s` its value under `start:`", coordinate->name);

@@ -39,7 +39,7 @@ typedef enum YkStability {
     YK_STABILITY_STABLE,   // every small motion dies out or, without damping, stays small
     YK_STABILITY_UNSTABLE, // some small motion grows
     YK_STABILITY_NEUTRAL,  // some motion meets no force at all
-    YK_STABILITY_NONE      // there is no such equilibrium
+    YK_STABILITY_NONE      // what an index past the last equilibrium gives
 } YkStability;
 typedef struct YkEquilibrium {
     YkStability stability;

@@ -1,5 +1,6 @@
 // Words that a name of the model must not be: those of C, C++ and their headers, and the printed file's own.
 #include <string.h>
+#include "base/letters.h"
 #include "code/file.h"
 
 // Lists of words, separated by blanks.
@@ -92,17 +93,12 @@ bool yk_file_is_reserved(const YkProgram *p, const char *name)
     return has_odd_underscores(name) || is_among(name, WHOLE, keywords) || is_macro(name) || is_own(p, name);
 }
 
-static bool is_letter_or_digit(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
 // Writes one underscore for each run of characters that are not letters or digits, none at the ends.
 static void tidy(char *name)
 {
     char *to = name;
     for (const char *c = name; *c; c++) {
-        if (is_letter_or_digit(*c))
+        if (yk_is_letter(*c) || yk_is_digit(*c))
             *to++ = *c;
         else if (to > name && to[-1] != '_')
             *to++ = '_';
@@ -115,7 +111,7 @@ const char *yk_file_name(YkProgram *p, const char *name)
 {
     char *copy = yk_graph_text(&p->graph, "%s", name);
     for (char *c = copy; *c; c++)
-        if (!is_letter_or_digit(*c)) *c = '_';
+        if (!yk_is_letter(*c) && !yk_is_digit(*c)) *c = '_';
     bool is_number = copy[0] >= '0' && copy[0] <= '9';
     if (!is_number && !yk_file_is_reserved(p, copy)) return copy;
     tidy(copy);

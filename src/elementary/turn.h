@@ -53,8 +53,8 @@ YK_INLINE double quarter_turns(double x)
     return x * 0x1.45f306dc9c883p-1 + YK_TO_INTEGER;
 }
 
-// Returns whether x (NaN too) is beyond the near range, at most 2^16 quarter turns, so that the products with 37-bit parts of
-// pi/2 are exact: a bit of the answer above the lowest 17 is set. Answers of many x may be or-ed.
+// Returns whether x (NaN too) is beyond the near range, at most 2^16 quarter turns, so that the products with 37-bit
+// parts of pi/2 are exact: a bit of the answer above the lowest 17 is set. Answers of many x may be or-ed.
 YK_INLINE uint64_t sincos_far_bits(double x)
 {
     return bits_of(quarter_turns(x)) - (bits_of(YK_TO_INTEGER) - 0x10000);

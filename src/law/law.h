@@ -36,8 +36,8 @@ typedef struct YkLawJump {
 // jumps. Cost linear.
 size_t yk_law_jumps(const YkLaw *law, YkLawJump *jumps, size_t capacity);
 
-// The place where a derivative (order 0 to 4) is largest in magnitude over the law's range, from either side of its joints; exact
-// up to rounding in the value.
+// The place where a derivative (order 0 to 4) is largest in magnitude over the law's range, from either side of its
+// joints; exact up to rounding in the value.
 typedef struct YkLawPeak {
     double x, value;
 } YkLawPeak;

@@ -26,19 +26,12 @@ typedef struct Engaging {
     YkExpr *zero, *one;
 } Engaging;
 
-static const YkStart *start_of(const YkModel *model, int32_t coordinate)
-{
-    for (size_t k = 0; k < model->start_count; k++)
-        if (model->starts[k].coordinate == coordinate && !model->starts[k].is_rate) return &model->starts[k];
-    return NULL;
-}
-
 // Holds a coordinate where `start:` places it, or at 0.
 static void hold_coordinate(const Engaging *e, int32_t coordinate)
 {
     YkModel *model = e->loader->model;
     YkCoordinate *c = &model->coordinates[coordinate];
-    const YkStart *start = start_of(model, coordinate);
+    const YkStart *start = yk_start_of(model, coordinate);
     bool is_followed = false, has_loops = model->joint_count + 1 > model->body_count;
     for (size_t k = 0; k < model->follow_count; k++) is_followed |= model->follows[k].coordinate == coordinate;
     if (c->drive != YK_NONE && model->drives[c->drive].is_hold) return; // held already

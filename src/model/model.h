@@ -338,6 +338,14 @@ struct YkModel {
     YkNames body_names, joint_names, parameter_names, coordinate_names, point_names; // points by "body.point"
 };
 
+// Returns the value that `start:` gives a coordinate, or NULL.
+static inline const YkStart *yk_start_of(const YkModel *model, int32_t coordinate)
+{
+    for (size_t k = 0; k < model->start_count; k++)
+        if (model->starts[k].coordinate == coordinate && !model->starts[k].is_rate) return &model->starts[k];
+    return NULL;
+}
+
 // Returns the joint that holds one side of a joint: the joint itself; of a free joint the half that has that body.
 static inline const YkJoint *yk_joint_end(const YkModel *model, size_t joint, int side)
 {

@@ -1,6 +1,7 @@
 // Decides which names are allowed, and finds the one nearest to an unknown name.
 #include <stdlib.h>
 #include <string.h>
+#include "base/letters.h"
 #include "graph/function.h"
 #include "model/load.h"
 
@@ -15,21 +16,12 @@ static const char *reserved_meaning(const char *name)
     return yk_function_find(name, &function) ? "a function" : NULL;
 }
 
-static bool is_letter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 static bool is_name(const YkNode *node, bool for_expressions)
 {
-    if (node->length == 0 || node->length > YK_NAME_MAX || !is_letter(node->text[0])) return false;
+    if (node->length == 0 || node->length > YK_NAME_MAX || !yk_begins_name(node->text[0])) return false;
     for (size_t i = 1; i < node->length; i++) {
         char c = node->text[i];
-        if (!is_letter(c) && !is_digit(c) && (c != '-' || for_expressions)) return false;
+        if (!yk_begins_name(c) && !yk_is_digit(c) && (c != '-' || for_expressions)) return false;
     }
     return true;
 }

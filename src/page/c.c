@@ -2,6 +2,7 @@
 // section states. All sections become values of one graph, which computes shared parts once; then they are printed.
 #include <stdlib.h>
 #include <string.h>
+#include "base/letters.h"
 #include "base/number.h"
 #include "graph/print.h"
 #include "page/print.h"
@@ -134,8 +135,7 @@ static const char *name_of(Code *code, const YkPagePiece *piece)
         if (!parts[k] || !*parts[k]) continue;
         if (k > 0) yk_text_puts(&name, "_");
         for (const char *c = parts[k]; *c; c++) {
-            bool fits = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9');
-            yk_text_format(&name, "%c", fits ? *c : '_');
+            yk_text_format(&name, "%c", yk_is_letter(*c) || yk_is_digit(*c) ? *c : '_');
         }
     }
     size_t length = name.length;

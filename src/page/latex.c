@@ -1,5 +1,6 @@
 // Prints pages as a LaTeX document: article and amsmath.
 #include <string.h>
+#include "base/letters.h"
 #include "base/utf8.h"
 #include "page/latex_display.h"
 #include "page/print.h"
@@ -52,8 +53,7 @@ static void put_words(YkText *text, const char *words)
 // Writes a part of a point's name: O1 as O_1, crank.A upright.
 static void put_point(YkText *text, const char *name, size_t length)
 {
-    bool is_letter = length > 0 && strspn(name + 1, "0123456789") >= length - 1 &&
-                     ((*name >= 'a' && *name <= 'z') || (*name >= 'A' && *name <= 'Z'));
+    bool is_letter = length > 0 && strspn(name + 1, "0123456789") >= length - 1 && yk_is_letter(*name);
     if (is_letter && length == 1) {
         yk_text_add(text, name, 1);
     } else if (is_letter) {

@@ -19,11 +19,11 @@ static size_t step(Walk *walk, const char *text, size_t at)
 {
     const char *c = text + at;
     size_t room = walk->depth < DEPTH_MAX - 1;
-    if (strncmp(c, "\\left", 5) == 0 && !yk_latex_is_letter(c[5])) {
+    if (strncmp(c, "\\left", 5) == 0 && !yk_is_letter(c[5])) {
         if (room) walk->open[walk->depth++] = '{';
         return 6;
     }
-    if (strncmp(c, "\\right", 6) == 0 && !yk_latex_is_letter(c[6])) {
+    if (strncmp(c, "\\right", 6) == 0 && !yk_is_letter(c[6])) {
         if (walk->depth > 0) walk->depth--;
         return 7;
     }

@@ -1,6 +1,7 @@
 // Displays formulas on a landscape A4 page, text 267 mm wide.
 #ifndef PAGE_LATEX_DISPLAY_H
 #define PAGE_LATEX_DISPLAY_H
+#include "base/letters.h"
 #include "base/text.h"
 
 // Adds a formula (LaTeX without dollars) as \[ \] or, if it is too long for a line, as a multline* that breaks before
@@ -11,7 +12,6 @@ void yk_latex_display(YkText *text, const char *formula);
 
 // --- latex_width.c: widths in letters, approximate
 enum { YK_LATEX_LINE = 118 }; // characters that fit in a line, roughly
-bool yk_latex_is_letter(char c);
 double yk_latex_width(const char *formula, size_t length);
 double yk_latex_width_of_array(const char *from, const char *end); // from behind its head
 double yk_latex_width_with_arrays(const char *formula, size_t length);

@@ -4,18 +4,13 @@
 
 enum { COLUMNS_MAX = 64 };
 
-bool yk_latex_is_letter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 // Returns the length of a command's name at \, and its printed width in letters: three for \cos, one for \theta.
 static size_t command(const char *at, double *width)
 {
     static const char *const silent[] = {"left", "right", "mathbf", "mathit", "mathrm", "boldsymbol", "text", "tfrac",
                                          "frac", "dot",   "ddot",   "dddot",  "begin",  "end",        "hline"};
     size_t length = 1;
-    while (yk_latex_is_letter(at[length])) length++;
+    while (yk_is_letter(at[length])) length++;
     if (length == 1) length = 2; // \, \; \_
     *width = length > 2 ? 1.2 : 0.3;
     if (strncmp(at, "\\cos", 4) == 0 || strncmp(at, "\\sin", 4) == 0) *width = 3;

@@ -1,6 +1,7 @@
 // What all printers of pages share: elements, numbers, matrices.
 #include <math.h>
 #include <string.h>
+#include "base/letters.h"
 #include "base/number.h"
 #include "page/print.h"
 
@@ -114,6 +115,5 @@ void yk_print_number(YkText *text, double value)
 
 bool yk_print_is_letter_name(const char *name)
 {
-    bool is_letter = (name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z');
-    return is_letter && strspn(name + 1, "0123456789") == strlen(name + 1);
+    return yk_is_letter(name[0]) && strspn(name + 1, "0123456789") == strlen(name + 1);
 }

@@ -1,5 +1,6 @@
 // Looks for a single slip that would explain a false equation.
 #include <string.h>
+#include "base/letters.h"
 #include "prove/check_inside.h"
 
 static const char *keep(YkCheck *check, YkText *text)
@@ -70,7 +71,7 @@ static bool is_true_with(YkCheck *check, const char *text, size_t length)
 
 static bool is_word_part(char c)
 {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+    return yk_begins_name(c) || yk_is_digit(c) || c == '.';
 }
 
 static bool stands_at(const YkCheck *check, size_t at, const char *word)

@@ -86,7 +86,7 @@ static const YkForm *read_power(YkEquationReader *reader)
 
 static bool begins_atom(char c)
 {
-    return (unsigned char)c >= 0x80 || yk_is_letter(c) || yk_is_digit(c) || c == '(' || c == '[' || c == '.';
+    return (unsigned char)c >= 0x80 || yk_begins_name(c) || yk_is_digit(c) || c == '(' || c == '[' || c == '.';
 }
 
 static const YkForm *read_product(YkEquationReader *reader)

@@ -2,6 +2,7 @@
 #ifndef PROVE_EQUATION_H
 #define PROVE_EQUATION_H
 #include "prove/quantities.h"
+#include "base/letters.h"
 #include "base/units/units.h"
 #include "derive/inside.h"
 #include "prove/check.h"
@@ -74,15 +75,5 @@ bool yk_equation_speaks_of(const YkDerivation *d, const YkForm *form, int32_t sy
 // Finds the elements that must lie in 0 to 1 for the equation to hold, if it is about a segment of a motion program.
 // Returns their count.
 size_t yk_equation_segments(YkDerivation *d, const YkEquation *equation, const YkPoisson **within, size_t most);
-
-static inline bool yk_is_letter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-static inline bool yk_is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 
 #endif

@@ -15,7 +15,7 @@ static const YkForm *form_of(YkEquationReader *reader, const YkPoisson *a)
 static size_t name_end(const YkEquationReader *reader, size_t at)
 {
     while (at < reader->length &&
-           (yk_is_letter(reader->text[at]) || yk_is_digit(reader->text[at]) || reader->text[at] == '.'))
+           (yk_begins_name(reader->text[at]) || yk_is_digit(reader->text[at]) || reader->text[at] == '.'))
         at++;
     while (at < reader->length && reader->text[at] == '\'') at++;
     return at;
@@ -31,7 +31,7 @@ static const char *copy(YkEquationReader *reader, size_t start, size_t end)
 
 static size_t letters_end(const YkEquationReader *reader, size_t at)
 {
-    while (at < reader->length && yk_is_letter(reader->text[at]) && reader->text[at] != '_') at++;
+    while (at < reader->length && yk_is_letter(reader->text[at])) at++;
     return at;
 }
 
@@ -383,7 +383,7 @@ const YkForm *yk_equation_atom(YkEquationReader *reader)
     char c = yk_equation_peek(reader);
     size_t start = reader->at;
     if (c == '(' || c == '[') return yk_equation_bracket(reader);
-    if (yk_is_letter(c)) {
+    if (yk_begins_name(c)) {
         Function function = function_at(reader, start, name_end(reader, start));
         if (function == NO_FUNCTION) return read_name(reader);
         reader->at = name_end(reader, start);

@@ -9,7 +9,7 @@ YkMap *yk_rest_map(YkRest *rest)
 {
     if (rest->freedom != 1 || rest->mech->block_count > BLOCKS_MAX) return NULL;
     YkProblems *quiet = yk_problems_new(); // a machine that cannot be mapped is searched otherwise
-    YkMap *map = quiet ? yk_map_new(rest->state, (size_t)rest->mech->inputs[rest->input[0]], quiet) : NULL;
+    YkMap *map = quiet ? yk_map_new(rest->state, yk_rest_free_coordinate(rest, 0), quiet) : NULL;
     rest->ran_out |= !quiet || yk_problems_ran_out(quiet);
     yk_problems_free(quiet);
     return map;
@@ -101,7 +101,7 @@ static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t
 {
     enum { DEPTH = 16, HALVINGS = 100 };
     YkMapBranch branch = yk_map_branch(map, circuit, index);
-    size_t c = (size_t)rest->mech->inputs[rest->input[0]];
+    size_t c = yk_rest_free_coordinate(rest, 0);
     double beside = 1e-10 * rest->scale[0];
     Probe last = {NAN, NAN, NAN}, now;
     if (branch.rows < 2) return true;

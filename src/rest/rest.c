@@ -162,7 +162,7 @@ size_t yk_rest_freedom(const YkRest *rest)
 size_t yk_rest_input(const YkRest *rest, size_t k)
 {
     if (k >= rest->freedom) return YK_NOT_FOUND;
-    return (size_t)rest->mech->inputs[rest->input[k]];
+    return yk_rest_free_coordinate(rest, k);
 }
 YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index)
 {

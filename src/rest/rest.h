@@ -39,12 +39,19 @@ struct YkRest {
     YkReport lack;      // report of the first such pose without accelerations
 };
 
+// Returns the coordinate of a free input.
+static inline size_t yk_rest_free_coordinate(const YkRest *rest, size_t k)
+{
+    return (size_t)rest->mech->inputs[rest->input[k]];
+}
+
 #define YK_REST_STARTED 0.05 // share of the whole: compiling, and standing at the start
 
 // search.c: looks for equilibria from the state's pose, along all circuits, and from that many random poses. Returns false
 // when out of memory or stopped.
 bool yk_rest_search(YkRest *rest, size_t starts);
-// descend.c: goes from the pose in rest->q to an equilibrium, whose inputs are then there. Returns false if it comes to none.
+// descend.c: goes from the pose in rest->q to an equilibrium, whose inputs are then there. Returns false if it comes to
+// none.
 bool yk_rest_descend(YkRest *rest);
 // Keeps the pose in rest->q, an equilibrium, unless it is known. Returns false when out of memory.
 bool yk_rest_keep(YkRest *rest);

@@ -21,7 +21,7 @@ static YkStatus stand_anywhere(YkRest *rest, uint64_t *seed)
         s->is_guessed[c] = true;
     }
     for (size_t i = 0; i < rest->freedom; i++)
-        yk_state_set_input(s, (size_t)rest->input[i], (YkMotion){s->guess[mech->inputs[rest->input[i]]], 0, 0});
+        yk_state_set_input(s, (size_t)rest->input[i], (YkMotion){s->guess[yk_rest_free_coordinate(rest, i)], 0, 0});
     return yk_state_assemble(s);
 }
 

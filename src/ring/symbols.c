@@ -1,14 +1,10 @@
 // Symbols: their names, classes and dependences.
 #include <string.h>
+#include "base/letters.h"
 #include "base/text.h"
 #include "ring/inside.h"
 
 enum { NAME_MAX_LENGTH = 200, SYMBOLS_MAX = 1 << 28 };
-
-static bool is_letter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 
 static bool is_reserved(const char *name)
 {
@@ -21,8 +17,8 @@ static bool is_reserved(const char *name)
 static bool is_name(const char *name)
 {
     const char *c = name;
-    if (!is_letter(*c)) return false;
-    while (is_letter(*c) || (*c >= '0' && *c <= '9') || *c == '.') c++;
+    if (!yk_begins_name(*c)) return false;
+    while (yk_begins_name(*c) || yk_is_digit(*c) || *c == '.') c++;
     while (*c == '\'') c++;
     return *c == '\0' && c - name <= NAME_MAX_LENGTH && c[-1] != '.' && !is_reserved(name);
 }

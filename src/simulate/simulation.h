@@ -278,7 +278,7 @@ double yk_simulation_energy_scale(const YkSimulation *sim);
 double yk_simulation_rate_floor(const YkSimulation *sim);
 double yk_simulation_margin(const YkSimulation *sim); // of the pose that stands
 
-// happenings.c: keeps what happens, so many at most.
+// happenings.c: keeps what happens, up to a fixed number.
 void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value);
 
 // events.c

@@ -170,18 +170,17 @@ static void find_normals(YkDrag *d, Held *held)
     held->count = kept;
 }
 
-// Finds the step; what it leaves inwards blocks no longer. The step decides, not the slope: where there are more inputs than the
-// point needs, the two may go opposite ways along one of them.
+// Finds the step; what it leaves inwards blocks no longer. The step decides, not the slope: where there are more inputs
+// than the point needs, the two may go opposite ways along one of them.
 static double find_step(YkDrag *d, Held *held, double damping)
 {
-    for (size_t k = held->count + 1; k-- > 0;) {
-        if (k < held->count) {
-            if (!(dot(d, d->way, d->normal + k * d->active_count) > 0)) continue;
-            held->items[k] = held->items[--held->count];
-            find_normals(d, held);
-            k = held->count;
-        }
+    find_pull(d, damping);
+    for (size_t k = held->count; k-- > 0;) {
+        if (!(dot(d, d->way, d->normal + k * d->active_count) > 0)) continue;
+        held->items[k] = held->items[--held->count];
+        find_normals(d, held);
         find_pull(d, damping);
+        k = held->count; // all that is left is judged by the new step
     }
     return cut_step(d);
 }

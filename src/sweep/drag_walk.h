@@ -1,4 +1,5 @@
-// Shared by dragging with one free input (drag.c) and with several (drag_many.c): the pose that stands, the stops, a walk.
+// Shared by dragging with one free input (drag.c) and with several (drag_many.c): the pose that stands, the stops, a
+// walk.
 #ifndef SWEEP_DRAG_WALK_H
 #define SWEEP_DRAG_WALK_H
 #include <yoke/drag.h>
@@ -35,7 +36,7 @@ double yk_drag_distance(const YkDrag *drag);             // of the pose that sta
 double yk_drag_scale(const YkDrag *drag, size_t active); // 1 rad, or the machine's size
 void yk_drag_begin_walk(YkDrag *drag);                   // a new walk from where the state stands
 void yk_drag_widen_stops(YkDrag *drag); // so that a machine that stands beyond a stop already may stay there
-// Returns the stop, of those that the pose at b is beyond, that is met first after a, and where; SIZE_MAX: none. The path
+// Returns the stop that is met first after a, of those that the pose at b is beyond, and where; SIZE_MAX: none. The path
 // stands at b, or there.
 size_t yk_drag_meet_stop(YkDrag *drag, double a, double *b);
 // drag_many.c: drags with several free inputs.

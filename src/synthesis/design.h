@@ -25,8 +25,8 @@ typedef struct YkDesign {
     double
         angle[3]; // input, coupler, output at the first position, to the ground, rad; slider-crank: [2] is a distance
     int dyad[YK_SIDES];
-    // For a machine with a dyad (path_chain.h): how it is built, where link and arm begin in the axes of their carriers (geared
-    // five-bar: nothing), their lengths, and their absolute angles at the first position, rad. Inverted slider-crank: length[3] is
+    // For a machine with a dyad (path_chain.h): how it is built, where link and arm begin in the axes of their carriers
+    // (geared five-bar: nothing), their lengths, and their absolute angles at the first position, rad. Inverted slider-crank: length[3] is
     // the distance of the output pivot from the coupler's line, to its left, and angle[2] how far along it this is, m.
     int variant;
     YkVec end[2];

@@ -1,5 +1,5 @@
-// Trees written as text: what is read back is the same, words stand without quotes, and a line is no longer than it
-// must be.
+// A tree that is written as text reads back as the same tree; words stand without quotes, and no line is longer than
+// necessary.
 #include "doc_check.h"
 
 static YkArena *arena;

@@ -11,8 +11,8 @@ static const YkLaw *there_and_back(Bench *bench, YkRiseLaw kind, bool periodic)
     return bench_finish(bench, periodic ? 2 : 0);
 }
 
-// Peaks of the rises as the textbooks have them (Norton 2009, table 2-3). Where a law jumps in its slope, curvature is
-// infinite, which is no jump of curvature.
+// Peaks of the rises as the textbooks have them (Norton 2009, table 2-3). Where the slope of a law jumps, its
+// curvature is infinite, which does not count as a jump of curvature.
 static void bounds_are_those_of_the_textbooks(void **state)
 {
     (void)state;

@@ -29,7 +29,7 @@ static bool use(YkRing *r, YkRingFormat format, YkText *out)
     return well && yk_ring_write(r, changed, format, YK_RING_TEXTBOOK, out) && yk_ring_status(r) == YK_RING_OK;
 }
 
-// So many symbols that patterns are kept, and elements that are alike.
+// Enough symbols for the ring to keep patterns, and elements that are alike.
 static bool write_alike(YkRing *r, YkRingFormat format, YkText *out)
 {
     enum { PAIRS = 66 };

@@ -2,7 +2,7 @@
 #include "ring/inside.h"
 #include "ring_check.h"
 
-enum { BODIES = 40, ROLES = 3 }; // with so many symbols the ring keeps patterns
+enum { BODIES = 40, ROLES = 3 }; // enough symbols for the ring to keep patterns
 
 typedef struct Bodies {
     YkRing *ring;

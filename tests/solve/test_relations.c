@@ -156,7 +156,7 @@ static void residuals_tell_a_miss(void **unused)
     machine_free(&m);
 }
 
-// Angles that loops place are known but for whole turns, whose share in a belt's equation is no whole number.
+// Loops determine angles only up to whole turns, and a whole turn does not enter a belt's equation as a whole number.
 static void whole_turns_are_no_miss_and_their_parts_are(void **unused)
 {
     (void)unused;

@@ -82,7 +82,7 @@ static void what_was_written_is_found_again(void **state)
         check_rows(blocks);
         add(blocks, DESIGNS);
         assert_int_equal(yk_blocks_done(blocks), DESIGNS);
-        assert_false(yk_blocks_add(blocks, rows, 1, NULL)); // there are no more designs
+        assert_false(yk_blocks_add(blocks, rows, 1, NULL)); // every design has been written
         check_rows(blocks);
         yk_blocks_close(blocks, true);
         assert_int_not_equal(access(path, F_OK), 0);

@@ -33,8 +33,8 @@ static YkVec place_of(const Walk *w, size_t body, YkVec at)
     return yk_add(m->at, yk_mul(m->e, yk_sub(at, yk_reference_point(w->model, body))));
 }
 
-// Returns where an end is. A joint is where its point on the second body is, which slides along the line of the first where it
-// slides.
+// Returns where an end is. A joint is where its point on the second body is, which slides along the line of the first
+// where it slides.
 static YkVec end_at(const Walk *w, const YkPolygonEnd *end)
 {
     if (end->joint == YK_NOT_FOUND) return place_of(w, end->body, w->model->points[end->point].at);

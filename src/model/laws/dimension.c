@@ -5,6 +5,7 @@
 // a length over an angle, as for a cam. Bare numbers are then in the file's units of these dimensions.
 #include <stdlib.h>
 #include <string.h>
+#include "base/letters.h"
 #include "model/laws/read.h"
 
 typedef enum Axis { OF, VALUE, AXES } Axis;
@@ -25,7 +26,7 @@ typedef struct Search {
 static bool has_letter(const char *text)
 {
     for (; *text; text++) {
-        if ((*text >= 'a' && *text <= 'z') || (*text >= 'A' && *text <= 'Z')) return true;
+        if (yk_is_letter(*text)) return true;
     }
     return false;
 }

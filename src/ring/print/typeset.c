@@ -1,5 +1,6 @@
 // Typesets a symbol's name: theta1'' is a base theta, a subscript 1 and two dots.
 #include <string.h>
+#include "base/letters.h"
 #include "base/text.h"
 #include "ring/inside.h"
 #include "ring/print/write.h"
@@ -20,11 +21,6 @@ typedef struct Parts {
     const Greek *greek;      // or NULL
     bool is_word;            // set as one word: no subscript, or a base of three or more letters
 } Parts;
-
-static bool is_alpha(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 static bool is_lower(char c)
 {
@@ -47,7 +43,7 @@ static Parts take_apart(const char *name)
     parts.dots = strlen(name) - parts.stem;
     size_t lower = 0;
     while (is_lower(name[lower])) lower++;
-    bool dotted = memchr(name, '.', parts.stem) != NULL || !is_alpha(name[0]);
+    bool dotted = memchr(name, '.', parts.stem) != NULL || !yk_is_letter(name[0]);
     parts.base = dotted ? parts.stem : parts.greek ? strlen(parts.greek->name) : lower > 2 ? lower : 1;
     if (dotted) parts.greek = NULL;
     parts.is_word = dotted || (!parts.greek && parts.base > 1);

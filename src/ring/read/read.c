@@ -5,19 +5,10 @@
 //   base    number | name | function | ( sum ) | { sum } in LaTeX
 #include <stdlib.h>
 #include <string.h>
+#include "base/letters.h"
 #include "ring/read/reader.h"
 
 enum { DEPTH_MAX = 200 };
-
-static bool is_letter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 
 char yk_reader_peek(const YkRingReader *reader)
 {
@@ -29,7 +20,7 @@ bool yk_reader_sees(const YkRingReader *reader, const char *what)
     size_t length = strlen(what);
     if (reader->length - reader->at < length || memcmp(reader->text + reader->at, what, length) != 0) return false;
     char next = reader->at + length < reader->length ? reader->text[reader->at + length] : '\0';
-    return !is_letter(what[length - 1]) || !is_letter(next);
+    return !yk_begins_name(what[length - 1]) || !yk_begins_name(next);
 }
 
 void yk_reader_blanks(YkRingReader *reader)
@@ -117,13 +108,13 @@ static const YkPoisson *base(YkRingReader *reader)
 {
     char c = yk_reader_peek(reader);
     bool latex = reader->format == YK_RING_LATEX, found = false;
-    if (is_digit(c) || c == '.') return yk_reader_number(reader);
+    if (yk_is_digit(c) || c == '.') return yk_reader_number(reader);
     if (yk_reader_takes(reader, "(")) return bracketed(reader, ")");
     if (latex && yk_reader_takes(reader, "{")) return bracketed(reader, "}");
     if (latex && (yk_reader_takes(reader, "\\frac") || yk_reader_takes(reader, "\\tfrac"))) return fraction(reader);
     const YkPoisson *value = yk_reader_function(reader, &found);
     if (found) return value;
-    if (is_letter(c) || (latex && c == '\\')) return yk_reader_name(reader);
+    if (yk_begins_name(c) || (latex && c == '\\')) return yk_reader_name(reader);
     return yk_reader_expected(reader, "a number, a name or `(`");
 }
 
@@ -134,7 +125,7 @@ static bool exponent(YkRingReader *reader, int32_t *power)
     bool negative = yk_reader_takes(reader, "-");
     size_t start = reader->at;
     int32_t value = 0;
-    for (; is_digit(yk_reader_peek(reader)); reader->at++)
+    for (; yk_is_digit(yk_reader_peek(reader)); reader->at++)
         if (value <= YK_POWER_MAX) value = 10 * value + (yk_reader_peek(reader) - '0');
     if (reader->at == start) return yk_reader_expected(reader, "a whole number as exponent") != NULL;
     yk_reader_blanks(reader);
@@ -167,7 +158,8 @@ const YkPoisson *yk_reader_factor(YkRingReader *reader)
 static bool juxtaposed(const YkRingReader *reader)
 {
     char c = yk_reader_peek(reader);
-    return is_letter(c) || is_digit(c) || c == '(' || (reader->format == YK_RING_LATEX && (c == '\\' || c == '{'));
+    return yk_begins_name(c) || yk_is_digit(c) || c == '(' ||
+           (reader->format == YK_RING_LATEX && (c == '\\' || c == '{'));
 }
 
 static const YkPoisson *product(YkRingReader *reader)

@@ -1,23 +1,14 @@
 // Reads numbers, names and functions in expressions.
 #include <string.h>
+#include "base/letters.h"
 #include "base/number.h"
 #include "ring/read/reader.h"
 
 enum { TOKEN_MAX = 300 };
 
-static bool is_letter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 static bool is_name_part(char c)
 {
-    return is_letter(c) || is_digit(c) || c == '_' || c == '.';
+    return yk_begins_name(c) || yk_is_digit(c) || c == '.';
 }
 
 static char peek_at(const YkRingReader *reader, size_t offset)
@@ -103,7 +94,7 @@ static void skip_latex_name(YkRingReader *reader)
     } else {
         bool command = yk_reader_peek(reader) == '\\';
         reader->at++;
-        while (command && is_letter(yk_reader_peek(reader))) reader->at++;
+        while (command && yk_is_letter(yk_reader_peek(reader))) reader->at++;
     }
     if (accent && yk_reader_peek(reader) == '}') reader->at++;
     if (yk_reader_peek(reader) != '_') return;

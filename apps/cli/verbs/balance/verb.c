@@ -260,7 +260,7 @@ static void warn_of_laws(YkSession *session, const YkLawWatch *laws)
 {
     const YkMechanism *mech = yk_state_mechanism(session->state);
     YkCoordinateInfo input = yk_coordinate_info(mech, yk_input_coordinate(mech, 0));
-    yk_warn_of_laws(session, laws, input.name, input.is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE, "");
+    yk_warn_of_laws(session, laws, input.name, yk_quantity_of(input.is_distance, 0), "");
 }
 
 int yk_run_balance(YkSession *session)

@@ -14,7 +14,7 @@ typedef struct YkRestAnswer {
 // laws.c: looks at all equilibria. Returns false when out of memory.
 bool yk_rest_watch_laws(YkRestAnswer *answer);
 
-const char *yk_stability_word(YkStability stability); // "stable", "unstable", "neutral"
+const char *yk_stability_word(YkStability stability); // "stable", "unstable", "neutral", "none"
 // Returns the frequency of the undamped motion, Hz; NaN if the mode does not vibrate.
 double yk_mode_hertz(YkMode mode);
 // Adds the motions with damping and follower loads to the text; nothing if the modes are the whole motion.
