@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes src/base/powers_of_ten.c: 10^k cut to 128 bits, and checks what src/base relies on.
+"""Writes src/base/numbers/powers_of_ten.c: 10^k cut to 128 bits, and checks what src/base/numbers relies on.
 
-Usage: python3 tools/powers_of_ten.py > src/base/powers_of_ten.c
+Usage: python3 tools/powers_of_ten.py > src/base/numbers/powers_of_ten.c
 """
 from fractions import Fraction
 
@@ -41,7 +41,7 @@ def check():
 
 check()
 print("// Written by tools/powers_of_ten.py; do not edit.")
-print('#include "base/powers_of_ten.h"')
+print('#include "base/numbers/powers_of_ten.h"')
 print()
 print("// clang-format off")
 print("const YkWide yk_powers_of_ten[YK_TEN_MAX - YK_TEN_MIN + 1] = {")

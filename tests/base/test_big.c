@@ -1,8 +1,8 @@
 // The exact integers behind reading and writing: wide.h, big.h and the table of powers of ten.
 #include "check.h"
-#include "base/big.h"
-#include "base/decimal.h"
-#include "base/powers_of_ten.h"
+#include "base/numbers/big.h"
+#include "base/numbers/decimal.h"
+#include "base/numbers/powers_of_ten.h"
 
 static void both_wide_products_agree(void **state)
 {

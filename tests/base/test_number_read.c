@@ -1,7 +1,7 @@
 // Reading decimal numbers to the nearest double.
 #include "check.h"
 #include <stdlib.h>
-#include "base/decimal.h"
+#include "base/numbers/decimal.h"
 #include "base/number.h"
 
 // The law: the whole text is read, to the double strtod gives (glibc rounds correctly).

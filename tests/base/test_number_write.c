@@ -1,7 +1,7 @@
 // Writing numbers in the fewest digits that read back.
 #include "check.h"
 #include <stdlib.h>
-#include "base/decimal.h"
+#include "base/numbers/decimal.h"
 #include "base/number.h"
 
 static double random_double(uint64_t *seed)

@@ -1,9 +1,9 @@
 // Rounds a double correctly to a number of significant digits: one 192-bit product decides, or exact integers when it
 // cannot settle a tie.
 #include <stdbool.h>
-#include "base/big.h"
-#include "base/decimal.h"
-#include "base/powers_of_ten.h"
+#include "base/numbers/big.h"
+#include "base/numbers/decimal.h"
+#include "base/numbers/powers_of_ten.h"
 
 static uint64_t small_power_of_ten(int exponent)
 {

@@ -2,9 +2,9 @@
 // sides (after Lemire 2021, "Number parsing at a gigabyte per second"). If both bounds round to the same double, that
 // is the answer; otherwise all digits are compared exactly with the midpoint of the two candidates.
 #include "base/number.h"
-#include "base/big.h"
-#include "base/decimal.h"
-#include "base/powers_of_ten.h"
+#include "base/numbers/big.h"
+#include "base/numbers/decimal.h"
+#include "base/numbers/powers_of_ten.h"
 
 enum {
     MANTISSA_DIGITS = 19, // always fit in 64 bits

@@ -1,5 +1,5 @@
 // Written by tools/powers_of_ten.py; do not edit.
-#include "base/powers_of_ten.h"
+#include "base/numbers/powers_of_ten.h"
 
 // clang-format off
 const YkWide yk_powers_of_ten[YK_TEN_MAX - YK_TEN_MIN + 1] = {

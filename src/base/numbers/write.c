@@ -1,7 +1,7 @@
 // Writes numbers: plain from 1e-5 up to 1e15, with an exponent beyond.
 #include "base/number.h"
 #include <math.h>
-#include "base/decimal.h"
+#include "base/numbers/decimal.h"
 #include "base/wide.h"
 
 enum { DIGITS_MAX = 20, PLAIN_LOW = -5, PLAIN_HIGH = 15 };

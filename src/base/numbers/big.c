@@ -1,5 +1,5 @@
 // Big natural numbers: multiplication by small factors, and exact comparison after scaling.
-#include "base/big.h"
+#include "base/numbers/big.h"
 
 YkBig yk_big(uint64_t value)
 {

@@ -2,8 +2,8 @@
 // the largest power of ten 10^k that is not wider than the rounding interval: at least one and at most a few of its
 // multiples lie inside. A coarser multiple, of 10^(k+1), is tried first.
 #include <stdbool.h>
-#include "base/decimal.h"
-#include "base/powers_of_ten.h"
+#include "base/numbers/decimal.h"
+#include "base/numbers/powers_of_ten.h"
 
 // Returns floor(power * x / 2^128), with the last bit set when the cut-off rest may not vanish: enough to compare
 // exactly with multiples of 2 (Giulietti 2020, section 9.9). `power` is rounded up.
