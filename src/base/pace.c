@@ -1,6 +1,5 @@
 // Asks the caller of a long call whether to go on.
 #include "base/pace.h"
-#include "base/problems.h"
 
 bool yk_pace_begin(YkPace *pace, YkProgress progress)
 {
@@ -29,13 +28,6 @@ bool yk_pace_ask(YkPace *pace)
     if (!pace->is_stopped && pace->progress.goes_on)
         pace->is_stopped = !pace->progress.goes_on(pace->progress.context, pace->part);
     return !pace->is_stopped;
-}
-
-void yk_pace_tell(YkProblems *problems)
-{
-    for (size_t k = 0; problems && k < yk_problems_count(problems); k++)
-        if (yk_problems_get(problems, k)->code == YK_CODE_STOPPED) return;
-    yk_problem(problems, YK_CODE_STOPPED, (YkPlace){0}, "stopped before it was done, as the caller asked");
 }
 
 static bool go_on_within(void *context, double part)

@@ -8,7 +8,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <yoke/problem.h>
 #include <yoke/progress.h>
 
 // Work is counted in units of about a nanosecond: a multiplication, an entry that is read. A slice is some 10 ms.
@@ -41,8 +40,6 @@ static inline bool yk_pace_is_stopped(const YkPace *pace)
 {
     return pace && pace->is_stopped;
 }
-// Adds the problem that the call was stopped, unless a call within it has.
-void yk_pace_tell(YkProblems *problems);
 // Returns what a call within this one is given: what it does is a part of the present stage. The pace must outlive it.
 YkProgress yk_pace_within(YkPace *pace);
 

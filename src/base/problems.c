@@ -154,6 +154,13 @@ void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *me
     insert_in_order(problems, index);
 }
 
+void yk_problem_stopped(YkProblems *problems)
+{
+    for (size_t k = 0; problems && k < problems->count; k++)
+        if (problems->items[k].code == YK_CODE_STOPPED) return;
+    yk_problem(problems, YK_CODE_STOPPED, (YkPlace){0}, "stopped before it was done, as the caller asked");
+}
+
 void yk_problem_hint(YkProblems *problems, const char *hint, ...)
 {
     if (!problems || !problems->last) return;

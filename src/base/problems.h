@@ -19,6 +19,8 @@ void yk_problems_name_places(YkProblems *problems, YkNamePlace name);
 // Adds a problem; message takes the formats of yk_text_format. problems may be NULL (nothing is recorded). The code's
 // entry in codes.def gives the severity. Adds E0100 in its place if there is no memory for the message.
 void yk_problem(YkProblems *problems, YkCode code, YkPlace place, const char *message, ...);
+// Adds that a long call was stopped (base/pace.h), unless a call within it has.
+void yk_problem_stopped(YkProblems *problems);
 // Adds a hint, formatted the same way, to the problem added last.
 void yk_problem_hint(YkProblems *problems, const char *hint, ...);
 // Adds what another list has, without its places; `about` (or NULL) stands before each message, in backquotes.

@@ -230,7 +230,7 @@ YkCSource *yk_c_source_new(const YkModel *model, const YkCSourceOptions *options
     yk_arena_free(arena);
     if (ok) return code;
     if (pace.is_stopped)
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
     else if (problems && yk_problems_error_count(problems) == errors)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while printing the code");
     yk_c_source_free(code);

@@ -76,7 +76,7 @@ YkMechanism *yk_compile_with(const YkModel *model, const YkCompileOptions *optio
         if (is_built && !pace.is_stopped) return mech;
     }
     if (pace.is_stopped)
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
     else if (problems && yk_problems_error_count(problems) == errors)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while compiling the machine");
     yk_mechanism_free(mech);

@@ -224,7 +224,7 @@ YkMap *yk_map_new(YkState *start, size_t coordinate, YkProblems *problems)
         ran_out = map->tracer.out_of_memory;
         map->tracer.pace = NULL;
         if (yk_state_end(start, is_own, YK_OK) == YK_STOPPED) {
-            yk_pace_tell(problems);
+            yk_problem_stopped(problems);
             ok = ran_out = false;
         }
     }

@@ -145,7 +145,7 @@ static bool fill(YkModel *model, const char *text, size_t length, const YkReadin
     bool done = loader.root && !has_new_errors(problems, errors);
     if (done) yk_load_keep_source(&loader, text, length);
     if (yk_pace_is_stopped(model->arena->pace)) {
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
         done = false;
     } else if (is_out_of_memory(&loader) || (done && !how->sheet && !yk_load_size(model))) {
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while loading the model");

@@ -91,7 +91,7 @@ static YkStatus cannot(YkDerivation *d, const YkPage *page, YkProblems *problems
     YkRingStatus why = yk_derivation_fault(d);
     size_t section = page->section ? yk_derivation_section_find(page->section) : YK_NOT_FOUND;
     if (why == YK_RING_STOPPED)
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
     else if (section == YK_NOT_FOUND)
         yk_problem(problems, yk_derive_code(why), (YkPlace){0}, "%s", yk_ring_status_text(why));
     else

@@ -173,7 +173,7 @@ YkCheckVerdict yk_derive_check(YkDerivation *d, YkState *state, YkDynamics *dyna
     yk_derivation_end(d);
     if (d->pace.is_stopped) {
         verdict = (YkCheckVerdict){.kind = YK_CHECK_UNREADABLE};
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
     }
     return verdict;
 }

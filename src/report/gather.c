@@ -127,7 +127,7 @@ YkReportPage *yk_report_new(YkState *state, const YkReportOptions *options, YkPr
     if (good) report->pace.progress = (YkProgress){0};
     if (good && !is_stopped && !report->failed && !yk_arena_failed(report->arena)) return report;
     if (is_stopped)
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
     else if (yk_problems_error_count(problems) == 0)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
     yk_report_free(report);

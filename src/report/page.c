@@ -114,7 +114,7 @@ const char *yk_report_html(YkReportPage *report, YkProblems *problems)
     report->pace.progress = (YkProgress){0};
     if (report->pace.is_stopped) {
         yk_text_free(&report->html);
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
         return NULL;
     }
     if (!report->html.failed && !report->failed) return yk_text_get(&report->html);

@@ -118,7 +118,7 @@ YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProbl
     if (ok) ok = yk_rest_search(rest, starts) && has_inertia(rest, problems) && !rest->dynamics->ran_out;
     if (!ok || pace.is_stopped) {
         if (pace.is_stopped)
-            yk_pace_tell(problems);
+            yk_problem_stopped(problems);
         else if (problems && yk_problems_error_count(problems) == 0)
             yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while looking for equilibria");
         yk_rest_free(rest);

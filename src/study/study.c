@@ -199,7 +199,7 @@ YkStudy *yk_study_new(const YkState *state, const YkStudyOptions *options, YkPro
     if (good && start_workers(study, state, options, &pace, problems) && !pace.is_stopped) return study;
     yk_study_free(study);
     if (pace.is_stopped)
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
     else if (problems && yk_problems_error_count(problems) == errors)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory while preparing the study");
     return NULL;

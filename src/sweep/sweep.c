@@ -127,7 +127,7 @@ YkSweep *yk_sweep_run(YkState *state, const YkSweepOptions *options, const YkCha
     YkSweep *w = sweep(state, options, channels, channel_count, problems);
     if (yk_state_end(state, is_own, YK_OK) != YK_STOPPED) return w;
     yk_sweep_free(w);
-    yk_pace_tell(problems);
+    yk_problem_stopped(problems);
     return NULL;
 }
 

@@ -63,3 +63,10 @@ const int32_t *yk_derive_pushes_on(const YkDeriveForces *f, int32_t body, size_t
 {
     return entries_of(&f->pushes_on, body, count);
 }
+
+const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush *push)
+{
+    YkRing *ring = f->d->ring;
+    if (push->force && (yk_ring_is_zero(push->force) || yk_ring_is_zero(push->arm))) return push->moment;
+    return yk_ring_add(ring, yk_ring_cross(ring, push->arm, push->force), push->moment);
+}

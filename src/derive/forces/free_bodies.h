@@ -189,6 +189,7 @@ const YkPoisson *yk_derive_axes_angle(YkDerivation *d, int32_t body);
 // Newton: sum of the forces on a body minus mass times acceleration, complex. Euler: moments about its reference.
 const YkPoisson *yk_derive_newton(const YkDeriveForces *f, int32_t body);
 const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body);
+// Returns arm x force + couple of a push.
 const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush *push);
 // Projects all of them, and those of the junctions, on the partial velocities of a coordinate of the body form.
 const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate);

@@ -2,14 +2,6 @@
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 
-// Returns arm x force + couple.
-const YkPoisson *yk_derive_moment_of(const YkDeriveForces *f, const YkDerivePush *push)
-{
-    YkRing *ring = f->d->ring;
-    if (push->force && (yk_ring_is_zero(push->force) || yk_ring_is_zero(push->arm))) return push->moment;
-    return yk_ring_add(ring, yk_ring_cross(ring, push->arm, push->force), push->moment);
-}
-
 static const YkPoisson *newton(const YkDeriveForces *f, int32_t body)
 {
     YkRing *ring = f->d->ring;

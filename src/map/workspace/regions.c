@@ -212,7 +212,7 @@ YkRegions *yk_regions_new(YkState *start, size_t first, size_t second, const YkR
     bool is_stopped = yk_state_end(start, is_own, f->status) == YK_STOPPED, ran_out = f->tracer.out_of_memory;
     ran_out |= f->status == YK_NO_MEMORY;
     if (is_stopped)
-        yk_pace_tell(problems);
+        yk_problem_stopped(problems);
     else if (ran_out)
         yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
     else if (f->status < 0)
