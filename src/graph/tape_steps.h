@@ -25,6 +25,7 @@ typedef enum YkTapeOp {
     YK_TAPE_PLUS_LESS,    // (e + a b) - c d
     YK_TAPE_LESS_PLUS,    // (e - a b) + c d
     YK_TAPE_LESS_LESS,    // (e - a b) - c d
+    YK_TAPE_SPIN,         // a (c c) + b d, and as its second result a d - b (c c)
     YK_TAPE_ROOT,
     YK_TAPE_SIZE,
     YK_TAPE_NONZERO, // |a| + 1e-200
@@ -41,7 +42,8 @@ typedef struct YkTapeStep {
     int32_t out, in[YK_TAPE_OPERANDS]; // rows
     YkValueKind kind;                  // RARE: of the value
     YkFunction function;
-    int32_t call; // RARE: of the tape's calls, or YK_NONE
+    int32_t call;   // RARE: of the tape's calls, or YK_NONE
+    int32_t second; // SPIN: the row of its second result; otherwise YK_NONE
 } YkTapeStep;
 
 typedef struct YkTapeCall {
@@ -79,6 +81,8 @@ typedef struct YkTapeMaker { // what makes a tape
     int32_t *in_sums; // per value: how many of these are operands of sums
     bool *is_within;  // per value: a product or sum that its only user computes itself
     YkRef *inner;     // per sum: the sum within it, or YK_NONE
+    YkTapeStep *spin; // per sum: the step that computes it with another one, or one that is no SPIN
+    bool *is_beside;  // per value: the step of another one computes it, or does without it
     int32_t *of_call; // per call of the graph: that of the tape, or YK_NONE
     YkRef *made;      // per step: the value that it computes
     size_t call_count, most_arguments;
@@ -93,12 +97,15 @@ static inline const YkValue *yk_tape_value(const YkTapeMaker *maker, YkRef value
 // Makes a step whose operands are values.
 static inline YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d)
 {
-    return (YkTapeStep){.op = op, .in = {a, b, c, d, YK_NONE}, .call = YK_NONE};
+    return (YkTapeStep){.op = op, .in = {a, b, c, d, YK_NONE}, .call = YK_NONE, .second = YK_NONE};
 }
 // tape_sums.c: finds the products and sums that the step of another sum computes, once uses are counted.
 void yk_tape_find_sums(YkTapeMaker *maker);
 // Makes the step of a sum.
 YkTapeStep yk_tape_sum(const YkTapeMaker *maker, YkRef value);
+
+// tape_spins.c: finds pairs of sums that one step computes, once products are found.
+void yk_tape_find_spins(YkTapeMaker *maker);
 
 // tape_scalars.c: puts factors that depend on parameters alone second, and marks operands of a pose's step that do.
 void yk_tape_mark_scalars(const YkTapeMaker *maker, YkTapeStep *step);
