@@ -136,7 +136,7 @@ static bool make(YkTapeMaker *m, YkArena *work, const YkRef *leaves, const YkRef
     m->in_sums = YK_NEW(work, int32_t, g->count + 1);
     m->is_within = YK_NEW(work, bool, g->count + 1);
     m->inner = YK_NEW(work, YkRef, g->count + 1);
-    m->spin = YK_NEW(work, YkTapeStep, g->count + 1);
+    m->spin = YK_NEW(work, YkTapeStep *, g->count + 1);
     m->is_beside = YK_NEW(work, bool, g->count + 1);
     m->of_call = YK_NEW(work, int32_t, g->call_count + 1);
     m->made = YK_NEW(work, YkRef, g->count + t->root_count + 1);

@@ -35,10 +35,12 @@ static YkRef across(const YkTapeMaker *m, YkRef x, YkRef a, YkRef y, YkRef squar
 // Joins x square + y a with its other half, if there is one. The square needs no step if nothing else reads it.
 static bool join(YkTapeMaker *m, YkRef sum, YkRef x, YkRef square, YkRef y, YkRef a)
 {
-    YkRef other = across(m, x, a, y, square);
-    if (!is_square(m, square) || other == YK_NONE) return false;
-    m->spin[sum] = yk_tape_step(YK_TAPE_SPIN, x, y, yk_tape_value(m, square)->a, a);
-    m->spin[sum].second = other;
+    YkRef other = is_square(m, square) ? across(m, x, a, y, square) : YK_NONE;
+    YkTapeStep *step = other == YK_NONE ? NULL : YK_NEW(m->tape->arena, YkTapeStep, 1);
+    if (!step) return false;
+    *step = yk_tape_step(YK_TAPE_SPIN, x, y, yk_tape_value(m, square)->a, a);
+    step->second = other;
+    m->spin[sum] = step;
     m->is_beside[other] = true;
     bool is_own = m->uses[product_of(m, x, square)] == 1 && m->uses[product_of(m, y, square)] == 1;
     if (is_own && m->uses[square] == 2) m->is_beside[square] = true;

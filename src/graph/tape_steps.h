@@ -81,8 +81,8 @@ typedef struct YkTapeMaker { // what makes a tape
     int32_t *in_sums; // per value: how many of these are operands of sums
     bool *is_within;  // per value: a product or sum that its only user computes itself
     YkRef *inner;     // per sum: the sum within it, or YK_NONE
-    YkTapeStep *spin; // per sum: the step that computes it with another one, or one that is no SPIN
-    bool *is_beside;  // per value: the step of another one computes it, or does without it
+    YkTapeStep **spin; // per sum: the step that computes it with another one, or NULL
+    bool *is_beside;   // per value: the step of another one computes it, or does without it
     int32_t *of_call; // per call of the graph: that of the tape, or YK_NONE
     YkRef *made;      // per step: the value that it computes
     size_t call_count, most_arguments;
