@@ -245,25 +245,24 @@ static bool run_alone(YkBatch *b, const double *const *inputs, double *const *ou
     return is_well && (!b->forces || yk_batch_run_forces_alone(b, outputs, 0));
 }
 
-// Returns how many numbers of the outputs stand in a cache line before the first one, if it is as many in all of them.
+// Returns how many numbers stand in a cache line before the first one of an output, if they are as many for all outputs.
 static size_t lanes_before(const YkBatch *b, double *const *outputs)
 {
-    size_t beyond = b->channel_count > 0 ? (uintptr_t)outputs[0] % 64 : 0;
-    for (size_t k = 1; k < b->channel_count; k++)
+    size_t beyond = YK_KNOWS_BLOCKS && b->channel_count > 0 ? (uintptr_t)outputs[0] % 64 : 0;
+    for (size_t k = 1; beyond > 0 && k < b->channel_count; k++)
         if ((uintptr_t)outputs[k] % 64 != beyond) return 0;
     return beyond / sizeof(double);
 }
 
-// Returns how many lanes the block has that begins at a pose, or before: there its answers come out once more.
+// Returns how many lanes the block has that begins at a pose; the last one may begin before, and repeat some answers.
 static size_t block_lanes(const YkBatch *b, size_t at, size_t count)
 {
-    size_t left = count - at, whole = (left + LANES_WHOLE - 1) / LANES_WHOLE * LANES_WHOLE;
-    if (at == 0 && left < b->lanes) return left;
-    return whole < b->lanes ? whole : b->lanes;
+    size_t turn = YK_KNOWS_BLOCKS && at > 0 ? LANES_WHOLE : 1, lanes = (count - at + turn - 1) / turn * turn;
+    return lanes < b->lanes ? lanes : b->lanes;
 }
 
-// Blocks have whole loops and, but for the first and the last one, begin where cache lines of the outputs do: a vector in two
-// lines is stored in twice the time.
+// Blocks have whole loops and, but for the first and the last one, begin where cache lines of the outputs do: a vector
+// in two lines is stored in twice the time.
 static YkStatus run_blocks(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
                            size_t count)
 {

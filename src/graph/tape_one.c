@@ -5,7 +5,6 @@
 // lead to a result, since the waiting for each other is half of the cost. A group of one kind costs one jump.
 //
 // Leaves that are numbers of a pose are read where they stand: the operations are told anew when the pose stands elsewhere.
-#include "elementary/kernel.h"
 #include "graph/tape_one.h"
 
 typedef struct Maker {
@@ -80,7 +79,8 @@ static void place_spin(Maker *m, const YkTapeStep *step)
     int32_t x = place_of(m, step->in[0]), y = place_of(m, step->in[1]), w = place_of(m, step->in[2]);
     int32_t a = place_of(m, step->in[3]), square = new_place(m), along = new_place(m), across = new_place(m);
     const YkTapeStep three[] = {yk_tape_step(YK_TAPE_MULTIPLY, w, w, square, square),
-                                yk_tape_step(YK_TAPE_DOT, x, square, y, a), yk_tape_step(YK_TAPE_CROSS, x, a, y, square)};
+                                yk_tape_step(YK_TAPE_DOT, x, square, y, a),
+                                yk_tape_step(YK_TAPE_CROSS, x, a, y, square)};
     const int32_t out[] = {square, along, across};
     for (size_t k = 0; k < 3; k++) {
         YkTapeStep *s = &m->steps[m->step_count++];
@@ -98,7 +98,7 @@ static void place_step(Maker *m, const YkTapeStep *step)
         m->place[step->out] = place_of(m, step->in[0]);
         return;
     }
-    if (YK_KNOWS_BLOCKS && step->op == YK_TAPE_SPIN) {
+    if (yk_tape_is_spin(step)) {
         place_spin(m, step);
         return;
     }
@@ -226,7 +226,7 @@ static bool start(Maker *m, YkArena *work)
     YkTapeOne *one = m->one;
     size_t steps = t->step_count - t->prelude_count + 1, results = 0, calls = 0;
     for (size_t k = t->prelude_count; k < t->step_count; k++) {
-        if (t->steps[k].op == YK_TAPE_SPIN) steps += 2;
+        if (yk_tape_is_spin(&t->steps[k])) steps += 2;
         if (t->steps[k].call == YK_NONE) continue;
         results += t->calls[t->steps[k].call].result_count;
         if ((size_t)t->steps[k].call >= calls) calls = (size_t)t->steps[k].call + 1;

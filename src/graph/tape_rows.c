@@ -62,7 +62,7 @@ static void place_step(Placer *p, YkTapeStep *s, YkRef made, int32_t step)
 {
     if (s->call == YK_NONE) {
         s->out = row_for(p, made);
-        if (s->second != YK_NONE) s->second = row_for(p, s->second);
+        if (yk_tape_is_spin(s)) s->second = row_for(p, s->second);
     } else {
         YkTapeCall *call = &p->tape->calls[s->call];
         for (size_t k = 0; k < call->result_count; k++)
@@ -120,8 +120,7 @@ static void copy_roots(Placer *p, const YkRef *roots)
                                                  .scalars = p->graph->values[roots[k]].of_parameters,
                                                  .out = out,
                                                  .in = {p->row[roots[k]], out, out, out, out},
-                                                 .call = YK_NONE,
-                                                 .second = YK_NONE};
+                                                 .call = YK_NONE};
     }
 }
 

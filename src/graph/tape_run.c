@@ -91,7 +91,7 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
             OF_TWO(LESS_PLUS, b, d)
             OF_TWO(LESS_LESS, b, d)
         case KERNEL(SPIN, 0):
-            if (YK_KNOWS_BLOCKS) {
+            if (YK_KNOWS_BLOCKS) { // otherwise there is none
                 double *across = row[s->second];
                 YK_EACH_LANE YK_UNROLL for (size_t i = 0; i < n; i++)
                 {

@@ -1,13 +1,13 @@
-// Joins the two components of a turning vector's acceleration, x w^2 + y a and x a - y w^2, to one step with two results.
-// Every body has such a pair; its four factors are read once. Not where lanes are not vectors: there nothing is gained.
-#include "elementary/kernel.h"
+// Joins the components of a turning vector's acceleration, x w^2 + y a and x a - y w^2, to one step with two results.
+// Every body has such a pair; its four factors are read once. Where lanes are not vectors nothing would be gained.
 #include "graph/tape_steps.h"
 
 // Returns whether a sum has a step of its own, with two products and nothing else.
 static bool is_free(const YkTapeMaker *m, YkRef sum)
 {
     const YkValue *v = yk_tape_value(m, sum);
-    return m->uses[sum] > 0 && !v->of_parameters && !m->is_beside[sum] && m->is_within[v->a] && m->is_within[v->b];
+    return m->uses[sum] > 0 && !v->of_parameters && !yk_tape_is_beside(m, sum) && m->is_within[v->a] &&
+           m->is_within[v->b];
 }
 
 static bool is_square(const YkTapeMaker *m, YkRef value)

@@ -1,6 +1,7 @@
 // The operations of a tape, shared by the files that make them and the file that runs them.
 #ifndef GRAPH_TAPE_STEPS_H
 #define GRAPH_TAPE_STEPS_H
+#include "elementary/kernel.h"
 #include "graph/tape.h"
 
 // Sums of products are one operation on rows, but every part of them is rounded as if it stood alone.
@@ -43,7 +44,7 @@ typedef struct YkTapeStep {
     YkValueKind kind;                  // RARE: of the value
     YkFunction function;
     int32_t call;   // RARE: of the tape's calls, or YK_NONE
-    int32_t second; // SPIN: the row of its second result; otherwise YK_NONE
+    int32_t second; // SPIN: the row of its second result
 } YkTapeStep;
 
 typedef struct YkTapeCall {
@@ -77,14 +78,14 @@ struct YkTape {
 typedef struct YkTapeMaker { // what makes a tape
     YkTape *tape;
     const YkGraph *graph;
-    int32_t *uses;    // per value: how many needed values, and roots, depend on it
-    int32_t *in_sums; // per value: how many of these are operands of sums
-    bool *is_within;  // per value: a product or sum that its only user computes itself
-    YkRef *inner;     // per sum: the sum within it, or YK_NONE
+    int32_t *uses;     // per value: how many needed values, and roots, depend on it
+    int32_t *in_sums;  // per value: how many of these are operands of sums
+    bool *is_within;   // per value: a product or sum that its only user computes itself
+    YkRef *inner;      // per sum: the sum within it, or YK_NONE
     YkTapeStep **spin; // per sum: the step that computes it with another one, or NULL
     bool *is_beside;   // per value: the step of another one computes it, or does without it
-    int32_t *of_call; // per call of the graph: that of the tape, or YK_NONE
-    YkRef *made;      // per step: the value that it computes
+    int32_t *of_call;  // per call of the graph: that of the tape, or YK_NONE
+    YkRef *made;       // per step: the value that it computes
     size_t call_count, most_arguments;
     bool failed;
 } YkTapeMaker;
@@ -94,10 +95,26 @@ static inline const YkValue *yk_tape_value(const YkTapeMaker *maker, YkRef value
     return &maker->graph->values[value];
 }
 
+// Returns the step that computes a sum with another one, or NULL.
+static inline const YkTapeStep *yk_tape_spin(const YkTapeMaker *maker, YkRef sum)
+{
+    return YK_KNOWS_BLOCKS ? maker->spin[sum] : NULL;
+}
+// Returns whether a value has no step because that of another one computes it, or does without it.
+static inline bool yk_tape_is_beside(const YkTapeMaker *maker, YkRef value)
+{
+    return YK_KNOWS_BLOCKS && maker->is_beside[value];
+}
+// Returns whether a step has a second result.
+static inline bool yk_tape_is_spin(const YkTapeStep *step)
+{
+    return YK_KNOWS_BLOCKS && step->op == YK_TAPE_SPIN;
+}
+
 // Makes a step whose operands are values.
 static inline YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, YkRef d)
 {
-    return (YkTapeStep){.op = op, .in = {a, b, c, d, YK_NONE}, .call = YK_NONE, .second = YK_NONE};
+    return (YkTapeStep){.op = op, .in = {a, b, c, d, YK_NONE}, .call = YK_NONE};
 }
 // tape_sums.c: finds the products and sums that the step of another sum computes, once uses are counted.
 void yk_tape_find_sums(YkTapeMaker *maker);

@@ -391,7 +391,8 @@ static void test_turning_vectors(void **unused)
         assert_int_equal(yk_tape_length(t), steps + (is_read ? 4 : 5)); // and copies for the other roots
         run(&c, t, 0, LANES);
         for (size_t i = 0; i < LANES; i++) {
-            double X = c.leaf[0][i], Y = kind & 16 ? c.leaf[LEAVES][0] : c.leaf[1][i], W = c.leaf[2][i], A = c.leaf[3][i];
+            double X = c.leaf[0][i], Y = kind & 16 ? c.leaf[LEAVES][0] : c.leaf[1][i], W = c.leaf[2][i],
+                   A = c.leaf[3][i];
             double xW = X * (W * W), yA = Y * A, xA = X * A, yW = Y * (W * W);
             double first = xW + yA, second = is_pair ? xA - yW : yW - xA;
             assert_memory_equal(&c.out[3][i], &first, sizeof first);
