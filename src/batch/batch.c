@@ -1,21 +1,26 @@
 // Computes many poses at once: runs blocks of lanes through the same steps, then writes the requested channels.
 #include "batch/batch.h"
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include "batch/inside.h"
+#include "elementary/kernel.h"
 #include "solve/single.h"
 
 // Lanes in a block: enough to hide the dispatch of a step, few enough that a small machine stays in a first-level
-// cache of 32 KB, with most of its forces where these take many operations. Tunable. Rows are a little further apart:
-// rows a multiple of 4096 bytes apart compete for the same cache lines.
-enum { LANES = 192, LANES_WITH_FORCES = 128, MANY = 40, LANES_MIN = 8, LANES_APART = 8 };
+// cache of 32 KB, with most of its forces where these take many operations; some more where vectors are wide, since the
+// same lanes then are fewer turns of a loop. Tunable. Rows are a little further apart: rows a multiple of 4096 bytes
+// apart compete for the same cache lines.
+enum { LANES = 192, LANES_WITH_FORCES = 128, LANES_WIDE = 64, MANY = 40, LANES_MIN = 8, LANES_APART = 8 };
+// Lanes that leave no rest in the loops of a step.
+enum { LANES_WHOLE = 32 };
 #define CACHE_BYTES ((size_t)1 << 18)
 
 static size_t lanes_for(const YkMechanism *mech)
 {
     size_t per_lane = sizeof(double) * (4 * mech->slot_count + 3 * mech->distance_count + 6 * (mech->node_count + 4));
-    size_t lanes = CACHE_BYTES / (per_lane + 1);
-    return lanes > LANES ? LANES : lanes < LANES_MIN ? LANES_MIN : lanes & ~(size_t)7;
+    size_t lanes = CACHE_BYTES / (per_lane + 1), most = LANES + (YK_HAS_WIDE_LANES ? LANES_WIDE : 0);
+    return lanes > most ? most : lanes < LANES_MIN ? LANES_MIN : lanes & ~(size_t)7;
 }
 
 static void fill_constants(YkBatch *b)
@@ -69,7 +74,8 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         return NULL;
     }
     bool has_many = b->forces && b->forces->lanes && yk_lane_forces_length(b->forces->lanes) > MANY;
-    if (has_many && b->lanes > LANES_WITH_FORCES) b->lanes = LANES_WITH_FORCES;
+    size_t most = LANES_WITH_FORCES + (YK_HAS_WIDE_LANES ? LANES_WIDE : 0);
+    if (has_many && b->lanes > most) b->lanes = most;
     double *p = b->point_lanes;
     size_t n = b->lanes;
     b->point = (YkPlane){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n};
@@ -239,20 +245,47 @@ static bool run_alone(YkBatch *b, const double *const *inputs, double *const *ou
     return is_well && (!b->forces || yk_batch_run_forces_alone(b, outputs, 0));
 }
 
+// Returns how many numbers stand in a cache line before the first one of an output, if they are as many for all outputs.
+static size_t lanes_before(const YkBatch *b, double *const *outputs)
+{
+    size_t beyond = YK_KNOWS_BLOCKS && b->channel_count > 0 ? (uintptr_t)outputs[0] % 64 : 0;
+    for (size_t k = 1; beyond > 0 && k < b->channel_count; k++)
+        if ((uintptr_t)outputs[k] % 64 != beyond) return 0;
+    return beyond / sizeof(double);
+}
+
+// Returns how many lanes the block has that begins at a pose; the last one may begin before, and repeat some answers.
+static size_t block_lanes(const YkBatch *b, size_t at, size_t count)
+{
+    size_t turn = YK_KNOWS_BLOCKS && at > 0 ? LANES_WHOLE : 1, lanes = (count - at + turn - 1) / turn * turn;
+    return lanes < b->lanes ? lanes : b->lanes;
+}
+
+// Blocks have whole loops and, but for the first and the last one, begin where cache lines of the outputs do: a vector
+// in two lines is stored in twice the time.
+static YkStatus run_blocks(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
+                           size_t count)
+{
+    YkStatus worst = YK_OK;
+    size_t at = 0, before = count > b->lanes ? lanes_before(b, outputs) : 0;
+    while (at < count) {
+        size_t lanes = block_lanes(b, at, count), from = at + lanes < count ? at : count - lanes;
+        b->run.lanes = lanes;
+        worst = yk_worse(worst, run_lanes(b, inputs, outputs, status, (YkAlong){NULL, NULL}, from));
+        at = from + lanes - (at == 0 && lanes < count ? before : 0);
+    }
+    return worst;
+}
+
 YkStatus yk_batch_run(YkBatch *b, const double *const *inputs, double *const *outputs, signed char *status,
                       size_t count)
 {
-    YkStatus worst = YK_OK;
     if (b->needs_state) return run_poses(b, inputs, outputs, status, count);
     if (count == 1 && run_alone(b, inputs, outputs)) {
         if (status) *status = YK_OK;
         return YK_OK;
     }
-    for (size_t at = 0; at < count; at += b->lanes) {
-        b->run.lanes = count - at < b->lanes ? count - at : b->lanes;
-        worst = yk_worse(worst, run_lanes(b, inputs, outputs, status, (YkAlong){NULL, NULL}, at));
-    }
-    return worst;
+    return run_blocks(b, inputs, outputs, status, count);
 }
 
 bool yk_batch_has_slow_forces(const YkBatch *b)

@@ -45,6 +45,7 @@
 #if defined(__GNUC__) && defined(__x86_64__) && !defined(YK_PLAIN_LANES) && !defined(YOKE_COVERAGE)
 #define YK_KNOWS_BLOCKS true
 #define YK_FEW_LANES 8
+#define YK_HAS_WIDE_LANES (__builtin_cpu_supports("avx512f") != 0) // vectors of eight
 #define YK_KERNEL(name, parameters, arguments)                                                                         \
     __attribute__((target("avx512f"), noinline)) static void name##_avx512 parameters                                  \
     {                                                                                                                  \
@@ -71,6 +72,7 @@
     }
 #else
 #define YK_KNOWS_BLOCKS false
+#define YK_HAS_WIDE_LANES false
 #define YK_KERNEL(name, parameters, arguments)                                                                         \
     void name parameters                                                                                               \
     {                                                                                                                  \

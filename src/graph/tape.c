@@ -107,7 +107,9 @@ static void make_call(YkTapeMaker *m, int32_t index)
 static bool has_step(YkTapeMaker *m, YkRef value)
 {
     const YkValue *v = yk_tape_value(m, value);
-    if (m->uses[value] == 0 || m->is_within[value] || v->op == YK_VALUE_NUMBER || v->op == YK_VALUE_LEAF) return false;
+    if (m->uses[value] == 0 || m->is_within[value] || yk_tape_is_beside(m, value) || v->op == YK_VALUE_NUMBER ||
+        v->op == YK_VALUE_LEAF)
+        return false;
     if (v->op != YK_VALUE_RESULT) return true;
     bool is_first = m->tape->calls[m->of_call[v->a]].arguments == NULL; // the step of a call makes all its results
     make_call(m, v->a);
@@ -136,6 +138,8 @@ static bool make(YkTapeMaker *m, YkArena *work, const YkRef *leaves, const YkRef
     m->in_sums = YK_NEW(work, int32_t, g->count + 1);
     m->is_within = YK_NEW(work, bool, g->count + 1);
     m->inner = YK_NEW(work, YkRef, g->count + 1);
+    if (YK_KNOWS_BLOCKS) m->spin = YK_NEW(work, YkTapeStep *, g->count + 1);
+    if (YK_KNOWS_BLOCKS) m->is_beside = YK_NEW(work, bool, g->count + 1);
     m->of_call = YK_NEW(work, int32_t, g->call_count + 1);
     m->made = YK_NEW(work, YkRef, g->count + t->root_count + 1);
     t->steps = YK_NEW(t->arena, YkTapeStep, g->count + t->root_count + 1);

@@ -73,11 +73,33 @@ static void place_operands(Maker *m, YkTapeStep *s)
         if (!is_read[k]) s->in[k] = s->out;
 }
 
+// A step with two results is three for one lane.
+static void place_spin(Maker *m, const YkTapeStep *step)
+{
+    int32_t x = place_of(m, step->in[0]), y = place_of(m, step->in[1]), w = place_of(m, step->in[2]);
+    int32_t a = place_of(m, step->in[3]), square = new_place(m), along = new_place(m), across = new_place(m);
+    const YkTapeStep three[] = {yk_tape_step(YK_TAPE_MULTIPLY, w, w, square, square),
+                                yk_tape_step(YK_TAPE_DOT, x, square, y, a),
+                                yk_tape_step(YK_TAPE_CROSS, x, a, y, square)};
+    const int32_t out[] = {square, along, across};
+    for (size_t k = 0; k < 3; k++) {
+        YkTapeStep *s = &m->steps[m->step_count++];
+        *s = three[k];
+        s->out = s->in[4] = out[k];
+    }
+    m->place[step->out] = along;
+    m->place[step->second] = across;
+}
+
 // A copy makes no number: its row holds the value of the other.
 static void place_step(Maker *m, const YkTapeStep *step)
 {
     if (step->op == YK_TAPE_COPY) {
         m->place[step->out] = place_of(m, step->in[0]);
+        return;
+    }
+    if (yk_tape_is_spin(step)) {
+        place_spin(m, step);
         return;
     }
     YkTapeStep *s = &m->steps[m->step_count];
@@ -204,6 +226,7 @@ static bool start(Maker *m, YkArena *work)
     YkTapeOne *one = m->one;
     size_t steps = t->step_count - t->prelude_count + 1, results = 0, calls = 0;
     for (size_t k = t->prelude_count; k < t->step_count; k++) {
+        if (yk_tape_is_spin(&t->steps[k])) steps += 2;
         if (t->steps[k].call == YK_NONE) continue;
         results += t->calls[t->steps[k].call].result_count;
         if ((size_t)t->steps[k].call >= calls) calls = (size_t)t->steps[k].call + 1;

@@ -44,7 +44,8 @@ static void run_operations(const YkTape *t)
             yk_tape_run_rare(t, t->one->calls, t->one->at, rare++, 0);
             s++;
             break;
-        case YK_TAPE_COPY: // see place_step
+        case YK_TAPE_SPIN: // see place_step
+        case YK_TAPE_COPY:
         case YK_TAPE_END:
             return;
         }

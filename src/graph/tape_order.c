@@ -62,6 +62,7 @@ static void find_makers(const Order *o, size_t from, size_t to)
     for (size_t s = from; s < to; s++) {
         const YkTapeStep *step = &o->steps[s];
         o->step_of[m->made[s]] = (int32_t)s;
+        if (yk_tape_is_spin(step)) o->step_of[step->second] = (int32_t)s;
         if (step->call == YK_NONE) continue;
         const YkTapeCall *call = &m->tape->calls[step->call];
         for (size_t k = 0; k < call->result_count; k++)

@@ -57,11 +57,12 @@ static int32_t row_for(Placer *p, YkRef value)
     return p->row[value];
 }
 
-// The result gets its row before those of the operands are free, so that it is none of them.
+// A result gets its row before those of the operands are free, so that it is none of them.
 static void place_step(Placer *p, YkTapeStep *s, YkRef made, int32_t step)
 {
     if (s->call == YK_NONE) {
         s->out = row_for(p, made);
+        if (yk_tape_is_spin(s)) s->second = row_for(p, s->second);
     } else {
         YkTapeCall *call = &p->tape->calls[s->call];
         for (size_t k = 0; k < call->result_count; k++)

@@ -90,6 +90,17 @@ YK_INLINE void run_over(const YkTape *tape, const YkTapeStep *steps, size_t coun
             OF_TWO(PLUS_LESS, b, d)
             OF_TWO(LESS_PLUS, b, d)
             OF_TWO(LESS_LESS, b, d)
+        case KERNEL(SPIN, 0):
+            if (YK_KNOWS_BLOCKS) { // otherwise there is none
+                double *across = row[s->second];
+                YK_EACH_LANE YK_UNROLL for (size_t i = 0; i < n; i++)
+                {
+                    double x = a[i], y = b[i], square = c[i] * c[i], change = d[i];
+                    out[i] = x * square + y * change;
+                    across[i] = x * change - y * square;
+                }
+            }
+            break;
         case KERNEL(MINUS, 0):
             EACH(-a[i])
         case KERNEL(ROOT, 0):

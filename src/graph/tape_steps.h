@@ -1,6 +1,7 @@
 // The operations of a tape, shared by the files that make them and the file that runs them.
 #ifndef GRAPH_TAPE_STEPS_H
 #define GRAPH_TAPE_STEPS_H
+#include "elementary/kernel.h"
 #include "graph/tape.h"
 
 // Sums of products are one operation on rows, but every part of them is rounded as if it stood alone.
@@ -25,6 +26,7 @@ typedef enum YkTapeOp {
     YK_TAPE_PLUS_LESS,    // (e + a b) - c d
     YK_TAPE_LESS_PLUS,    // (e - a b) + c d
     YK_TAPE_LESS_LESS,    // (e - a b) - c d
+    YK_TAPE_SPIN,         // a (c c) + b d, and as its second result a d - b (c c)
     YK_TAPE_ROOT,
     YK_TAPE_SIZE,
     YK_TAPE_NONZERO, // |a| + 1e-200
@@ -41,7 +43,8 @@ typedef struct YkTapeStep {
     int32_t out, in[YK_TAPE_OPERANDS]; // rows
     YkValueKind kind;                  // RARE: of the value
     YkFunction function;
-    int32_t call; // RARE: of the tape's calls, or YK_NONE
+    int32_t call;   // RARE: of the tape's calls, or YK_NONE
+    int32_t second; // SPIN: the row of its second result
 } YkTapeStep;
 
 typedef struct YkTapeCall {
@@ -75,12 +78,14 @@ struct YkTape {
 typedef struct YkTapeMaker { // what makes a tape
     YkTape *tape;
     const YkGraph *graph;
-    int32_t *uses;    // per value: how many needed values, and roots, depend on it
-    int32_t *in_sums; // per value: how many of these are operands of sums
-    bool *is_within;  // per value: a product or sum that its only user computes itself
-    YkRef *inner;     // per sum: the sum within it, or YK_NONE
-    int32_t *of_call; // per call of the graph: that of the tape, or YK_NONE
-    YkRef *made;      // per step: the value that it computes
+    int32_t *uses;     // per value: how many needed values, and roots, depend on it
+    int32_t *in_sums;  // per value: how many of these are operands of sums
+    bool *is_within;   // per value: a product or sum that its only user computes itself
+    YkRef *inner;      // per sum: the sum within it, or YK_NONE
+    YkTapeStep **spin; // per sum: the step that computes it with another one, or NULL
+    bool *is_beside;   // per value: the step of another one computes it, or does without it
+    int32_t *of_call;  // per call of the graph: that of the tape, or YK_NONE
+    YkRef *made;       // per step: the value that it computes
     size_t call_count, most_arguments;
     bool failed;
 } YkTapeMaker;
@@ -88,6 +93,22 @@ typedef struct YkTapeMaker { // what makes a tape
 static inline const YkValue *yk_tape_value(const YkTapeMaker *maker, YkRef value)
 {
     return &maker->graph->values[value];
+}
+
+// Returns the step that computes a sum with another one, or NULL.
+static inline const YkTapeStep *yk_tape_spin(const YkTapeMaker *maker, YkRef sum)
+{
+    return YK_KNOWS_BLOCKS ? maker->spin[sum] : NULL;
+}
+// Returns whether a value has no step because that of another one computes it, or does without it.
+static inline bool yk_tape_is_beside(const YkTapeMaker *maker, YkRef value)
+{
+    return YK_KNOWS_BLOCKS && maker->is_beside[value];
+}
+// Returns whether a step has a second result.
+static inline bool yk_tape_is_spin(const YkTapeStep *step)
+{
+    return YK_KNOWS_BLOCKS && step->op == YK_TAPE_SPIN;
 }
 
 // Makes a step whose operands are values.
@@ -99,6 +120,9 @@ static inline YkTapeStep yk_tape_step(YkTapeOp op, YkRef a, YkRef b, YkRef c, Yk
 void yk_tape_find_sums(YkTapeMaker *maker);
 // Makes the step of a sum.
 YkTapeStep yk_tape_sum(const YkTapeMaker *maker, YkRef value);
+
+// tape_spins.c: finds pairs of sums that one step computes, once products are found.
+void yk_tape_find_spins(YkTapeMaker *maker);
 
 // tape_scalars.c: puts factors that depend on parameters alone second, and marks operands of a pose's step that do.
 void yk_tape_mark_scalars(const YkTapeMaker *maker, YkTapeStep *step);

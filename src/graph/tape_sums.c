@@ -48,6 +48,7 @@ static void find_own_products(YkTapeMaker *m)
 // Returns whether the operand of a sum is a sum with products that nothing else needs, and has no sum within itself.
 static bool is_own_sum(const YkTapeMaker *m, YkRef sum, YkRef operand)
 {
+    if (yk_tape_spin(m, operand) || yk_tape_is_beside(m, operand)) return false;
     return is_sum(m, operand) && m->uses[operand] == 1 && m->inner[operand] == YK_NONE &&
            yk_tape_value(m, operand)->of_parameters == yk_tape_value(m, sum)->of_parameters;
 }
@@ -117,6 +118,7 @@ static YkTapeStep joined_sum(const YkTapeMaker *m, const YkValue *v, YkRef withi
 YkTapeStep yk_tape_sum(const YkTapeMaker *m, YkRef value)
 {
     const YkValue *v = yk_tape_value(m, value);
+    if (yk_tape_spin(m, value)) return *yk_tape_spin(m, value);
     return m->inner[value] == YK_NONE ? sum_of(m, v) : joined_sum(m, v, m->inner[value]);
 }
 
@@ -124,5 +126,6 @@ void yk_tape_find_sums(YkTapeMaker *m)
 {
     find_own_products(m);
     find_shared_products(m);
+    yk_tape_find_spins(m);
     find_own_sums(m);
 }

@@ -185,6 +185,35 @@ static void test_a_missing_input_stands_for_the_states_own(void **unused)
     machine_free(&m);
 }
 
+// Wherever the rows begin in their cache lines, and however many poses there are, each is computed, and nothing beside them.
+static void test_rows_may_begin_anywhere(void **unused)
+{
+    (void)unused;
+    enum { ROOM = POSES + 31 }; // a multiple of 8, so that all rows begin alike
+    static _Alignas(64) double rows[CHANNELS_MAX][ROOM];
+    Machine m = machine_load("quick-return");
+    uint64_t seed = 17;
+    list_channels(&m, false);
+    draw_inputs(&m, 3, &seed);
+    YkBatch *batch = yk_batch_new(m.state, channels, channel_count);
+    const double *in[] = {inputs[0], inputs[1], inputs[2]};
+    double *out[CHANNELS_MAX];
+    run(batch, &m, true, POSES);
+    const size_t counts[] = {127, 128, 129, 192, 193, 256, 257, 260, 384, 511, 513, 700, POSES};
+    for (size_t k = 0; k < 10 * sizeof counts / sizeof *counts; k++) {
+        size_t count = counts[k / 10], shift = k % 10;
+        memset(rows, 0xff, sizeof rows); // NaN
+        for (size_t c = 0; c < channel_count; c++) out[c] = rows[c] + shift % 9 + (shift == 9 && c == 1);
+        yk_batch_run(batch, in, out, NULL, count);
+        for (size_t c = 0; c < channel_count; c++) {
+            for (size_t i = 0; i < count; i++) assert_true(same_bits(out[c][i], outputs[c][i]));
+            assert_true(isnan(out[c][count]) && (out[c] == rows[c] || isnan(out[c][-1])));
+        }
+    }
+    yk_batch_free(batch);
+    machine_free(&m);
+}
+
 // The references are those of the state, not of the pose in which it happens to stand.
 static void test_angles_come_out_on_the_states_turn(void **unused)
 {
@@ -285,6 +314,7 @@ int main(void)
         cmocka_unit_test(test_a_batch_with_transmission_angles_gives_the_same_bits),
         cmocka_unit_test(test_a_batch_of_a_group_solves_each_pose_from_the_first),
         cmocka_unit_test(test_any_count_of_poses_is_the_same_poses),
+        cmocka_unit_test(test_rows_may_begin_anywhere),
         cmocka_unit_test(test_a_missing_input_stands_for_the_states_own),
         cmocka_unit_test(test_angles_come_out_on_the_states_turn),
         cmocka_unit_test(test_the_worst_status_is_returned),

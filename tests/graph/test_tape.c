@@ -1,5 +1,6 @@
 // Tapes: random graphs against the values of the graph one by one, calls against their definition; the same bits for
 // any number of lanes.
+#include "elementary/kernel.h"
 #include "graph_check.h"
 #include "graph/tape.h"
 
@@ -54,6 +55,12 @@ static YkRef combine(YkGraph *g, int kind, YkRef a, YkRef b, YkRef c)
         return yk_graph_choose(g, a, b, c);
     case 9:
         return yk_graph_minus(g, a);
+    case 10: { // both components of a turning vector's acceleration
+        YkRef square = yk_graph_multiply(g, c, c);
+        YkRef along = yk_graph_dot(g, (YkRefVec){a, b}, (YkRefVec){square, c});
+        YkRef across = yk_graph_subtract(g, yk_graph_multiply(g, a, c), yk_graph_multiply(g, b, square));
+        return yk_graph_choose(g, a, along, across);
+    }
     default:
         return yk_graph_multiply(g, a, yk_graph_number(g, 0.25));
     }
@@ -67,7 +74,7 @@ static void grow(Case *c, uint64_t *seed)
     for (; count < LEAVES + PARAMETERS + VALUES; count++) {
         YkRef a = values[check_random(seed) % count], b = values[check_random(seed) % count],
               third = values[check_random(seed) % count];
-        values[count] = combine(&c->graph, (int)(check_random(seed) % 11), a, b, third);
+        values[count] = combine(&c->graph, (int)(check_random(seed) % 12), a, b, third);
     }
     for (int k = 0; k < ROOTS; k++) c->roots[k] = values[count - 1 - check_random(seed) % (VALUES / 2)];
     c->roots[ROOTS - 1] = c->roots[0];
@@ -353,6 +360,50 @@ static void check_poses(Case *c, YkTape *t)
     }
 }
 
+// Returns a product with its factors in one order or the other.
+static YkRef product_either_way(YkGraph *g, YkRef a, YkRef b, bool is_turned)
+{
+    return is_turned ? yk_graph_multiply(g, b, a) : yk_graph_multiply(g, a, b);
+}
+
+// Both components of a turning vector's acceleration are one step, however they are written, and also where others read the
+// square of its rate; but only if they belong together.
+static void test_turning_vectors(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 23;
+    for (int kind = 0; kind < 64; kind++) {
+        bool is_read = kind & 1, is_pair = kind & 2, turns = kind & 4, swaps = kind & 8;
+        start(&c, &seed);
+        YkGraph *g = &c.graph;
+        YkRef x = c.leaves[0], y = c.leaves[kind & 16 ? LEAVES : 1], w = c.leaves[2], a = c.leaves[3];
+        YkRef square = yk_graph_multiply(g, w, w), xw = product_either_way(g, x, square, turns);
+        YkRef ya = product_either_way(g, y, a, kind & 32), xa = product_either_way(g, x, a, turns);
+        YkRef yw = product_either_way(g, y, square, kind & 32);
+        YkRef along = swaps ? yk_graph_add(g, ya, xw) : yk_graph_add(g, xw, ya);
+        YkRef across = is_pair ? yk_graph_subtract(g, xa, yw) : yk_graph_subtract(g, yw, xa);
+        const YkRef roots[ROOTS] = {along, across, is_read ? square : along, along, across, along, across};
+        memcpy(c.roots, roots, sizeof roots);
+        YkTape *t = tape_of(&c, (YkTapeLaws){0});
+        bool is_joined = YK_KNOWS_BLOCKS && is_pair;
+        size_t steps = (is_joined ? 1 : 2) + (is_joined && !is_read ? 0 : 1);
+        assert_int_equal(yk_tape_length(t), steps + (is_read ? 4 : 5)); // and copies for the other roots
+        run(&c, t, 0, LANES);
+        for (size_t i = 0; i < LANES; i++) {
+            double X = c.leaf[0][i], Y = kind & 16 ? c.leaf[LEAVES][0] : c.leaf[1][i], W = c.leaf[2][i],
+                   A = c.leaf[3][i];
+            double xW = X * (W * W), yA = Y * A, xA = X * A, yW = Y * (W * W);
+            double first = xW + yA, second = is_pair ? xA - yW : yW - xA;
+            assert_memory_equal(&c.out[3][i], &first, sizeof first);
+            assert_memory_equal(&c.out[4][i], &second, sizeof second);
+        }
+        check_poses(&c, t);
+        yk_tape_free(t);
+        end(&c);
+    }
+}
+
 static void test_numbers_of_a_pose(void **unused)
 {
     (void)unused;
@@ -400,6 +451,7 @@ int main(void)
         cmocka_unit_test(test_values_for_all_lanes),
         cmocka_unit_test(test_laws),
         cmocka_unit_test(test_equations),
+        cmocka_unit_test(test_turning_vectors),
         cmocka_unit_test(test_numbers_of_a_pose),
         cmocka_unit_test(test_what_a_tape_cannot_do),
     };
