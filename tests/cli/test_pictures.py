@@ -215,6 +215,38 @@ units: {length: mm, angle: deg}
             for task in tasks + [pixel["P"]]:
                 self.assertLess(min(abs(z - task) for z in curve), step + scale * candidate["worst"])
 
+    def test_the_curve_of_a_machine_that_is_there_is_drawn_before_and_after(self):
+        """Both, and the points that it should pass, against sweeps of the machine and of what was found."""
+        goal = [1 + 5j, 2 + 5.1j, 3 + 5j]
+        path = self.write("machine.yaml", "synthesis: machine\nmachine: %s\nfree: {l1: [1.5, 3.5], l3: [2, 5]}\nbest: 2\n"
+                          "over: {input: theta, range: [90 deg, 270 deg], steps: 24}\ngoals:\n  - {point: coupler.P, through: %s}\n"
+                          % (example("hoeken"), [[z.real, z.imag] for z in goal]))
+        folder = self.path("hoeken")
+        answer = self.good("synthesize", path, "-o", folder, "--format", "json").json()
+        groups = found(ElementTree.parse(os.path.join(folder, "candidates.svg")), "g", class_="candidate")
+        self.assertEqual(len(groups), len(answer["candidates"]))
+
+        def swept(file):
+            rows = self.good("sweep", file, "--over", "theta=90:270deg", "--steps", "24", "--of", "coupler.P.x,coupler.P.y", "--format", "csv").csv()[1]
+            return [complex(x, y) for _, x, y in rows]
+
+        for k, (group, candidate) in enumerate(zip(groups, answer["candidates"])):
+            before, after = map(corners, found(group, "polyline"))
+            own, other = swept(example("hoeken")), swept(os.path.join(folder, candidate["file"]))
+            every = own + other + goal
+            low, high = (complex(end(z.real for z in every), end(z.imag for z in every)) for end in (min, max))
+            scale = (270 - 2 * 22) / max((high - low).real, (high - low).imag)
+            middle = complex(135 + 270 * k, -135)
+            marks = list(map(center, found(group, "circle", fill="#c0392b")))
+            for drawn, places in ((before, own), (after, other), (marks, goal)):
+                self.assertEqual(len(drawn), len(places))
+                for one, at in zip(drawn, places):
+                    self.assert_at(one, middle + scale * (at - (low + high) / 2))
+            words, = (text.text for text in found(group, "text"))
+            rank, error = re.fullmatch(r"(\d+)  error (\S+)", words).groups()
+            self.assertEqual(int(rank), candidate["rank"])
+            self.assertAlmostEqual(float(error), candidate["error"], delta=1e-3 * candidate["error"])
+
 
 class Cognates(Pictures):
     def test_cognates_are_drawn_over_one_another_with_their_point_on_the_curve(self):
