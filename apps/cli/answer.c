@@ -103,7 +103,7 @@ double yk_shown(const YkSession *session, double value, YkQuantity quantity)
 
 const char *yk_unit_of(const YkSession *session, YkQuantity quantity)
 {
-    return yk_amount_unit(session->model, quantity, NULL);
+    return yk_model_shown_unit(session->model, quantity, NULL);
 }
 
 YkQuantity yk_quantity_of(bool is_distance, int order)

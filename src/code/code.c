@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <yoke/move.h>
+#include "base/letters.h"
 #include "base/problems.h"
 #include "code/file.h"
 #include "compile/variant.h"
@@ -23,17 +24,15 @@ static const char *prefix_of(YkProgram *p, const char *name)
     char *copy = yk_graph_text(&p->graph, "%s", slash ? slash + 1 : name), *to = copy, *dot = strrchr(copy, '.');
     if (dot && dot > copy) *dot = 0;
     for (const char *c = copy; *c && to - copy < 40; c++) {
-        bool is_upper = *c >= 'A' && *c <= 'Z',
-             is_letter = is_upper || (*c >= 'a' && *c <= 'z') || (*c >= '0' && *c <= '9');
-        if (is_letter)
-            *to++ = is_upper ? (char)(*c - 'A' + 'a') : *c;
+        if (yk_is_letter(*c) || yk_is_digit(*c))
+            *to++ = *c >= 'A' && *c <= 'Z' ? (char)(*c - 'A' + 'a') : *c;
         else if (*c != '\'' && to > copy && to[-1] != '_')
             *to++ = '_';
     }
     while (to > copy && to[-1] == '_') to--;
     *to = 0;
     if (to == copy) return "machine";
-    return copy[0] >= '0' && copy[0] <= '9' ? yk_graph_text(&p->graph, "machine_%s", copy) : copy;
+    return yk_is_digit(copy[0]) ? yk_graph_text(&p->graph, "machine_%s", copy) : copy;
 }
 
 static bool assemble(YkFile *file, const YkState *pose, YkProblems *problems)

@@ -112,8 +112,7 @@ const char *yk_file_name(YkProgram *p, const char *name)
     char *copy = yk_graph_text(&p->graph, "%s", name);
     for (char *c = copy; *c; c++)
         if (!yk_is_letter(*c) && !yk_is_digit(*c)) *c = '_';
-    bool is_number = copy[0] >= '0' && copy[0] <= '9';
-    if (!is_number && !yk_file_is_reserved(p, copy)) return copy;
+    if (!yk_is_digit(copy[0]) && !yk_file_is_reserved(p, copy)) return copy;
     tidy(copy);
     return yk_graph_text(&p->graph, "name_%s", *copy ? copy : "0");
 }

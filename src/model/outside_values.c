@@ -3,6 +3,7 @@
 #include <string.h>
 #include <yoke/variant.h>
 #include "model/load.h"
+#include "model/shown_unit.h"
 
 YkDimension yk_quantity_dimension(YkQuantity quantity)
 {
@@ -151,4 +152,20 @@ const char *yk_model_unit(const YkModel *model, YkQuantity quantity, double *siz
     if ((unsigned)quantity >= YK_QUANTITY_COUNT) return NULL;
     if (size) *size = yk_units_size(&model->units, yk_quantity_dimension(quantity));
     return model->unit_names[quantity];
+}
+
+const char *yk_model_shown_unit(const YkModel *model, YkQuantity quantity, double *size)
+{
+    static const char *const si[] = {
+        [YK_QUANTITY_FORCE] = "N", [YK_QUANTITY_TORQUE] = "N*m", [YK_QUANTITY_ENERGY] = "J"};
+    double own = 1;
+    const char *unit = yk_model_unit(model, quantity, &own);
+    bool is_of_force = quantity >= YK_QUANTITY_FORCE && quantity <= YK_QUANTITY_ENERGY;
+    bool is_joule = quantity == YK_QUANTITY_ENERGY && own == 1;
+    if (is_of_force && (strchr(unit, '/') || is_joule)) {
+        own = 1;
+        unit = si[quantity];
+    }
+    if (size) *size = own;
+    return unit;
 }

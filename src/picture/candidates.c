@@ -35,6 +35,13 @@ static void include(Box *box, YkVec at)
     box->high = yk_vec(fmax(box->high.x, at.x), fmax(box->high.y, at.y));
 }
 
+static Cell cell_for(YkText *svg, const Box *box, YkVec corner)
+{
+    double size = fmax(fmax(box->high.x - box->low.x, box->high.y - box->low.y), 1e-12);
+    YkVec middle = yk_scale(0.5, yk_add(box->low, box->high)), origin = yk_vec(CELL / 2.0, CELL / 2.0);
+    return (Cell){svg, middle, yk_add(corner, origin), (CELL - 2 * MARGIN) / size};
+}
+
 // A machine that is there is shown by the curve of its point alone.
 static Cell fit_curve(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec corner)
 {
@@ -44,9 +51,7 @@ static Cell fit_curve(YkText *svg, const YkSynthesis *s, const YkFound *found, Y
     for (size_t r = 0; r < s->own_rows; r++) include(&box, yk_vec(s->own[2 * r], s->own[2 * r + 1]));
     for (size_t k = 0; k < machine->goal_count; k++)
         for (size_t i = 0; i < machine->goal[k].count; i++) include(&box, machine->goal[k].point[i]);
-    double size = fmax(fmax(box.high.x - box.low.x, box.high.y - box.low.y), 1e-12);
-    YkVec middle = yk_scale(0.5, yk_add(box.low, box.high)), origin = yk_vec(CELL / 2.0, CELL / 2.0);
-    return (Cell){svg, middle, yk_add(corner, origin), (CELL - 2 * MARGIN) / size};
+    return cell_for(svg, &box, corner);
 }
 
 static bool has_dyad(const YkDesign *d)
@@ -73,9 +78,7 @@ static Cell fit(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec c
     for (size_t k = 0; k < s->task->path.count; k++) include(&box, s->task->path.point[k]);
     for (size_t r = 0; r < found->rows && d->has_point; r++)
         include(&box, yk_vec(found->curve[2 * r], found->curve[2 * r + 1]));
-    double size = fmax(fmax(box.high.x - box.low.x, box.high.y - box.low.y), 1e-12);
-    YkVec middle = yk_scale(0.5, yk_add(box.low, box.high)), origin = yk_vec(CELL / 2.0, CELL / 2.0);
-    return (Cell){svg, middle, yk_add(corner, origin), (CELL - 2 * MARGIN) / size};
+    return cell_for(svg, &box, corner);
 }
 
 // The task's positions: an origin and the body's x axis.

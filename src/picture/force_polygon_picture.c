@@ -2,6 +2,7 @@
 #include <math.h>
 #include "base/escape.h"
 #include "design/polygons/force_polygon.h"
+#include "model/shown_unit.h"
 #include "picture/polygon_sheet.h"
 #include "picture/svg.h"
 
@@ -82,7 +83,7 @@ static void add_cell(YkText *svg, const YkModel *model, Cell *cell)
     yk_svg_word(svg, yk_add(cell->corner, yk_vec(MARGIN, 28)), name, "font-weight=\"bold\"");
     YkVec foot = yk_add(cell->corner, yk_vec(MARGIN, CELL_HEIGHT - 18));
     double size = 1;
-    const char *unit = yk_model_unit(model, YK_QUANTITY_FORCE, &size);
+    const char *unit = yk_model_shown_unit(model, YK_QUANTITY_FORCE, &size);
     if (cell->scale > 0)
         yk_sheet_scale(svg, foot, cell->scale * size, 80, unit);
     else

@@ -25,7 +25,7 @@ YkQuantity yk_report_axis_quantity(const YkReportPage *report)
 const char *yk_report_unit(const YkReportPage *report, YkQuantity quantity, double *size)
 {
     double own = 1;
-    const char *unit = yk_amount_unit(report->model, quantity, &own);
+    const char *unit = yk_model_shown_unit(report->model, quantity, &own);
     bool is_radian = quantity == YK_QUANTITY_ANGLE && strcmp(unit, "rad") == 0;
     if (size) *size = is_radian ? YK_PI / 180 : own;
     return is_radian ? "deg" : unit;
@@ -34,7 +34,7 @@ const char *yk_report_unit(const YkReportPage *report, YkQuantity quantity, doub
 double yk_report_in_unit(const YkReportPage *report, double value, YkQuantity quantity)
 {
     double own = 1, size = 1;
-    yk_amount_unit(report->model, quantity, &own);
+    yk_model_shown_unit(report->model, quantity, &own);
     yk_report_unit(report, quantity, &size);
     return yk_amount_in_unit(report->model, report->mech, value, quantity) * (own == size ? 1 : own / size);
 }

@@ -64,12 +64,12 @@ static void add_program(const YkReportPage *report, const YkCamDesign *design, c
 {
     static const char *const heads[] = {"s", "v = ds/dtheta", "a = dv/dtheta", "j = da/dtheta"};
     YkQuantity lift = size->oscillates ? YK_QUANTITY_ANGLE : YK_QUANTITY_LENGTH;
-    const char *angle = yk_amount_unit(report->model, YK_QUANTITY_ANGLE, NULL);
+    const char *angle = yk_model_shown_unit(report->model, YK_QUANTITY_ANGLE, NULL);
     YkTable *table = yk_table_new(6);
     yk_table_head(table, "cam angle", angle);
     for (int i = 0; i < 4; i++) {
         YkText unit = {0};
-        yk_text_puts(&unit, yk_amount_unit(report->model, lift, NULL));
+        yk_text_puts(&unit, yk_model_shown_unit(report->model, lift, NULL));
         if (i == 1) yk_text_puts(&unit, "/rad");
         if (i > 1) yk_text_format(&unit, "/rad^%d", i);
         yk_table_head(table, heads[i], yk_text_get(&unit));

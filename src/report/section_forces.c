@@ -25,13 +25,13 @@ static double largest_reaction(const YkReportPage *report)
 
 static void add_reactions(const YkReportPage *report, double largest, YkText *html)
 {
-    const char *force = yk_amount_unit(report->model, YK_QUANTITY_FORCE, NULL);
+    const char *force = yk_model_shown_unit(report->model, YK_QUANTITY_FORCE, NULL);
     YkTable *table = yk_table_new(7);
     bool is_choice = false;
     static const char *const heads[] = {"joint", "by", "on"}, *const sizes[] = {"force x", "force y", "size"};
     for (int i = 0; i < 3; i++) yk_table_head(table, heads[i], NULL);
     for (int i = 0; i < 3; i++) yk_table_head(table, sizes[i], force);
-    yk_table_head(table, "moment", yk_amount_unit(report->model, YK_QUANTITY_TORQUE, NULL));
+    yk_table_head(table, "moment", yk_model_shown_unit(report->model, YK_QUANTITY_TORQUE, NULL));
     for (size_t j = 0; j < yk_model_joint_count(report->model) && j < ROWS_MAX; j++) {
         YkReaction r = yk_dynamics_reaction(report->dynamics, j);
         yk_table_word(table, report->model->joints[j].name);
@@ -59,7 +59,7 @@ static void add_efforts(const YkReportPage *report, bool is_distance, double lar
     YkText words = {0};
     bool is_open = false;
     yk_table_head(table, "along", NULL);
-    yk_table_head(table, is_distance ? "force" : "torque", yk_amount_unit(report->model, quantity, NULL));
+    yk_table_head(table, is_distance ? "force" : "torque", yk_model_shown_unit(report->model, quantity, NULL));
     for (size_t c = 0; c < yk_coordinate_count(report->mech); c++) {
         YkCoordinateInfo info = yk_coordinate_info(report->mech, c);
         if (info.is_distance != is_distance || !yk_dynamics_has_effort(report->dynamics, c)) continue;
@@ -90,8 +90,8 @@ static void add_efforts(const YkReportPage *report, bool is_distance, double lar
 // Adds a free body as a table: loads, reactions, and the remainder for its inertia.
 static void add_balances(const YkReportPage *report, double largest, YkText *html)
 {
-    const char *force = yk_amount_unit(report->model, YK_QUANTITY_FORCE, NULL),
-               *torque = yk_amount_unit(report->model, YK_QUANTITY_TORQUE, NULL);
+    const char *force = yk_model_shown_unit(report->model, YK_QUANTITY_FORCE, NULL),
+               *torque = yk_model_shown_unit(report->model, YK_QUANTITY_TORQUE, NULL);
     static const char *const words[] = {"loads x",          "loads y",   "loads moment", "reactions x",   "reactions y",
                                         "reactions moment", "inertia x", "inertia y",    "inertia moment"};
     YkTable *table = yk_table_new(10);

@@ -29,7 +29,7 @@ static void add_meshes(const YkReportPage *report, const YkTrain *train, YkText 
 {
     static const char *const heads[] = {"mesh", "kind", "first", "second", "carrier", "Willis' equation"};
     YkTable *table = yk_table_new(8);
-    const char *unit = yk_amount_unit(report->model, YK_QUANTITY_LENGTH, NULL);
+    const char *unit = yk_model_shown_unit(report->model, YK_QUANTITY_LENGTH, NULL);
     for (int i = 0; i < 6; i++) yk_table_head(table, heads[i], NULL);
     yk_table_head(table, "first radius", unit);
     yk_table_head(table, "second radius", unit);

@@ -45,7 +45,7 @@ static void add_parameters(const YkReportPage *report, YkText *html)
         if (quantity == YK_QUANTITY_NUMBER)
             add_si(&unit, parameter->dimension);
         else
-            yk_text_puts(&unit, yk_amount_unit(report->model, quantity, NULL));
+            yk_text_puts(&unit, yk_model_shown_unit(report->model, quantity, NULL));
         yk_table_word(table, parameter->name);
         yk_table_number(table, yk_amount_in_unit(report->model, NULL, parameter->value, quantity), DIGITS);
         yk_table_word(table, yk_text_get(&unit));
@@ -58,7 +58,7 @@ static void add_parameters(const YkReportPage *report, YkText *html)
 
 static void add_points(const YkReportPage *report, YkText *html)
 {
-    const char *unit = yk_amount_unit(report->model, YK_QUANTITY_LENGTH, NULL);
+    const char *unit = yk_model_shown_unit(report->model, YK_QUANTITY_LENGTH, NULL);
     YkTable *table = yk_table_new(4);
     yk_table_head(table, "point", NULL);
     yk_table_head(table, "of", NULL);
@@ -76,11 +76,11 @@ static void add_points(const YkReportPage *report, YkText *html)
 
 static void add_masses(const YkReportPage *report, YkText *html)
 {
-    const char *unit = yk_amount_unit(report->model, YK_QUANTITY_LENGTH, NULL);
+    const char *unit = yk_model_shown_unit(report->model, YK_QUANTITY_LENGTH, NULL);
     YkTable *table = yk_table_new(5);
     yk_table_head(table, "body", NULL);
-    yk_table_head(table, "mass", yk_amount_unit(report->model, YK_QUANTITY_MASS, NULL));
-    yk_table_head(table, "inertia", yk_amount_unit(report->model, YK_QUANTITY_INERTIA, NULL));
+    yk_table_head(table, "mass", yk_model_shown_unit(report->model, YK_QUANTITY_MASS, NULL));
+    yk_table_head(table, "inertia", yk_model_shown_unit(report->model, YK_QUANTITY_INERTIA, NULL));
     yk_table_head(table, "centre x", unit);
     yk_table_head(table, "centre y", unit);
     for (size_t b = 1; b < yk_model_body_count(report->model) && b < ROWS_MAX; b++) {

@@ -6,22 +6,6 @@
 
 static const double noise = 1e-13; // of the machine's size: the rounding of a zero
 
-const char *yk_amount_unit(const YkModel *model, YkQuantity quantity, double *size)
-{
-    static const char *const si[] = {
-        [YK_QUANTITY_FORCE] = "N", [YK_QUANTITY_TORQUE] = "N*m", [YK_QUANTITY_ENERGY] = "J"};
-    double own = 1;
-    const char *unit = yk_model_unit(model, quantity, &own);
-    bool is_of_force = quantity >= YK_QUANTITY_FORCE && quantity <= YK_QUANTITY_ENERGY;
-    bool is_joule = quantity == YK_QUANTITY_ENERGY && own == 1;
-    if (is_of_force && (strchr(unit, '/') || is_joule)) {
-        own = 1;
-        unit = si[quantity];
-    }
-    if (size) *size = own;
-    return unit;
-}
-
 static bool is_length(YkQuantity quantity)
 {
     return quantity == YK_QUANTITY_LENGTH || quantity == YK_QUANTITY_SPEED || quantity == YK_QUANTITY_ACCELERATION;
@@ -30,7 +14,7 @@ static bool is_length(YkQuantity quantity)
 double yk_amount_of(const YkModel *model, double value, YkQuantity quantity)
 {
     double size = 1;
-    yk_amount_unit(model, quantity, &size);
+    yk_model_shown_unit(model, quantity, &size);
     return value / size;
 }
 
@@ -48,7 +32,7 @@ static void add_number(YkText *text, double value, int digits)
 
 void yk_amount_write_shown(YkText *text, const YkModel *model, double shown, YkQuantity quantity, int digits)
 {
-    const char *unit = yk_amount_unit(model, quantity, NULL);
+    const char *unit = yk_model_shown_unit(model, quantity, NULL);
     add_number(text, shown, digits);
     if (*unit) yk_text_format(text, " %s", unit);
     if (quantity != YK_QUANTITY_ANGLE || strcmp(unit, "rad") != 0) return;

@@ -4,14 +4,11 @@
 #include <yoke/mechanism.h>
 #include "base/text.h"
 #include "base/units/units.h"
+#include "model/shown_unit.h"
 
-// Returns the unit of a quantity and its size in SI: the file's own. If the file names no unit of force, and its units
-// of length, mass and time would make an unusual one (kg*mm/s^2), forces are given in N, N*m and J; energies always in
-// J, not in N*m. size may be NULL.
-const char *yk_amount_unit(const YkModel *model, YkQuantity quantity, double *size);
 // Returns the quantity that shows a dimension in the file's units; NUMBER if there is none.
 YkQuantity yk_amount_quantity(YkDimension dimension);
-// Returns a value in that unit.
+// Returns a value in the unit in which the quantity is shown (yk_model_shown_unit).
 double yk_amount_of(const YkModel *model, double value, YkQuantity quantity);
 // Returns a value in that unit, with rounding noise (1e-13 of the machine's size) set to zero. mech may be NULL.
 double yk_amount_in_unit(const YkModel *model, const YkMechanism *mech, double value, YkQuantity quantity);

@@ -10,7 +10,7 @@ import re
 import subprocess
 import unittest
 
-from harness import Case, FULL, ROOT, Run, third
+from harness import Case, FOUR_BAR, FULL, ROOT, Run, third
 from test_locks import PLANETARY
 
 CC = os.environ.get("CC", "cc")
@@ -547,6 +547,9 @@ int main(void)
     def test_names_follow_the_file_or_the_prefix(self):
         self.assertIn("four_bar_find_motion(", self.good("code", self.four_bar).out)
         self.assertNotIn("four_bar", self.print(self.four_bar))
+        for file, prefix in (("3 Bars' -X.v2.yaml", "machine_3_bars_x_v2"), ("..-.yaml", "machine"), ("-Z-", "z"), (".a", "a"),
+                             ("m" * 50 + ".yaml", "m" * 40)):
+            self.assertEqual(re.search(r"(?m)^int (\w+)_find_motion\(", self.good("code", self.write(file, FOUR_BAR)).out).group(1), prefix)
 
 
 if __name__ == "__main__":

@@ -118,13 +118,13 @@ def program(text):
 
 class Inputs(Printed):
     def try_all(self, path):
-        """Every input of every routine, scalar code and, in the gate of every third machine, vector code."""
+        """Every input of every routine: as scalar code or, in the gate every third machine, as vector code; in full as both."""
         name = name_of(path)
         with self.subTest(name):
             text = self.print(path)
             source = program(text)
-            vector = [["-O3", "-fno-math-errno", "-fno-trapping-math"]] if FULL or name in VECTOR else []
-            for flags in [[], *vector]:
+            vector = ["-O3", "-fno-math-errno", "-fno-trapping-math"]
+            for flags in [[], vector] if FULL else [vector if name in VECTOR else []]:
                 run = subprocess.run([self.compile(text + source, *flags, name=name)], capture_output=True, encoding="utf-8", check=False)
                 self.assertEqual((run.returncode, run.stdout), (0, ""), flags)
 

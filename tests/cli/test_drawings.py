@@ -7,7 +7,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as tree
 
-from harness import Case, ROOT, Run, at_least, some
+from harness import Case, FEW, ROOT, Run, at_least, some
 
 SVG = "{http://www.w3.org/2000/svg}"
 LOST = """\
@@ -60,6 +60,14 @@ class Arrow:
             self.points = [tuple(map(float, pair.split(","))) for pair in arc.get("points").split()]
             (ax, ay), (bx, by), (cx, cy) = self.points[0], self.points[9], self.points[18]
             self.way = (math.copysign(1, -((bx - ax) * (cy - ay) - (by - ay) * (cx - ax))),)
+
+
+def circle_of(arc):
+    """The center and the radius of a moment's arc, through three of its points."""
+    a, b, c = (complex(*arc.points[k]) for k in (0, 9, 18))
+    w = (c - a) / (b - a)
+    center = a - (a - b) * (w - abs(w) ** 2) / (2j * w.imag)
+    return center, abs(center - a)
 
 
 def label_box(text):
@@ -127,10 +135,15 @@ class Drawings(Case):
         self.assertGreater(drawn, at_least(150))
 
     def test_names_lie_clear_of_arrows_and_of_each_other(self):
-        labels = touched = 0
+        labels = touched = turns = 0
         for example in some(EXAMPLES):
             named, pictures = self.draw(example)
             for picture in (pictures or {}).values():
+                arcs = [circle_of(arrow) for arrow in picture.arrows if len(arrow.way) == 1]
+                for k, (center, radius) in enumerate(arcs):
+                    for other, own in arcs[:k]:  # moments at one point are drawn round each other
+                        turns += abs(center - other) < 10
+                        self.assertTrue(abs(center - other) >= 10 or abs(radius - own) > 6, example)
                 for k, box in enumerate(picture.labels):
                     labels += 1
                     touched += any(meets(box, a, b) for arrow in picture.arrows
@@ -140,6 +153,7 @@ class Drawings(Case):
                         touched += not apart
                     self.assertTrue(0 <= box[0] and box[2] <= 560 and 0 <= box[1] and box[3] <= 440, example)
         self.assertGreater(labels, at_least(800))
+        self.assertTrue(FEW or turns > 3, turns)
         self.assertEqual(touched, 0)
 
     def test_a_known_force_points_as_it_does_and_an_unknown_one_up_and_right(self):

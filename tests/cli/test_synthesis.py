@@ -1,12 +1,10 @@
 """yoke synthesize: every example task, the shape of the JSON, folders of files, tasks that are wrong. YOKE=path/of/yoke python3 ..."""
-import cmath
 import glob
 import json
 import math
 import os
 import re
 import unittest
-from xml.etree import ElementTree
 
 from harness import Case, FEW, ROOT, Run, some
 
@@ -48,106 +46,6 @@ units: {length: mm}
             self.assertEqual(len(answers), 1, path)
         for bad in ("0", "x", "2000"):
             self.wrong(806, "synthesize", FIVE, "--threads", bad)
-
-    def drawn(self, path):
-        """A picture's groups: ranges of the axes, and what maps its pixels to values."""
-        root = ElementTree.parse(path).getroot()
-        groups = list(root.iter("{http://www.w3.org/2000/svg}g"))
-        frames = [p for p in root.iter("{http://www.w3.org/2000/svg}polygon") if p.get("stroke") == "#888"]
-        self.assertEqual(len(groups), len(frames))
-        for group, frame in zip(groups, frames):
-            x, y = ([float(v) for v in group.get("data-" + axis).split()] for axis in "xy")
-            (left, bottom), _, (right, top) = [tuple(map(float, p.split(","))) for p in frame.get("points").split()][:3]
-            scale = (right - left) / (x[1] - x[0]), (bottom - top) / (y[1] - y[0])
-            yield group, lambda px, py, l=left, b=bottom, s=scale, x0=x[0], y0=y[0]: (x0 + (px - l) / s[0], y0 + (b - py) / s[1]), scale
-
-    def test_burmesters_curves_are_where_dyads_reach_all_positions(self):
-        for name, count in (("four-positions", 1), ("five-positions", 2)):
-            path = os.path.join(ROOT, "examples", "tasks", name + ".yaml")
-            folder = os.path.join(self.folder, name)
-            answer = self.good("synthesize", path, "-o", folder, "--format", "json").json()
-            with open(path, encoding="utf-8") as file:
-                text = file.read()
-            unit = 0.001 if "length: mm" in text else 1
-            poses = [(float(a), float(b), math.radians(float(c))) for a, b, c in
-                     re.findall(r"at: \[([-0-9.]+), ([-0-9.]+)\], angle: ([-0-9.]+)", text)]
-            self.assertEqual(len(poses), 3 + count)
-            (group, value, scale), = self.drawn(os.path.join(folder, "burmester.svg"))
-            paths = list(group.iter("{http://www.w3.org/2000/svg}path"))
-            self.assertEqual(len(paths), 2 * count)
-            for k, drawn in enumerate(paths):
-                own = poses[:3] + [poses[3 + k // 2]]
-                points = [value(float(a), float(b)) for a, b in re.findall(r"[ML]([-0-9.]+) ([-0-9.]+)", drawn.get("d"))]
-                self.assertGreater(len(points), 100)
-                for at in points:
-                    self.assertLess(self.off_curve(own, at, drawn.get("class") == "centres") * scale[0], 0.05)
-            for drawn in paths[:2 * count - 2]:  # nothing is missing where a ray touches the curve
-                points = re.findall(r"[ML]([-0-9.]+ [-0-9.]+)", drawn.get("d"))
-                ends = [complex(*map(float, at.split())) for at in points if points.count(at) == 1]
-                self.assertEqual([(a, b) for a in ends for b in ends if 3 < abs(a - b) < 40], [])
-            marks = {(m.get("class"), int(m.get("data-dyad"))): m for m in group.iter("{http://www.w3.org/2000/svg}circle")}
-            self.assertGreater(len(marks), 4)
-            for (kind, number), mark in marks.items():
-                dyad = answer["dyads"][number - 1]
-                x, y, turn = poses[0]
-                mx, my = (v / unit for v in dyad["moving"])
-                wanted = [v / unit for v in dyad["fixed"]] if kind == "centre" else [
-                    x + mx * math.cos(turn) - my * math.sin(turn), y + mx * math.sin(turn) + my * math.cos(turn)]
-                for told, drawn_at, is_at in zip(map(float, mark.get("data-at").split()), value(float(mark.get("cx")), float(mark.get("cy"))), wanted):
-                    self.assertAlmostEqual(told, is_at, delta=1e-4 * max(1, abs(is_at)))
-                    self.assertAlmostEqual(drawn_at, is_at, delta=0.01 / scale[0])
-
-    @staticmethod
-    def off_curve(poses, at, is_centre):
-        """How far a fixed pivot (or a moving one, where it is at the first position) is from having a partner at a constant distance."""
-        def determinant(px, py):
-            rows = []
-            first = complex(*poses[0][:2]), cmath.exp(1j * poses[0][2])
-            p = complex(px, py)
-            z = (p - first[0]) / first[1]
-            for x, y, turn in poses[1:]:
-                d, r = complex(x, y), cmath.exp(1j * turn)
-                if is_centre:  # |d + r z - p|^2 less that of the first position, linear in z
-                    w = (d - p) * r.conjugate() - (first[0] - p) * first[1].conjugate()
-                    rows.append((2 * w.real, 2 * w.imag, abs(d - p) ** 2 - abs(first[0] - p) ** 2))
-                else:  # linear in the fixed pivot
-                    q, q0 = d + r * z, p
-                    rows.append((2 * (q - q0).real, 2 * (q - q0).imag, abs(q0) ** 2 - abs(q) ** 2))
-            (a, b, c), (d, e, f), (g, h, i) = rows
-            return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
-        here, step = determinant(*at), 1e-5
-        slope = math.hypot(determinant(at[0] + step, at[1]) - determinant(at[0] - step, at[1]),
-                           determinant(at[0], at[1] + step) - determinant(at[0], at[1] - step)) / (2 * step)
-        return abs(here) / slope if slope > 0 else 0
-
-    def test_errors_of_a_function_are_drawn_before_and_after(self):
-        path = self.write("both.yaml", """synthesis: function
-of: x^1.5
-x: [1, 4]
-input: 90 deg
-output: 90 deg
-mechanisms: [four-bar, slider-crank]
-fix: {travel: 80 mm}
-evened: true
-units: {length: mm, angle: deg}
-""")
-        folder = os.path.join(self.folder, "both")
-        answer = self.good("synthesize", path, "-o", folder, "--format", "json").json()
-        drawn = list(self.drawn(os.path.join(folder, "errors.svg")))
-        self.assertEqual(len(drawn), len(answer["candidates"]))
-        evened = 0
-        for (group, value, scale), candidate in zip(drawn, answer["candidates"]):
-            unit = 0.001 if candidate["mechanism"] == "slider-crank" else math.pi / 180
-            lines = {p.get("class"): [value(*map(float, q.split(","))) for q in p.get("points").split()]
-                     for p in group.iter("{http://www.w3.org/2000/svg}polyline")}
-            self.assertAlmostEqual(lines["error"][-1][0], 90, delta=0.05)
-            self.assertAlmostEqual(max(abs(y) for _, y in lines["error"]), candidate["worst"] / unit, delta=0.01 * candidate["worst"] / unit)
-            self.assertEqual("before" in lines, "interpolating" in candidate)
-            if "before" in lines:
-                before = candidate["interpolating"] / unit
-                self.assertAlmostEqual(max(abs(y) for _, y in lines["before"]), before, delta=0.01 * before)
-                evened += 1
-        self.assertGreater(evened, 2)
 
     def test_the_published_positions(self):
         answer = self.good("synthesize", FIVE, "--format", "json", "--defects").json()

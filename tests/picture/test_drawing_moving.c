@@ -121,9 +121,34 @@ static void keyframes_count_turns_on(void **state)
     close_machine(&m);
 }
 
+// Between two points of the machine, to either side of their line alike.
+static void springs_run_between_their_points(void **state)
+{
+    (void)state;
+    Machine m = open_machine("spring-slider-crank", 4, 0.5);
+    assert_non_null(yk_drawing_scene(m.drawing)); // fits the page
+    const char *parts = yk_drawing_parts(m.drawing, m.state), *at = strstr(parts, "<polyline points=\"");
+    assert_int_equal(occurrences(parts, "<polyline"), 1);
+    YkVec corner = {0, 0}, sum = {0, 0}, end[2];
+    for (size_t k = 0; k < 2; k++) {
+        YkPointMotion motion = yk_state_point(m.state, yk_model_find_point(m.model, k == 0 ? "crank.M" : "rod.M"));
+        end[k] = yk_drawing_pixel(m.drawing, yk_vec(motion.position[0], motion.position[1]));
+    }
+    int count = 0, used;
+    for (at += strlen("<polyline points=\""); sscanf(at, " %lf,%lf%n", &corner.x, &corner.y, &used) == 2; at += used) {
+        if (count++ == 0) CHECK_NEAR(yk_norm(yk_sub(corner, end[0])), 0, 0.01);
+        sum = yk_add(sum, corner);
+    }
+    assert_true(count > 4);
+    CHECK_NEAR(yk_norm(yk_sub(corner, end[1])), 0, 0.01);
+    CHECK_NEAR(yk_norm(yk_sub(yk_scale(1.0 / count, sum), yk_scale(0.5, yk_add(end[0], end[1])))), 0, 0.01);
+    close_machine(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(springs_run_between_their_points),
         cmocka_unit_test(shifts_take_points_to_where_they_are),
         cmocka_unit_test(frames_are_the_same_page_with_its_groups_moved),
         cmocka_unit_test(keyframes_count_turns_on),

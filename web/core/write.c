@@ -113,7 +113,7 @@ static void add_parameter(YkJson *json, const YkModel *model, const YkParameter 
     YkQuantity quantity = yk_amount_quantity(parameter->dimension);
     YkText text = {0};
     double size = 1;
-    const char *unit = quantity == YK_QUANTITY_NUMBER ? "" : yk_amount_unit(model, quantity, &size);
+    const char *unit = quantity == YK_QUANTITY_NUMBER ? "" : yk_model_shown_unit(model, quantity, &size);
     yk_amount_write_shown(&text, model, parameter->value / size, quantity, 12);
     yk_json_object(json, NULL, YK_JSON_INLINE);
     yk_json_string(json, "name", parameter->name);

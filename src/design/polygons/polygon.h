@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "design/polygons/polygon_plan.h"
 #include "model/model.h"
+#include "model/shown_unit.h"
 
 struct YkPolygon {
     YkArena *arena;
@@ -20,11 +21,11 @@ struct YkPolygon {
     bool failed; // out of memory
 };
 
-// Adds a number in the file's unit of the quantity: "250 mm/s".
+// Adds a number in the unit in which the quantity is shown: "250 mm/s".
 static inline void yk_polygon_number(const YkModel *model, double value, YkQuantity quantity, YkText *text)
 {
     double size = 1;
-    const char *unit = yk_model_unit(model, quantity, &size);
+    const char *unit = yk_model_shown_unit(model, quantity, &size);
     yk_text_format(text, "%e %s", value / size, unit);
 }
 static inline YkQuantity yk_polygon_quantity(const YkPolygon *polygon)

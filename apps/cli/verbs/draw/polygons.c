@@ -11,26 +11,26 @@ static bool convert(YkSession *session, const char *svg, YkFileKind kind)
 
 static bool draw_forces(YkSession *session, YkFileKind kind)
 {
-    bool has_rates = yk_state_has_rates(session->state);
-    YkStatus status = has_rates ? yk_dynamics_solve(session->dynamics, session->state, YK_METHOD_REDUCED) : YK_SINGULAR;
-    if (status == YK_NO_MEMORY) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    bool has_forces = status == YK_OK || status == YK_REDUNDANT;
-    YkForcePolygons *polygons = yk_force_polygons_of(session, has_forces ? session->dynamics : NULL,
-                                                     has_rates ? yk_dynamics_report(session->dynamics)->message
-                                                               : "the rates are not determined");
+    YkForcePolygons *polygons = yk_force_polygons_of(session, session->dynamics, session->forces_message);
     bool good = polygons && convert(session, yk_force_polygons_svg(polygons), kind);
     yk_force_polygons_free(polygons);
     return good;
 }
 
+static bool draw_motion(YkSession *session, YkFileKind kind)
+{
+    YkPolygon *polygon = yk_polygon_of(session, session->state);
+    bool good = polygon && convert(session, yk_polygon_svg(polygon), kind);
+    yk_polygon_free(polygon);
+    return good;
+}
+
 bool yk_draw_polygon(YkSession *session, YkFileKind kind)
 {
-    YkPolygonKind what;
-    if (yk_wants_force_polygons(session)) return draw_forces(session, kind);
-    if (!yk_polygon_read(session, &what)) return false;
-    YkPolygon *polygon = yk_polygon_new(session->state, what, session->problems);
-    if (!polygon) return false;
-    bool good = convert(session, yk_polygon_svg(polygon), kind);
-    yk_polygon_free(polygon);
+    YkDynamics *dynamics = session->dynamics;
+    bool good = yk_solve_forces(session, dynamics, YK_METHOD_REDUCED, session->state) != YK_NO_MEMORY;
+    if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    good = good && (yk_wants_force_polygons(session) ? draw_forces(session, kind) : draw_motion(session, kind));
+    session->dynamics = dynamics; // the session frees it
     return good;
 }

@@ -308,8 +308,8 @@ static bool prepare(Drawer *drawer)
     const char *swept = request->over && strcmp(drawer->over.name, "t") != 0 ? drawer->over.name : NULL;
     if (!yk_session_load(session, swept) || !yk_session_inputs(session) || !yk_certify_begin(session)) return false;
     if (request->centrodes && !find_bodies(session, drawer->centrodes)) return false;
-    if (yk_wants_force_polygons(session) && (!yk_session_forces(session, false) || !yk_session_has_forces(session)))
-        return false;
+    if (request->polygon && !yk_session_forces(session, false)) return false; // free inputs accelerate as loads say
+    if (yk_wants_force_polygons(session) && !yk_session_has_forces(session)) return false;
     return (!request->over || yk_over_read(session, &drawer->over)) && find_points(drawer);
 }
 

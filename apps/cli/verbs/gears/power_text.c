@@ -1,5 +1,6 @@
 // Writes a gear train's torques for people.
 #include <math.h>
+#include "answer.h"
 #include "verbs/gears/gears.h"
 #include "write/table.h"
 
@@ -11,11 +12,9 @@ static void write_table(const YkGearsAnswer *answer, const char *title, YkTable 
     yk_table_free(table);
 }
 
-static double shown(const YkGearsAnswer *answer, double value, YkQuantity quantity)
+static double shown(const YkGearsAnswer *answer, double torque)
 {
-    double size = 1;
-    yk_model_unit(answer->session->model, quantity, &size);
-    return value / size;
+    return yk_shown(answer->session, torque, YK_QUANTITY_TORQUE);
 }
 
 static void add_torques(const YkGearsAnswer *answer)
@@ -23,7 +22,7 @@ static void add_torques(const YkGearsAnswer *answer)
     static const char *const heads[] = {"from outside", "as", "on", "against"};
     YkTable *table = yk_table_new(6);
     for (size_t i = 0; i < 4; i++) yk_table_head(table, heads[i], NULL);
-    yk_table_head(table, "torque", yk_model_unit(answer->session->model, YK_QUANTITY_TORQUE, NULL));
+    yk_table_head(table, "torque", yk_unit_of(answer->session, YK_QUANTITY_TORQUE));
     yk_table_head(table, "power", "W");
     for (size_t i = 0; i < yk_train_torque_count(answer->train); i++) {
         YkTrainTorque torque = yk_train_torque(answer->train, i);
@@ -31,7 +30,7 @@ static void add_torques(const YkGearsAnswer *answer)
         yk_table_word(table, torque.role);
         yk_table_word(table, yk_gears_body(answer, torque.on));
         yk_table_word(table, yk_gears_body(answer, torque.from));
-        yk_table_number(table, shown(answer, torque.torque, YK_QUANTITY_TORQUE), 6);
+        yk_table_number(table, shown(answer, torque.torque), 6);
         yk_table_number(table, torque.power, 6);
     }
     write_table(answer, "Torques on the train (a rack's: its force)", table);
@@ -39,7 +38,7 @@ static void add_torques(const YkGearsAnswer *answer)
 
 static void add_meshes(const YkGearsAnswer *answer)
 {
-    const char *unit = yk_model_unit(answer->session->model, YK_QUANTITY_TORQUE, NULL);
+    const char *unit = yk_unit_of(answer->session, YK_QUANTITY_TORQUE);
     YkTable *table = yk_table_new(7);
     yk_table_head(table, "mesh", NULL);
     yk_table_head(table, "torque on first", unit);
@@ -51,9 +50,8 @@ static void add_meshes(const YkGearsAnswer *answer)
     for (size_t m = 0; m < yk_train_mesh_count(answer->train); m++) {
         YkTrainMesh mesh = yk_train_mesh(answer->train, m);
         yk_table_word(table, mesh.name);
-        for (int k = 0; k < 2; k++)
-            yk_table_number(table, mesh.has_power ? shown(answer, mesh.torque[k], YK_QUANTITY_TORQUE) : NAN, 6);
-        yk_table_number(table, mesh.has_power ? shown(answer, mesh.carrier_torque, YK_QUANTITY_TORQUE) : NAN, 6);
+        for (int k = 0; k < 2; k++) yk_table_number(table, mesh.has_power ? shown(answer, mesh.torque[k]) : NAN, 6);
+        yk_table_number(table, mesh.has_power ? shown(answer, mesh.carrier_torque) : NAN, 6);
         yk_table_word(table, mesh.driver < 0 ? "-" : yk_gears_body(answer, mesh.body[mesh.driver]));
         yk_table_number(table, mesh.has_power ? mesh.rolling_power : NAN, 6);
         yk_table_number(table, mesh.has_power ? mesh.loss : NAN, 6);

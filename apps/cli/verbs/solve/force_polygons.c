@@ -20,18 +20,18 @@ void yk_force_polygon_text(YkSession *session)
     YkForcePolygons *p = yk_force_polygons_of(session, session->dynamics, session->forces_message);
     if (!p) return;
     YkTable *table = yk_table_new(7);
-    double size = 1, moment_size = 1;
-    const char *force = yk_model_unit(session->model, YK_QUANTITY_FORCE, &size),
-               *moment = yk_model_unit(session->model, YK_QUANTITY_TORQUE, &moment_size);
-    for (size_t k = 0; k < 7; k++) yk_table_head(table, heads[k], k < 3 ? NULL : k < 6 ? force : moment);
+    for (size_t k = 0; k < 7; k++)
+        yk_table_head(table, heads[k],
+                      k < 3 ? NULL : yk_unit_of(session, k < 6 ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE));
     for (size_t k = 0; k < yk_force_polygons_vector_count(p); k++) {
         YkForceVector v = yk_force_polygons_vector(p, k);
         yk_table_word(table, yk_model_body_name(session->model, v.body));
         yk_table_word(table, v.name);
         yk_table_word(table, v.by == YK_NOT_FOUND ? "" : yk_model_body_name(session->model, v.by));
-        for (size_t i = 0; i < 2; i++) yk_table_number(table, v.value[i] / size, YK_DIGITS);
-        yk_table_number(table, sqrt(v.value[0] * v.value[0] + v.value[1] * v.value[1]) / size, YK_DIGITS);
-        yk_table_number(table, v.moment / moment_size, YK_DIGITS);
+        const double sizes[] = {v.value[0], v.value[1], sqrt(v.value[0] * v.value[0] + v.value[1] * v.value[1])};
+        for (size_t i = 0; i < 3; i++)
+            yk_table_number(table, yk_shown(session, sizes[i], YK_QUANTITY_FORCE), YK_DIGITS);
+        yk_table_number(table, yk_shown(session, v.moment, YK_QUANTITY_TORQUE), YK_DIGITS);
     }
     yk_text_puts(&session->out, "\nForce polygons\n");
     for (size_t k = 0; k < yk_force_polygons_step_count(p); k++)

@@ -32,10 +32,14 @@ bool yk_lacks_construction(const YkSession *session)
     return false;
 }
 
-static YkPolygon *polygon_of(YkSession *session, const YkState *state)
+YkPolygon *yk_polygon_of(YkSession *session, const YkState *state)
 {
     YkPolygonKind kind;
-    return yk_polygon_read(session, &kind) ? yk_polygon_new(state, kind, session->problems) : NULL;
+    if (!yk_polygon_read(session, &kind)) return NULL;
+    if (kind != YK_POLYGON_ACCELERATION || !session->lacks_accelerations)
+        return yk_polygon_new(state, kind, session->problems);
+    yk_session_refuse(session, YK_CODE_NO_POLYGON, "no acceleration polygon can be drawn: %s", session->forces_message);
+    return NULL;
 }
 
 void yk_polygon_text(YkSession *session, const YkState *state)
@@ -45,7 +49,7 @@ void yk_polygon_text(YkSession *session, const YkState *state)
         return;
     }
     static const char *const heads[] = {"from", "to", "part", "of", "x", "y", "size"};
-    YkPolygon *p = polygon_of(session, state);
+    YkPolygon *p = yk_polygon_of(session, state);
     if (!p) return;
     YkTable *table = yk_table_new(7);
     YkQuantity quantity = yk_polygon_kind(p) == YK_POLYGON_VELOCITY ? YK_QUANTITY_SPEED : YK_QUANTITY_ACCELERATION;
@@ -89,7 +93,7 @@ void yk_polygon_json(YkSession *session, YkJson *json, const YkState *state)
         yk_force_polygon_json(session, json);
         return;
     }
-    YkPolygon *p = polygon_of(session, state);
+    YkPolygon *p = yk_polygon_of(session, state);
     if (!p) return;
     yk_json_object(json, "polygon", YK_JSON_LINES);
     yk_json_string(json, "kind", session->request->polygon);

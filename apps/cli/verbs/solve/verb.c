@@ -30,17 +30,13 @@ static bool has_free_inputs(const YkSession *session, const YkDynamics *dynamics
     return false;
 }
 
-// Finds forces at a pose, and the accelerations that they give to free inputs. A pose without forces (a dead point, a
-// freedom without inertia) keeps its motion; session->dynamics is then NULL, and the status says why.
-static YkStatus find_forces(Writer *writer, YkState *state)
+YkStatus yk_solve_forces(YkSession *session, YkDynamics *dynamics, YkMethod method, YkState *state)
 {
-    YkSession *session = writer->session;
-    YkDynamics *dynamics = writer->dynamics;
     session->dynamics = NULL;
     session->forces_message = NULL;
     session->lacks_accelerations = false;
     if (!dynamics || !yk_state_has_rates(state)) return YK_OK;
-    YkStatus status = yk_dynamics_solve(dynamics, state, writer->method);
+    YkStatus status = yk_dynamics_solve(dynamics, state, method);
     if (status == YK_OK || status == YK_REDUNDANT) {
         session->dynamics = dynamics;
         return YK_OK;
@@ -81,7 +77,7 @@ static bool visit(void *context, YkState *state)
     yk_state_copy(writer->scratch, state);
     session->is_start = writer->own && yk_state_is_at(writer->own, state);
     session->is_chosen = !session->is_start;
-    yk_note_status(session, find_forces(writer, writer->scratch));
+    yk_note_status(session, yk_solve_forces(session, writer->dynamics, writer->method, writer->scratch));
     write_one(writer, writer->scratch);
     return true;
 }
@@ -169,7 +165,7 @@ static int solve(Writer *writer)
     YkConfigurationsReport all = {.block = -1};
     YkStatus pose = yk_session_reach(session, NULL);
     YkReport report = *yk_state_report(session->state);
-    YkStatus forces = pose < 0 ? YK_OK : find_forces(writer, session->state);
+    YkStatus forces = pose < 0 ? YK_OK : yk_solve_forces(session, writer->dynamics, writer->method, session->state);
     YkStatus status = forces == YK_OK ? pose : forces; // of the machine's own configuration
     yk_note_status(session, pose);
     yk_note_status(session, forces);
