@@ -2,6 +2,7 @@
 // The map comes as near to a limit of the free coordinate as one likes, where random poses hardly ever lie.
 #include "base/problems.h"
 #include "rest/rest.h"
+#include "solve/gap.h"
 
 enum { BLOCKS_MAX = 8 }; // a map follows every branch, and there are 2^8 of as many dyads
 
@@ -15,9 +16,8 @@ YkMap *yk_rest_map(YkRest *rest)
     return map;
 }
 
-// Stands at a value of the free coordinate, in the configuration of a row near to it, and finds how the loads accelerate it.
-// Returns false if the machine does not close there, or is singular.
-static bool stand(YkRest *rest, const double *row, double at, double *accel)
+// Puts the machine together at a value of the free coordinate, in the configuration of a row near to it.
+static YkStatus put_together(YkRest *rest, const double *row, double at)
 {
     YkState *s = rest->state;
     for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
@@ -27,7 +27,42 @@ static bool stand(YkRest *rest, const double *row, double at, double *accel)
     yk_state_set_input(s, (size_t)rest->input[0], (YkMotion){at, 0, 0});
     YkStatus status = yk_state_assemble(s);
     rest->ran_out |= status == YK_NO_MEMORY;
-    return status >= 0 && yk_rest_accelerations(rest, &at, NULL, accel) && isfinite(*accel);
+    return status;
+}
+
+// Moves there from where the machine stands. Returns < 0 if it does not come to the configuration of the row.
+static YkStatus move_near(YkRest *rest, const double *row, double at)
+{
+    const double near = 1e-3; // rad, or machine sizes
+    yk_state_set_input(rest->state, (size_t)rest->input[0], (YkMotion){at, 0, 0});
+    YkStatus status = yk_state_solve(rest->state);
+    if (status < 0 || rest->row == row) return status;
+    for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
+        double off = yk_state_coordinate(rest->state, c).position - row[c];
+        if (!(yk_gap(rest->mech, rest->mech->coordinates[c].is_distance, off) < near)) return YK_NO_ASSEMBLY;
+    }
+    return status;
+}
+
+// Stands at a value of the free coordinate, in the configuration of a row near to it, and finds how the loads accelerate it.
+// Where a group is solved by iteration, the search for its assembly takes a hundred times as long as moving there from the
+// last value beside the same row. Returns false if the machine does not close there, or is singular.
+static bool stand(YkRest *rest, const double *row, double at, double *accel)
+{
+    YkStatus status = YK_NO_ASSEMBLY;
+    if (rest->mech->has_groups && rest->row) status = move_near(rest, row, at);
+    if (status == YK_LIMIT && rest->row == row) return false; // the way there ends before; others may close, on other branches
+    if (status < 0) status = put_together(rest, row, at);
+    bool stands = status >= 0 && yk_rest_accelerations(rest, &at, NULL, accel) && isfinite(*accel);
+    rest->row = stands ? row : NULL;
+    return stands;
+}
+
+// Goes to the equilibrium near to where the machine stands, and keeps it. Returns false when out of memory.
+static bool keep_near(YkRest *rest)
+{
+    rest->row = NULL;
+    return !yk_rest_descend(rest) || yk_rest_keep(rest);
 }
 
 // Narrows an interval at whose ends the loads accelerate in different directions down to an equilibrium, and keeps it.
@@ -44,8 +79,7 @@ static bool bracket(YkRest *rest, const double *row, double from, double to, dou
             to = middle;
     }
     rest->q[0] = 0.5 * (from + to);
-    bool comes_there = stand(rest, row, rest->q[0], &now) && yk_rest_descend(rest);
-    return comes_there ? yk_rest_keep(rest) : !rest->ran_out;
+    return stand(rest, row, rest->q[0], &now) ? keep_near(rest) : !rest->ran_out;
 }
 
 // How the loads accelerate the free coordinate at one of its values, and how that changes along it.
@@ -117,7 +151,7 @@ static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t
         if (!stands) continue;
         rest->q[0] = at;
         bool is_there = now.accel == 0 && fabs(last.accel) > 0; // else it rests anywhere
-        if (is_there && yk_rest_descend(rest) && !yk_rest_keep(rest)) return false;
+        if (is_there && !keep_near(rest)) return false;
         int left = HALVINGS;
         if (isfinite(last.at) && !search_between(rest, row, last, now, DEPTH, &left)) return false;
         last = now;

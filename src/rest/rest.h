@@ -36,6 +36,7 @@ struct YkRest {
     bool has_inertia;   // in some pose from which the search started
     bool is_complete;   // all circuits were searched
     bool ran_out;       // of memory, in that search
+    const double *row;  // of the map, beside which the state stands; NULL elsewhere
     YkReport lack;      // report of the first such pose without accelerations
 };
 

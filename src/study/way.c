@@ -295,7 +295,7 @@ static size_t moving_input(const YkWorker *w)
 static bool is_blocked(const YkWorker *w, size_t moving)
 {
     if (moving == w->mech->input_count || moving != w->way.input) return false;
-    double at = w->goal[moving].position, tolerance = 1e-9 * fmax(1, fabs(at));
+    double at = w->goal[moving].position, tolerance = 1e-9 * fmax(yk_input_unit(w->mech, moving), fabs(at));
     const YkBarrier *below = &w->way.barrier[0], *above = &w->way.barrier[1];
     return (below->is_set && at < below->at - tolerance) || (above->is_set && at > above->at + tolerance);
 }
