@@ -8,9 +8,9 @@ typedef struct YkPlugin {
     const char *yoke; // the version of yoke that it belongs to
 } YkPlugin;
 
-// Loads the plugin NAME.so from beside the command, where it is built, or from lib/yoke, where it is installed, and calls its function
-// ENTRY. Returns the table, which stays until the process ends. NULL: there is none, or it cannot be loaded, and `why` then points at
-// the reason, until the next call; otherwise at NULL.
+// Loads the plugin NAME.so from beside the command, where it is built, or from lib/yoke, where it is installed, and
+// calls its function ENTRY. Returns the table, which stays until the process ends. NULL: there is none, or it cannot be
+// loaded, and `why` then points at the reason, until the next call; otherwise at NULL.
 const YkPlugin *yk_plugin_open(const char *name, const char *entry, const char **why);
 
 #endif

@@ -304,7 +304,8 @@ static void add_drives(YkFile *file)
 
 // --- racks
 
-// Returns how far a rack's line passes from its pinion's centre, positive on the side of the file (model/transmissions).
+// Returns how far a rack's line passes from its pinion's centre, positive on the side of the file
+// (model/transmissions).
 static YkRef side_of(YkProgram *p, const YkRack *rack)
 {
     YkGraph *g = &p->graph;

@@ -385,10 +385,10 @@ static void move(Work *w, const double *motion, double by)
     for (size_t j = 0; j < w->n; j++) w->x[w->variables[j]] += by * motion[j] * (is_angle(w, j) ? 1 : w->mech->size);
 }
 
-// Closes the loops a little along a motion from near[0]. Where branches of motion meet, Newton's method may fall back to
-// the meeting point, at which it knows angles to half their digits and every rank is rounding: other motions are tried
-// then, and kept from falling back. If none leads anywhere, the machine is rigid, as the rank of the last says. Returns
-// whether a pose closes.
+// Closes the loops a little along a motion from near[0]. Where branches of motion meet, Newton's method may fall back
+// to the meeting point, at which it knows angles to half their digits and every rank is rounding: other motions are
+// tried then, and kept from falling back. If none leads anywhere, the machine is rigid, as the rank of the last says.
+// Returns whether a pose closes.
 static bool close_beside(Work *w, size_t free_count, double *motion)
 {
     enum { ATTEMPTS = 9 };

@@ -181,7 +181,7 @@ void yk_gradient_start(YkGradient *g)
     memset(g->at_parameter, 0, g->model->parameter_count * sizeof *g->at_parameter);
 }
 
-// Takes the shares that an answer has by the loops: with their derivative of this order it depends on what all lower ones do.
+// Takes the shares that an answer has by the loops, whose derivative of this order depends on what all lower ones do.
 static void solve_order(YkGradient *g, size_t order)
 {
     const YkMechanism *mech = g->mech;

@@ -1,7 +1,7 @@
 // Relations in the plan: once all but one of its angles and distances are known, a relation gives the last.
 //
-// What is a sum of inputs is kept as such a sum (a *form*), so that trains of gears and racks stay exact over any number
-// of turns; an angle that loops place is taken nearest to a reference that follows the motion.
+// What is a sum of inputs is kept as such a sum (a *form*), so that trains of gears and racks stay exact over any
+// number of turns; an angle that loops place is taken nearest to a reference that follows the motion.
 #include "base/memory.h"
 #include "compile/plan.h"
 #include "compile/relations.h"
@@ -195,8 +195,8 @@ static double add_any_term(YkPlan *plan, YkRelationTerm term, double factor, uin
     return term.is_distance ? 0 : add_term(plan, term, factor, first, root.index);
 }
 
-// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant), with the terms
-// of `from`: the relation itself, or its sum with others.
+// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant), with the
+// terms of `from`: the relation itself, or its sum with others.
 static void write_sources(YkPlan *plan, YkRelation *r, const YkRelation *from, double times, const Columns *columns)
 {
     YkMechanism *mech = plan->mech;
@@ -228,8 +228,8 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
 }
 
-// Makes a check of a relation that repeats others: the pose has to fit it, or its sum with them. Factors that are rounding
-// would turn hundreds of turns of an input into a miss.
+// Makes a check of a relation that repeats others: the pose has to fit it, or its sum with them. Factors that are
+// rounding would turn hundreds of turns of an input into a miss.
 static void check(YkPlan *plan, size_t index, const YkRelation *from)
 {
     YkRelation *r = &plan->mech->relations[index];
@@ -405,8 +405,8 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
     return index;
 }
 
-// Handles a row without unknowns: the relation that it was at first repeats others. In their sum all that they tie cancels,
-// so that it does not matter how often a wheel has turned.
+// Handles a row without unknowns: the relation that it was at first repeats others. In their sum all that they tie
+// cancels, so that it does not matter how often a wheel has turned.
 static void check_row(YkPlan *plan, const Rows *rows, size_t row)
 {
     size_t sum = derive(plan, rows, row);

@@ -38,7 +38,7 @@ struct YkDynamics {
     YkReport report;
 };
 
-// follow.c: takes the present values of the mechanism's variant, if they have changed. Returns false when out of memory.
+// follow.c: takes the present values of the mechanism's variant if they have changed. Returns false when out of memory.
 bool yk_dynamics_follow(YkDynamics *dynamics);
 // Remakes what is stale. Returns false when out of memory.
 bool yk_dynamics_prepare(YkDynamics *dynamics);

@@ -33,8 +33,8 @@ static void push(YkDynamics *d, int32_t body, YkVec at, YkVec force, double mome
     r->moment += moment + yk_cross(yk_sub(at, d->motion[body].at), force);
 }
 
-// Returns the force of a pin on its second body. The equations have one planet's mass, but the teeth of all N planets: of
-// the force F in them, a planet's own pin bears (F - m (a - g))/N for the teeth and m (a - g) for the mass.
+// Returns the force of a pin on its second body. The equations have one planet's mass, but the teeth of all N planets:
+// of the force F in them, a planet's own pin bears (F - m (a - g))/N for the teeth and m (a - g) for the mass.
 static YkVec own_force(const YkDynamics *d, const YkJoint *pin, YkVec whole)
 {
     if (pin->copies < 2) return whole;

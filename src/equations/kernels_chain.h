@@ -139,8 +139,8 @@ YK_INLINE bool chain_solve(ChainLink *link, size_t links, const YkTreeRows *rows
     return is_finite;
 }
 
-// Computes the accelerations of n states; ok: as yk_lanes_tree has it. *bad: whether one is not 1. Returns the bits that
-// tell whether an angle is far: then all must be repeated with is_far.
+// Computes the accelerations of n states; ok: as yk_lanes_tree has it. *bad: whether one is not 1. Returns the bits
+// that tell whether an angle is far: then all must be repeated with is_far.
 YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axis, bool is_far, double *ok, bool *bad,
                                size_t n)
 {

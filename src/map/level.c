@@ -80,8 +80,8 @@ static double determinant(YkTracer *t, YkStrand *strand, double at)
     return product;
 }
 
-// Returns where the determinant of a strand vanishes beyond its end: a parabola through three of its poses, evaluated at
-// 0. Near a limit the input is a smooth function of the determinant's square, near a change point of itself.
+// Returns where the determinant of a strand vanishes beyond its end: a parabola through three of its poses, evaluated
+// at 0. Near a limit the input is a smooth function of the determinant's square, near a change point of itself.
 static double locate(YkTracer *t, YkStrand *strand, int end, const YkMeeting *m, bool is_limit)
 {
     double at = end_of(strand, end), length = yk_strand_to(strand) - yk_strand_from(strand);
@@ -200,8 +200,8 @@ void yk_trace_tie_all(YkTracer *t, const YkMeeting *m)
     free(x);
 }
 
-// Returns whether a dyad is proved to have as many real solutions all over a zone as are followed through it. For a dyad
-// the bounds of its triangle tell, also where complex solutions pass through infinity.
+// Returns whether a dyad is proved to have as many real solutions all over a zone as are followed through it. For a
+// dyad the bounds of its triangle tell, also where complex solutions pass through infinity.
 static bool is_counted(YkTracer *t, YkStrand *below, const YkMeeting *m, size_t arriving)
 {
     const YkPiece *piece = &t->pieces[below->level];

@@ -23,7 +23,8 @@ void yk_redesign_hint(YkProblems *problems);      // adds a hint to a problem th
 YkModel *yk_redesign_model(YkRedesign *redesign); // the copy; valid until freed
 // Sets values[count], SI, in the copy. Returns YK_OK; YK_BAD_MODEL if the machine makes no sense with them: a value is
 // not finite or beyond 1e100, a mass is not positive, an inertia or a spring's free length negative, a rod without
-// length, a stop's range empty, a restitution or friction out of range, a rack's line on the other side of its pinion. Cost: that of the formulas; allocates nothing.
+// length, a stop's range empty, a restitution or friction out of range, a rack's line on the other side of its pinion.
+// Cost: that of the formulas; allocates nothing.
 YkStatus yk_redesign_set(YkRedesign *redesign, const double *values);
 double yk_redesign_value(const YkRedesign *redesign, size_t index); // the value of names[index], as last set
 

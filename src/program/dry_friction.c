@@ -1,8 +1,9 @@
 // Dry friction of joints that slide. All reactions are affine in the frictions: each friction is a right side of the
 // balance of all bodies, and a call finds those that agree with the reactions which they change.
 //
-// f_k = -s_k c_k |N_k(f)|, with s_k the sense of the sliding and c_k = mu R, as in dynamics/forces. A joint at rest that
-// drives move begins to slip as they accelerate it; any other holds within an interval, which dynamics/holding finds.
+// f_k = -s_k c_k |N_k(f)|, with s_k the sense of the sliding and c_k = mu R, as in dynamics/forces. A joint at rest
+// that drives move begins to slip as they accelerate it; any other holds within an interval, which dynamics/holding
+// finds.
 #include "base/problems.h"
 #include "program/balance.h"
 

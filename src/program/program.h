@@ -165,7 +165,7 @@ YkRefVec yk_program_at(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_program_at_rate(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities);
 YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                              const YkRates *accelerations);
-// body_accel.c: returns the acceleration of a point of a body with fewer operations, for poses that need no rates of it.
+// body_accel.c: returns a body point's acceleration in fewer operations, for poses that need no rates of the point.
 YkRefVec yk_program_body_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                                const YkRates *accelerations);
 

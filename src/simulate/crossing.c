@@ -129,8 +129,8 @@ static double longest_turn(const YkSimulation *sim)
     return fastest > 0 ? 0.5 * eighth / fastest : HUGE_VAL;
 }
 
-// Returns whether a block is so far from a singular position, at the rates that stand, that a step of `length` does not lead
-// there. Does not find the angle between its columns, which is at least the root of the margin away.
+// Returns whether a block is so far from a singular position, at the rates that stand, that a step of `length` does not
+// lead there. Does not find the angle between its columns, which is at least the root of the margin away.
 static bool is_far(const YkSimulation *sim, size_t block, double length)
 {
     const YkBlock *b = &sim->mech->blocks[block];

@@ -146,15 +146,16 @@ struct YkSimulation {
     int redone; // times in succession that a step was taken back
 };
 
-// witness.c: tells the witness that the motion begins at the state, which has the pose of `from`, a state of another mechanism;
+// witness.c: tells the witness that the motion begins at the state, which has the pose of `from`, a state of another
+// mechanism;
 // NULL: it begins anywhere.
 void yk_simulation_tell_start(YkSimulation *sim, const YkState *from);
-// Tells it of the pose that stands. Returns false, with a report, if the motion is proved to be on another configuration there.
+// Tells it of the pose that stands. Returns false, with a report, if that is proved to be on another configuration.
 bool yk_simulation_tell(YkSimulation *sim, YkWitnessed kind);
 // Returns whether the step that the integrator has just made is proved to end on another configuration.
 bool yk_simulation_has_jumped(YkSimulation *sim);
-// Takes that step back: the state stands at its beginning, and the next ones will be shorter. Returns false if that has not
-// helped before.
+// Takes that step back: the state stands at its beginning, and the next ones will be shorter. Returns false if that has
+// not helped before.
 bool yk_simulation_go_home(YkSimulation *sim);
 
 // simulation.c: makes a simulation without a pose, with the efforts, watches and control of another one (NULL: none).
@@ -170,8 +171,8 @@ double yk_simulation_next_sample(const YkSimulation *simulation); // HUGE_VAL if
 
 // results.c: accounts for the energy at the present pose.
 void yk_simulation_count_energy(YkSimulation *sim);
-// Returns whether the balance of energy is off by more than steps of that tolerance can be: the poses are not the machine's motion.
-// Fixed steps are as coarse as they were asked to be.
+// Returns whether the balance of energy is off by more than steps of that tolerance can be: the poses are not the
+// machine's motion. Fixed steps are as coarse as they were asked to be.
 bool yk_simulation_has_lost_energy(const YkSimulation *sim);
 
 // initial_rates.c
@@ -204,8 +205,8 @@ void yk_simulation_look_near(YkSimulation *sim, double t); // finds which blocks
 // singular position that the prediction from the step's start may have the wrong sign.
 void yk_simulation_look_closer(YkSimulation *sim, double t);
 void yk_simulation_set_signs(YkSimulation *sim, double t);
-// apart.c: returns whether the last step took a sign for another though branches do not meet there; near blocks keep their
-// signs from then on, and the step must be repeated.
+// apart.c: returns whether the last step took a sign for another though branches do not meet there; near blocks keep
+// their signs from then on, and the step must be repeated.
 bool yk_simulation_must_keep_apart(YkSimulation *sim);
 // Looks along the only free input whether branches meet where near blocks are heading. Returns false if the pose, at
 // sim->time, cannot be solved again.
@@ -237,8 +238,8 @@ void yk_simulation_unbuild(YkSimulation *sim);
 bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: call it after everything else is made
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems);
 
-// Takes other independent coordinates by name, or as many as there are with the cams that are open now. Returns false on
-// failure; *changed: whether they fit.
+// Takes other independent coordinates by name, or as many as there are with the cams that are open now. Returns false
+// on failure; *changed: whether they fit.
 bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_t count, size_t free_count,
                               bool *changed);
 static inline size_t yk_simulation_contacts_max(const YkSimulation *sim)

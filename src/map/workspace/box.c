@@ -104,8 +104,9 @@ static YkDual first_gap(YkTracer *t, const YkBall input[2], int by)
     return yk_dyad_gap(&t->pieces[0].shape, &c);
 }
 
-// Counts the solutions of a dyad by the gap in the middle of the box and its slopes over the box: near a place where they
-// touch, that is sharper than bounds of the lengths. For the first dyad alone, whose coefficients depend on inputs only.
+// Counts the solutions of a dyad by the gap in the middle of the box and its slopes over the box: near a place where
+// they touch, that is sharper than bounds of the lengths. For the first dyad alone, whose coefficients depend on inputs
+// only.
 static int count_by_slopes(Visit *v, size_t level, const YkDiscCoefficients *c)
 {
     YkTracer *t = v->tracer;

@@ -5,8 +5,8 @@
 
 enum { RAYS = 48, PIVOTS = 48, LINES = 12, TRY_MICROSECONDS = 600 };
 
-// Where four-bars are not sought a pair has one slide, and there are few of them: with more rays, or lines, as many pairs are
-// tried as four-bars have.
+// Where four-bars are not sought a pair has one slide, and there are few of them: with more rays, or lines, as many
+// pairs are tried as four-bars have.
 static size_t rays_of(const YkTask *task)
 {
     return task->has_four_bar ? RAYS : 8 * RAYS;

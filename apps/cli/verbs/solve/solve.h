@@ -20,8 +20,8 @@ void yk_centers_json(YkSession *session, YkJson *json, const YkState *state);
 // Write the polygon of --polygon; at a pose without one there is a problem, and nothing is written.
 bool yk_polygon_read(YkSession *session, YkPolygonKind *kind); // false with a problem: --polygon has another word
 bool yk_wants_force_polygons(const YkSession *session);        // --polygon force
-// Makes the force polygons of a pose. dynamics: solved there, or NULL if it has no forces, and why (NULL: unknown). Returns
-// NULL with a problem if there are none.
+// Makes the force polygons of a pose. dynamics: solved there, or NULL if it has no forces, and why (NULL: unknown).
+// Returns NULL with a problem if there are none.
 YkForcePolygons *yk_force_polygons_of(YkSession *session, const YkDynamics *dynamics, const char *why);
 void yk_polygon_pair(YkJson *json, const char *key, const double value[2]); // "key": [x, y]
 void yk_force_polygon_text(YkSession *session);

@@ -114,8 +114,8 @@ static inline size_t yk_study_kinds(const YkStudyAnswer *a) // answers a column 
 void yk_study_name(const YkStudyAnswer *answer, size_t k, YkText *name);
 YkQuantity yk_study_quantity(const YkStudyAnswer *answer, size_t k);
 
-// turns.c: finds whether a drive turns back just at a limit on the way, so that designs must follow their drives in time.
-// Returns false with a problem added if they cannot.
+// turns.c: finds whether a drive turns back just at a limit on the way, so that designs must follow their drives in
+// time. Returns false with a problem added if they cannot.
 bool yk_study_check_turns(YkStudyAnswer *answer);
 // Gathers a row into the sum.
 void yk_study_note(YkStudyAnswer *answer, size_t design, const double *row);

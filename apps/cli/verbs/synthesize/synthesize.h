@@ -34,7 +34,7 @@ void yk_synthesis_gather(YkSynthesisSpread *spread); // ends it
 // What ranks other than 0 do, whether the task could be read or not. Returns the exit code.
 int yk_synthesis_serve(YkSynthesisAnswer *answer, bool is_read);
 
-// sheets.c: returns the name of a further picture, with its text, or NULL where the task has none; *ran_out: out of memory.
+// sheets.c: returns the name of a further picture, with its text; NULL if the task has none. *ran_out: out of memory.
 enum { YK_SHEET_FILES = 2 };
 const char *yk_synthesis_sheet_file(const YkSynthesisAnswer *answer, size_t index, const char **svg, bool *ran_out);
 
