@@ -247,8 +247,10 @@ static inline size_t yk_simulation_contacts_max(const YkSimulation *sim)
     return sim->item_count + sim->model->cam_count;
 }
 
-// flight.c: followers off their cams.
+// cam_gap.c
 YkMotion yk_simulation_gap(const YkSimulation *sim, size_t cam); // above 0 off the cam; without acceleration
+
+// flight.c: followers off their cams.
 // Returns whether this cam can lose its follower, and has not.
 bool yk_simulation_is_loose(const YkSimulation *sim, size_t cam);
 double yk_simulation_pull(YkSimulation *sim,
