@@ -10,6 +10,8 @@
 #define SIMULATE_CROSSING_H
 #include "simulate/simulation.h"
 
+#define YK_NEAR_SINE2 0.06 // sin^2 below which a block is watched
+
 typedef struct YkDirection {
     double angle, rate, acceleration;
 } YkDirection;

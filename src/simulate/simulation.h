@@ -189,22 +189,20 @@ bool yk_simulation_start_singular(YkSimulation *sim, YkProblems *problems);
 // Finds rates of the inputs from those in `start:`, as well as the loops allow.
 bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems);
 
-// right_hand_side.c: the right-hand side.
-void yk_simulation_powers(YkSimulation *sim, double *power); // of all works, at the pose accelerated last
-int yk_simulation_motion(void *simulation, double t, const double *y, double *dydt);
-// Sets the inputs of the state for (t, y), and the signs of near blocks. Returns false if a drive has no value.
+// stage.c: sets the state's inputs for (t, y), and the signs of near blocks. Returns false if a drive has no value.
 bool yk_simulation_set(YkSimulation *sim, double t, const double *y);
-// Solves the state's pose at (t, y) with its accelerations. Sets sim->status and the report on failure. stand_at:
-// without a closer look at near blocks; leaves the angles' references and sim->time unchanged.
+void yk_simulation_powers(YkSimulation *sim, double *power); // of all works, at the pose accelerated last
+
+// right_hand_side.c
+int yk_simulation_motion(void *simulation, double t, const double *y, double *dydt);
+// Solves the state's pose at (t, y) with its accelerations, without a closer look at near blocks; leaves the angles'
+// references and sim->time unchanged. Sets sim->status and the report on failure.
 bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y);
-bool yk_simulation_pose(YkSimulation *sim, double t, const double *y);
 
 // crossing.c and its neighbours: change points.
 void yk_simulation_look_near(YkSimulation *sim, double t); // finds which blocks are near at the present pose
-// Looks at near blocks again a little before a pose within the last step, or at its end, if it lies so near to a
-// singular position that the prediction from the step's start may have the wrong sign.
-void yk_simulation_look_closer(YkSimulation *sim, double t);
-void yk_simulation_set_signs(YkSimulation *sim, double t);
+// Solves the pose at (t, y) as yk_simulation_stand_at does, with a closer look at near blocks, and moves there.
+bool yk_simulation_pose(YkSimulation *sim, double t, const double *y);
 // apart.c: returns whether the last step took a sign for another though branches do not meet there; near blocks keep
 // their signs from then on, and the step must be repeated.
 bool yk_simulation_must_keep_apart(YkSimulation *sim);
@@ -213,7 +211,7 @@ bool yk_simulation_must_keep_apart(YkSimulation *sim);
 bool yk_simulation_look_whether_apart(YkSimulation *sim);
 // Returns how long a step may be, s, near such a place.
 double yk_simulation_reach_apart(const YkSimulation *sim);
-// Returns for how long, at the present rates, no block that is not near reaches a singular position.
+// reach.c: returns for how long, at the present rates, no block that is not near reaches a singular position.
 double yk_simulation_reach(YkSimulation *sim);
 // interpolation.c: returns whether the pose is so near that accelerations are interpolated.
 bool yk_simulation_in_zone(const YkSimulation *sim, double t);
