@@ -100,7 +100,7 @@ typedef struct YkCheck {
 // Returns what equations from this state on share: known already, or new. Returns NULL when out of memory.
 YkCheckShared *yk_check_share(YkDerivation *d, const YkState *state, const YkDynamics *dynamics);
 
-// --- check.c
+// --- check_open.c
 // Reads the equation; d, state, text and length are set. Close it in any case.
 typedef enum YkCheckOpened { YK_CHECK_OPEN, YK_CHECK_NOT_READ, YK_CHECK_NO_ROOM } YkCheckOpened;
 // poses: shared ones, for an equation without segments.
