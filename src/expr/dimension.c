@@ -150,38 +150,6 @@ static bool index_dependents(YkDimensions *dims)
     return true;
 }
 
-static void enqueue(YkDimensions *dims, int32_t index)
-{
-    YkConstraint *constraint = &dims->constraints[index];
-    if (constraint->is_queued || (dims->phase == YK_PHASE_OWN && constraint->parameter < 0)) return;
-    constraint->is_queued = true;
-    dims->queue[(dims->queue_first + dims->queue_count++) % dims->constraint_count] = index;
-}
-
-void yk_dim_set(YkDimensions *dims, int32_t name, YkDimension dimension, const YkConstraint *origin, YkPlace place)
-{
-    YkDimName *entry = &dims->names[name];
-    entry->is_known = true;
-    entry->dimension = dimension;
-    entry->origin = origin;
-    entry->origin_place = place;
-    for (size_t i = dims->first_dependent[name]; i < dims->first_dependent[name + 1]; i++)
-        enqueue(dims, dims->dependents[i]);
-    // Its own expression may have bare parts that can take the dimension now.
-    for (size_t low = 0, high = dims->constraint_count; low < high;) {
-        size_t middle = low + (high - low) / 2; // parameters' constraints are in the order of their names
-        int32_t parameter = dims->constraints[middle].parameter;
-        if (parameter == name) {
-            enqueue(dims, (int32_t)middle);
-            break;
-        }
-        if (parameter < 0 || parameter > name)
-            high = middle;
-        else
-            low = middle + 1;
-    }
-}
-
 // Visits a constraint once under the rules of the phase.
 static void visit(YkDimensions *dims, YkConstraint *constraint)
 {
@@ -217,7 +185,7 @@ static void drain(YkDimensions *dims)
 static void run_phase(YkDimensions *dims, YkDimPhase phase)
 {
     dims->phase = phase;
-    for (size_t i = 0; i < dims->constraint_count; i++) enqueue(dims, (int32_t)i);
+    for (size_t i = 0; i < dims->constraint_count; i++) yk_dim_queue(dims, (int32_t)i);
     drain(dims);
 }
 
