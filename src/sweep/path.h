@@ -47,13 +47,16 @@ bool yk_path_start(YkPath *path, YkState *state, int coordinate);
 // Starts a straight line from the inputs of the state's pose to `goal`, which must outlive the path.
 bool yk_path_start_line(YkPath *path, YkState *state, const double *goal);
 void yk_path_end(YkPath *path);
-// heading.c: returns the direction on the path, +1 or -1, in which an earlier motion has come to where the path starts;
+// near.c: returns how an input moves along the path, on that side of its last place; only its share in the sum of all
+// counts.
+double yk_path_rate(const YkPath *path, size_t input, double side);
+// Returns the direction on the path, +1 or -1, in which an earlier motion has come to where the path starts;
 // 0: across it, or none has.
 double yk_path_heading(const YkPath *path);
 // Sets the inputs, and the signs that blocks are known to have there, at `at`: with the motion's own rates, or (along) with rates per unit of the path. Returns
 // YK_BAD_MODEL if a drive has no value at that time.
 YkStatus yk_path_set(YkPath *path, double at, bool along);
-// Sets the inputs alone.
+// path_inputs.c: sets the inputs alone.
 YkStatus yk_path_set_inputs(const YkPath *path, double at, bool along);
 // Does the same and solves: to look, or (probe) to continue from there, with the pose's angles as the next reference.
 YkStatus yk_path_try(YkPath *path, double at, bool along);
@@ -84,6 +87,8 @@ bool yk_path_turns_back(const YkPath *path, double at);
 // Finds the last value that closes, to rounding, between a pose that closes and one that does not. The state ends
 // there.
 double yk_path_limit(YkPath *path, double good, double bad);
+// Returns the rate of the state's fastest input: rad/s, or machine sizes per second.
+double yk_path_fastest(const YkState *state);
 // Returns one unit of path for tolerances: a radian, or the machine's size; for time and for a line, the amount in which
 // the fastest input now covers it (for time at most 1 s).
 double yk_path_scale(const YkPath *path);

@@ -27,7 +27,7 @@ typedef struct YkWalk {
     void *context;
 } YkWalk;
 
-// Starts a walk along `path`, which the walk owns from here on. Returns false when out of memory; yk_walk_end frees it.
+// walk_begin.c: starts a walk along `path`, which the walk owns from here on. Returns false when out of memory; yk_walk_end frees it.
 bool yk_walk_start(YkWalk *walk, YkPath path, double turn_max);
 void yk_walk_end(YkWalk *walk);
 // Walks in verified sub-steps from a, where the state is, to b. Returns false if the motion ends on the way: the status
