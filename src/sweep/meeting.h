@@ -3,12 +3,16 @@
 #define SWEEP_MEETING_H
 #include "sweep/walk.h"
 
+// --- meeting_find.c
+
 // Looks for change points near the start of a walk, where the state stands, which goes on in that direction of its path.
 void yk_walk_begin_at(YkWalk *walk, double at, double way);
 // Looks for a change point of a block near `at`. If it finds it, the block's sign follows from the side of it from here on; it
 // has its present sign at the place `known`, to which the motion has come in the direction `way`. Returns whether it did; the state
 // must be solved again.
 bool yk_walk_meets(YkWalk *walk, size_t block, double at, double known, double way);
+// --- meeting.c
+
 // Returns whether all of [a, b] is so close to the block's known change point that its sign follows from the side alone.
 bool yk_walk_is_at_meeting(const YkWalk *walk, size_t block, double a, double b);
 // Returns whether a block's known change point is the one that poses about `at` belong to.
