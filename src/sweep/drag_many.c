@@ -40,7 +40,8 @@ static void take_out(const YkDrag *d, double *v, const double *normal)
     for (size_t k = 0; k < d->active_count; k++) v[k] -= along * normal[k];
 }
 
-// Finds the step -J' (J P J' + damping)^-1 r, where P takes out the blocked ways: what it does along them, they hold back.
+// Finds the step -J' (J P J' + damping)^-1 r, where P takes out the blocked ways: what it does along them, they hold
+// back.
 static void find_pull(YkDrag *d, double damping)
 {
     YkVec r = yk_sub(yk_load_point(d->state->mech, &d->state->space, &d->end).at, d->target);

@@ -1,6 +1,6 @@
-// Remembers the direction in which a motion came to a pose, for the next one that begins there. Exactly at a change point
-// the signs of the blocks are those of the side that it came from: going on passes the change point, turning back does
-// not.
+// Remembers the direction in which a motion came to a pose, for the next one that begins there. Exactly at a change
+// point the signs of the blocks are those of the side that it came from: going on passes the change point, turning back
+// does not.
 #include "sweep/walk.h"
 
 bool yk_walk_has_passed(const YkWalk *w)

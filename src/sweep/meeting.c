@@ -1,7 +1,7 @@
 // Change points that are known by the place of the input that leads to them. On each side of it the block has one sign,
-// however often and however little the motion goes over it: the pose follows from where the input is, not from its past. Where
-// several inputs lead there together, it follows from where they all are (side.c). If a drive turns back just at a limit, time
-// takes the place of the input.
+// however often and however little the motion goes over it: the pose follows from where the input is, not from its
+// past. Where several inputs lead there together, it follows from where they all are (side.c). If a drive turns back
+// just at a limit, time takes the place of the input.
 #include "sweep/meeting.h"
 
 bool yk_walk_is_at_meeting(const YkWalk *w, size_t block, double a, double b)
@@ -75,8 +75,8 @@ static double farthest_beyond(const YkPath *path, size_t block, double a, double
     return best;
 }
 
-// Notes both passages of a change point beyond which the path goes between a and b, though both lie on the same side of it.
-// Returns whether there are any.
+// Notes both passages of a change point beyond which the path goes between a and b, though both lie on the same side of
+// it. Returns whether there are any.
 static bool note_excursion(YkWalk *w, size_t block, double a, double b)
 {
     const YkMeeting *m = &w->path.meetings[block];

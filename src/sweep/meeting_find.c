@@ -47,8 +47,8 @@ static bool come_closer(const Search *f, double *value)
     return true;
 }
 
-// Corrects the value by a polynomial through three poses on each side, on which the sine has one sign each. Returns false
-// unless that is smooth there, and about a straight line.
+// Corrects the value by a polynomial through three poses on each side, on which the sine has one sign each. Returns
+// false unless that is smooth there, and about a straight line.
 static bool correct(const Search *f, double *value)
 {
     double step = f->h * f->meeting.unit, before[4], after[4];
@@ -65,7 +65,8 @@ static bool correct(const Search *f, double *value)
     return true;
 }
 
-// Returns whether the value half a step away is what the poses farther away say: a limit or another change point may be near.
+// Returns whether the value half a step away is what the poses farther away say: a limit or another change point may be
+// near.
 static bool is_smooth(const Search *f, double value)
 {
     static const double weights[] = {75.0 / 128, -25.0 / 256, 3.0 / 256}; // midway between six poses
@@ -177,7 +178,8 @@ static size_t steps_up_to(const YkMechanism *mech, size_t block)
     return 0;
 }
 
-// Finds the change point along the input that leads there fastest, with the others as they are here: on the path they all move.
+// Finds the change point along the input that leads there fastest, with the others as they are here: on the path they
+// all move.
 static bool find_by_several(Search *f)
 {
     const YkState *s = f->walk->path.state;
@@ -217,7 +219,8 @@ static bool find(YkWalk *w, size_t block, double at, YkMeeting *meeting)
     return true;
 }
 
-// Returns whether a change point is the one that was known before: whichever input was followed to it, the sine is the same.
+// Returns whether a change point is the one that was known before: whichever input was followed to it, the sine is the
+// same.
 static bool is_same(YkWalk *w, size_t block, YkMeeting old, YkMeeting m, double at)
 {
     if (!old.is_known || old.is_shared != m.is_shared) return false;
@@ -254,8 +257,8 @@ bool yk_walk_meets(YkWalk *w, size_t block, double at, double known, double way)
     return side != 0;
 }
 
-// Returns the side from which an earlier motion has come to the change point at which the walk begins: its signs hold there.
-// If none has, they hold where it goes.
+// Returns the side from which an earlier motion has come to the change point at which the walk begins: its signs hold
+// there. If none has, they hold where it goes.
 static int side_at_start(const YkWalk *w, size_t block, double at, double way)
 {
     const YkPath *path = &w->path;

@@ -1,5 +1,5 @@
-// Distances on a path, measured by how far the inputs go. While a drive rests, time does not tell which poses are near: a
-// whole dwell is one pose.
+// Distances on a path, measured by how far the inputs go. While a drive rests, time does not tell which poses are near:
+// a whole dwell is one pose.
 #include "sweep/path.h"
 #include <string.h>
 

@@ -6,14 +6,15 @@
 
 static const double FASTEST = 1e4, COST_MAX = 2e8; // steps of solution
 
-// Returns whether a place is still at the change point that was passed last, or at the one where the walk began with the
-// signs to go on from there.
+// Returns whether a place is still at the change point that was passed last, or at the one where the walk began with
+// the signs to go on from there.
 static bool is_decided(const YkWalk *w, size_t block, double at)
 {
     return yk_walk_was_flipped_near(w, block, at) || yk_path_way(&w->path, w->from, at) < 1e-4;
 }
 
-// Returns whether only a block is singular at `at`: constraints that repeat it determine the motion, and no branch parts.
+// Returns whether only a block is singular at `at`: constraints that repeat it determine the motion, and no branch
+// parts.
 static bool is_regular(YkWalk *w, double at)
 {
     YkState *s = w->path.state;
@@ -35,8 +36,8 @@ static void pass(YkWalk *w, size_t block, double at, double way)
     if (is_seen) yk_walk_note(w, event);
 }
 
-// Finds the change point near `at` precisely. Returns false if the motion turns back there, which keeps the sign unless it
-// is just the limit to which it has come.
+// Finds the change point near `at` precisely. Returns false if the motion turns back there, which keeps the sign unless
+// it is just the limit to which it has come.
 static bool refine(YkWalk *w, size_t block, double *at)
 {
     if (yk_path_turns_back(&w->path, *at)) return yk_walk_turns_at_limit(w, block, at);
@@ -125,8 +126,8 @@ static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
 
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
 
-// Returns whether a block could pass a singular position between two times though three samples of its margin do not show
-// it: a drive may go past it and come back, at any pace, so only how far the inputs go tells.
+// Returns whether a block could pass a singular position between two times though three samples of its margin do not
+// show it: a drive may go past it and come back, at any pace, so only how far the inputs go tells.
 static bool is_within_reach(const YkWalk *w, double least, double a, double b)
 {
     const double AHEAD = 2; // how much farther than the inputs the block may turn
@@ -153,15 +154,15 @@ static bool is_wide_for_bodies(const YkWalk *w, double a, double b, size_t depth
     return depth + 1 < WALK_DEPTH_MAX && fastest_turn(w) * yk_path_way(&w->path, a, b) > 4e-6;
 }
 
-// Returns whether a block comes to a singular position in a narrow interval with that least margin. One in which the drives
-// turn back may be long.
+// Returns whether a block comes to a singular position in a narrow interval with that least margin. One in which the
+// drives turn back may be long.
 static bool is_touch(YkWalk *w, size_t block, double *at, double least)
 {
     return least <= 1e-11 || yk_walk_turns_at_limit(w, block, at);
 }
 
-// Looks for change points of blocks that are as close to theirs as the one that touches: later links may come into line with it,
-// and their margins in the interval were those of its other branch.
+// Looks for change points of blocks that are as close to theirs as the one that touches: later links may come into line
+// with it, and their margins in the interval were those of its other branch.
 static void meet_others(YkWalk *w, double a, double b, size_t depth)
 {
     const double CLOSE = 1e-8; // sin^2
@@ -172,8 +173,8 @@ static void meet_others(YkWalk *w, double a, double b, size_t depth)
             yk_walk_meets(w, k, b, a, b - a);
 }
 
-// Returns whether a block has passed a change point in an interval at whose ends and in whose middle its margin does not seem to
-// vanish: near the end, or, where a drive turns back, anywhere.
+// Returns whether a block has passed a change point in an interval at whose ends and in whose middle its margin does
+// not seem to vanish: near the end, or, where a drive turns back, anywhere.
 static bool has_passed_unseen(YkWalk *w, size_t block, double a, double b, double least, double last)
 {
     bool is_at_end = last <= YK_SINGULAR_MARGIN;
@@ -183,8 +184,9 @@ static bool has_passed_unseen(YkWalk *w, size_t block, double a, double b, doubl
     return false;
 }
 
-// Looks, where several inputs move, for the change point of a block that they may pass between a and b, before the intervals are
-// so narrow that there would be very many of them. Returns whether it decides the sign in all of [a, b]; the state is at b again.
+// Looks, where several inputs move, for the change point of a block that they may pass between a and b, before the
+// intervals are so narrow that there would be very many of them. Returns whether it decides the sign in all of [a, b];
+// the state is at b again.
 static bool meets_early(YkWalk *w, size_t block, double a, double b)
 {
     const double WIDE = 2e-4, FINE = 5e-5;
@@ -324,8 +326,8 @@ bool yk_walk_refuses(YkWalk *w, double a, double b)
     return true;
 }
 
-// Returns the end of the next stride from `last`. From a singular pose it is a short one, which tells a limit from a change
-// point: farther on the machine may close again, on the other side of a gap.
+// Returns the end of the next stride from `last`. From a singular pose it is a short one, which tells a limit from a
+// change point: farther on the machine may close again, on the other side of a gap.
 static double next_place(const YkWalk *w, double last, double b)
 {
     double way = b > last ? 1 : -1, stride = w->turn_max * yk_path_scale(&w->path) / fastest_turn(w),
