@@ -224,10 +224,3 @@ void yk_gradient_finish(YkGradient *g, double *slope)
     for (size_t i = 0; i < g->model->parameter_count; i++)
         add_slopes(g, g->at_parameter[i], g->by_parameter + i * n, slope);
 }
-
-void yk_gradient_add(YkGradient *g, const YkWeighted *sum, size_t count, double *slope)
-{
-    yk_gradient_start(g);
-    for (size_t k = 0; k < count; k++) yk_gradient_take(g, sum[k]);
-    yk_gradient_finish(g, slope);
-}

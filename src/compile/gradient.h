@@ -31,11 +31,9 @@ bool yk_gradient_design(YkGradient *gradient);
 // NULL where no answer depends on any. Returns false if the loops do not determine the pose: at a dead point. Cost
 // O(variables^3).
 bool yk_gradient_pose(YkGradient *gradient, const double *x, const double *rates, const double *accelerations);
-// Adds the derivatives of the sum of weighted channels to slope[parameters of the variant].
+// Adds the derivatives of an answer to slope[parameters of the variant]: start, take the share of each weighted channel
+// or other value of the pose, and finish, which adds.
 // Cost O(variables^2 + vectors that vary + points that vary * parameters).
-void yk_gradient_add(YkGradient *gradient, const YkWeighted *sum, size_t count, double *slope);
-
-// The same for an answer made of other values of the pose: start, take the share of each, and finish, which adds.
 void yk_gradient_start(YkGradient *gradient);
 void yk_gradient_take(YkGradient *gradient, YkWeighted part);
 void yk_gradient_finish(YkGradient *gradient, double *slope);

@@ -8,9 +8,9 @@
 #include "num/dense.h"
 
 enum { N = YK_GEARED_MAX, ROWS = YK_GEARED_ROWS, BOXES_MAX = 400000 };
-#define SMALLEST 1e-7 // half a side, rad: poses that are not told apart then meet
-#define NEAR 0.01     // half a side: smaller boxes are left where a singular pose is as close
-#define WIDER 1.5     // a pose on the side of a box is inside of the box in which it is sought
+#define SMALLEST 1e-7                // half a side, rad: poses that are not told apart then meet
+#define NEAR (0.5 * YK_EXCLUDE_NEAR) // half a side: smaller boxes are left where a singular pose is as close
+#define WIDER 1.5                    // a pose on the side of a box is inside of the box in which it is sought
 
 typedef struct Box {
     double at[N], half[N];

@@ -80,7 +80,8 @@ static int32_t *slot_of(const YkDimensions *dims, const char *name)
     return &dims->slots[i];
 }
 
-int32_t yk_dim_find(const YkDimensions *dims, const char *name)
+// Returns the index of a name, or -1.
+static int32_t find(const YkDimensions *dims, const char *name)
 {
     return dims->slot_count > 0 ? *slot_of(dims, name) - 1 : -1;
 }
@@ -116,7 +117,7 @@ static bool add_parameters(YkDimensions *dims)
 static void resolve(void *context, const YkExpr *name)
 {
     YkDimensions *dims = context;
-    int32_t index = yk_dim_find(dims, name->name);
+    int32_t index = find(dims, name->name);
     ((YkExpr *)name)->parameter = index;
     if (index >= 0) dims->first_dependent[index + 1]++;
 }
@@ -227,7 +228,7 @@ bool yk_dimensions_run(YkDimensions *dims, YkProblems *problems)
 
 bool yk_dimensions_of(const YkDimensions *dims, const char *name, YkDimension *dimension)
 {
-    int32_t index = dims ? yk_dim_find(dims, name) : -1;
+    int32_t index = dims ? find(dims, name) : -1;
     *dimension = YK_DIM_NONE;
     if (index < 0 || !dims->names[index].is_known || dims->names[index].is_default) return false;
     *dimension = dims->names[index].dimension;

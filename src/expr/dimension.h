@@ -60,8 +60,6 @@ struct YkDimensions {
     bool failed, has_errors, has_warned;
 };
 
-// Returns the index of a name, or -1.
-int32_t yk_dim_find(const YkDimensions *dims, const char *name);
 // Queues a constraint, unless it is queued or the phase leaves it out.
 void yk_dim_queue(YkDimensions *dims, int32_t index);
 // Sets the dimension of an open name and queues the constraints that depend on it. origin NULL: from its own

@@ -20,10 +20,6 @@ typedef struct YkMotionRef { // of a scalar
     YkRef position, velocity, acceleration;
 } YkMotionRef;
 
-typedef struct YkPlane2 { // a vector and its derivatives
-    YkRefVec place, rate, accel;
-} YkPlane2;
-
 // What a block's position keeps for its rates.
 typedef struct YkPlaced {
     YkRefVec known;  // K

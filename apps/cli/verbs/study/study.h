@@ -64,7 +64,6 @@ typedef struct YkStudyAnswer {
 
 // request.c: reads the whole command line and makes the study. Returns false with problems added.
 bool yk_study_read(YkStudyAnswer *answer);
-void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *values); // [axis]
 
 // partial.c: keeps what is done beside the output. Reads the rows of an interrupted run; returns false with a problem
 // added if they are of another study.
