@@ -1,5 +1,4 @@
 // Hands the shares of an answer backwards: from sums of turned vectors to angles, distances, and points of the model.
-#include <math.h>
 #include "compile/closure.h"
 #include "compile/gradient_inside.h"
 #include "law/law.h"

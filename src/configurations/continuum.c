@@ -5,7 +5,6 @@
 #include "base/mix.h"
 #include "compile/closure.h"
 #include "configurations/continuum_inside.h"
-#include "num/dense.h"
 
 enum { UNKNOWNS_MAX = 100, TRIES = 24 };
 #define STEP 0.02 // rad or sizes

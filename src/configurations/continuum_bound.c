@@ -1,7 +1,6 @@
 // Bounds the dimension of a continuum from both sides, with proof.
 #include <math.h>
 #include <stdlib.h>
-#include "base/memory.h"
 #include "compile/closure.h"
 #include "configurations/continuum_inside.h"
 #include "num/complex.h"

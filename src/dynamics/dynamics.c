@@ -1,7 +1,6 @@
 // Makes the dynamics of a mechanism, and takes what the caller sets.
 #include "dynamics/dynamics.h"
 #include <stdlib.h>
-#include <string.h>
 #include "base/problems.h"
 #include "compile/variant.h"
 #include "dynamics/holding.h"

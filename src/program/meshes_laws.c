@@ -1,5 +1,4 @@
 // Cams, and coordinates that follow others by a law: forces and couples from the slope of the law.
-#include "elementary/elementary.h"
 #include "program/balance.h"
 
 // Returns d value / d argument of the relation's law.

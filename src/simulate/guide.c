@@ -1,7 +1,6 @@
 // Machines that drives alone move. A second state, the guide, follows the drives as sweeps do. Near a singular position
 // it says where the machine is, at which rates, and so what power the drive brings: no equation of forces has to be
 // solved there.
-#include "elementary/elementary.h"
 #include "simulate/crossing.h"
 
 // Tolerance of directions: near a singular position poses are known to the square root of rounding.

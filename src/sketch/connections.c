@@ -1,6 +1,5 @@
 // Groups of bodies that float, open ends, and where either could be pinned: at points of the same name.
 #include <stdlib.h>
-#include <string.h>
 #include "sketch/sketch.h"
 
 enum { LOOKS = 64 }; // at most this number of points of one name is looked at for each

@@ -2,7 +2,6 @@
 // power. The motion is smooth through it, so their rates are interpolated from poses on both sides, as at the change
 // point itself.
 #include <stdlib.h>
-#include <string.h>
 #include "elementary/elementary.h"
 #include "sweep/walk.h"
 

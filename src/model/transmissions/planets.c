@@ -9,7 +9,6 @@
 //   sum bears on the carrier's axis instead. `copies` at gears and joints tells the rooms that find forces.
 // Each planet is taken to carry an equal share.
 #include <math.h>
-#include "elementary/elementary.h"
 #include "model/transmissions/planets.h"
 
 typedef struct Planets {

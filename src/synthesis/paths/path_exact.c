@@ -1,5 +1,4 @@
 // Nine points at any angles: all four-bars whose coupler point passes them, from the paths of Alt's problem.
-#include <math.h>
 #include <string.h>
 #include "synthesis/nine_points/alt_certify.h"
 #include "synthesis/paths/path_search.h"
