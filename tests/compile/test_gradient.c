@@ -1,5 +1,5 @@
-// Derivatives of positions by parameters: against complex steps through closed forms that share nothing with the engine,
-// and on the whole gallery against machines solved anew.
+// Derivatives of positions by parameters: against complex steps through closed forms that share nothing with the
+// engine, and on the whole gallery against machines solved anew.
 #include "compile/gradient.h"
 #include "base/vec.h"
 #include "machine.h"
@@ -18,7 +18,8 @@ typedef struct Varied {
     size_t count;
 } Varied;
 
-// Varies those of the first `most` parameters that can. A parameter that follows others, if it is among them, does not then.
+// Varies those of the first `most` parameters that can. A parameter that follows others, if it is among them, does not
+// then.
 static Varied vary(const char *source, size_t most)
 {
     Varied v = {.m = machine(source)};
@@ -206,8 +207,8 @@ static double complex square(double complex z)
     return z * z;
 }
 
-// A crank r, a rod l with a point P beside it, and a guide at the height h, turning with the rate w and the acceleration a.
-// Answers by name, each an expression of the lengths alone.
+// A crank r, a rod l with a point P beside it, and a guide at the height h, turning with the rate w and the
+// acceleration a. Answers by name, each an expression of the lengths alone.
 typedef struct Crank {
     double complex value[18];
 } Crank;
