@@ -1,4 +1,4 @@
-// What verbs say where a pose leaves the range of a law.
+// Says where a pose leaves the range of a law.
 #ifndef CLI_LAWS_LEFT_H
 #define CLI_LAWS_LEFT_H
 #include "cli.h"

@@ -2,7 +2,7 @@
 #ifndef CLI_PLUGIN_H
 #define CLI_PLUGIN_H
 
-// What every plugin's table begins with.
+// The beginning of every plugin's table.
 typedef struct YkPlugin {
     int interface;    // of the header that describes the table
     const char *yoke; // the version of yoke that it belongs to

@@ -1,4 +1,4 @@
-// What ranks that share work say to each other, and how they begin and end together. Rank 0 conducts, all others serve.
+// The messages of ranks that share work, and how they begin and end together. Rank 0 conducts, all others serve.
 #ifndef CLI_SPREAD_H
 #define CLI_SPREAD_H
 #include <stdint.h>

@@ -143,7 +143,7 @@ typedef enum YkBlockForm {
     YK_FORM_RPR_AXIAL // the line points along x and passes through the pin
 } YkBlockForm;
 
-// What most poses do not read, in memory of its own.
+// Data that most poses do not read, in memory of its own.
 typedef struct YkBlockAside {
     YkSum arm[2]; // RRR: U, W; RRP: W; RPR: C; LINK: U
     int32_t assur_class;

@@ -32,7 +32,7 @@ typedef struct YkPlan {
     int32_t *group_next;       // circular list of the orientations of a group
     int32_t *orientation_next; // list of the bodies of an orientation
     int32_t *orientation_first;
-    // What is known so far:
+    // Known so far:
     bool *cluster_known, *root_known, *distance_known, *joint_used, *body_placed;
     int32_t (*anchors)[YK_ANCHORS_MAX]; // per cluster: joints to known clusters
     int32_t *anchor_count;

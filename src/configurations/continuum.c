@@ -49,7 +49,7 @@ void yk_continua_end(YkContinua *c)
 
 // --- the dimension
 
-// Takes a short step from x along a direction, in place of which the pose comes that it leads to. Returns whether that
+// Takes a short step from x along a direction, which becomes the pose that the step leads to. Returns whether that
 // is a pose, about as far away as the step was long.
 static bool take_step(YkContinua *c, const double *x, double *way, double *miss)
 {

@@ -1,4 +1,4 @@
-// Whether a pose is one of a continuum of poses with the same inputs, and of which dimension.
+// Tells whether a pose belongs to a continuum of poses with the same inputs, and its dimension.
 //
 // The equations of a machine are its loops, its gears and its inputs. Where the rank of their Jacobian is below the
 // number of unknowns a pose is a dead point, or the machine can move: short steps along the kernel, closed again by

@@ -1,4 +1,4 @@
-// What the files of a continuum share.
+// Shared by the files of a continuum.
 #ifndef CONFIGURATIONS_CONTINUUM_INSIDE_H
 #define CONFIGURATIONS_CONTINUUM_INSIDE_H
 #include "configurations/continuum.h"

@@ -124,7 +124,7 @@ static void write_column(const YkShape *shape, size_t flat, int side, double *co
     }
 }
 
-// What eliminates the columns of the first cone, one pivot row each.
+// Pivot rows that eliminate the columns of the first cone, one each.
 typedef struct Steps {
     size_t pivot[L_MAX];
     double column[L_MAX][N_MAX], det; // each as it was when its turn came

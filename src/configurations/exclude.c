@@ -16,7 +16,7 @@ typedef struct Box {
     double at[N], half[N];
 } Box;
 
-// What is known of an equation over a box: F in the middles of box and interval, and the Jacobian over it, with radii.
+// The bounds of an equation over a box: F in the middles of box and interval, and the Jacobian over it, with radii.
 typedef struct Row {
     double miss, miss_radius, slope[N], slope_radius[N];
     double rate, rate_radius; // its derivative by the interval's parameter

@@ -6,7 +6,7 @@
 #include "configurations/matroid.h"
 #include "configurations/generic.h"
 
-// What is kept for a group from pose to pose.
+// Kept for a group from pose to pose.
 typedef struct YkGroupKept {
     YkOutside outside;
     YkGroupSolver solver;

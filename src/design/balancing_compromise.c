@@ -75,7 +75,7 @@ static YkStatus gather(Compromise *c, const YkState *state, const double *torque
     return status;
 }
 
-// Weighs the rows: each kind over its mean square before. One that there is none of does not count.
+// Weighs the rows: each kind over its mean square before. A kind that is absent does not count.
 static void weigh(Compromise *c, const double weight[3])
 {
     static const int kind[PER_POSE] = {0, 0, 1, 2};

@@ -68,7 +68,7 @@ static YkStatus find_range(const YkState *state, YkRange *found)
     return YK_BAD_ARGUMENT;
 }
 
-// What must repeat: effort, shaking force and moment.
+// Values that must repeat: effort, shaking force and moment.
 enum { SAMPLES = 8, VALUES = 4 };
 typedef struct Repeating {
     double value[YK_TURNS_MAX + 1][SAMPLES][VALUES], size[VALUES];

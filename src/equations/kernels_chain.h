@@ -29,7 +29,7 @@ YK_INLINE YkVec chain_turned(YkVec e, YkVec v, YkAxis axis)
     return axis == YK_AXIS_Y ? yk_vec(-e.y * v.y, e.x * v.y) : yk_mul(e, v);
 }
 
-// What one lane has of a link. behind: moments of inertia of it and of the masses that its end carries.
+// A link in one lane. behind: moments of inertia of it and of the masses that its end carries.
 typedef struct ChainLink {
     YkVec e, moment, end; // world axes: direction, first moment of it and of what it carries, vector to the next pin
     double square, mass_out, behind, effort, row[YK_CHAIN_MOST], over, alpha;

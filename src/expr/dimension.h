@@ -3,7 +3,7 @@
 #define EXPR_DIMENSION_H
 #include "expr/expr.h"
 
-// What is known about a node of an expression; kept in its `state`.
+// The knowledge about a node of an expression, kept in its `state`.
 typedef enum YkDimState {
     YK_DIM_SKIP,    // not judged: it contains an unknown name, or a mistake that is reported elsewhere
     YK_DIM_OPEN,    // depends on parameters whose dimension has not been found yet

@@ -1,4 +1,4 @@
-// What the passes of inference ask of an expression and of dimensions.
+// Questions that all passes of inference ask about expressions and dimensions.
 #include <math.h>
 #include "elementary/elementary.h"
 #include "expr/dimension.h"

@@ -14,7 +14,7 @@ typedef struct YkPiece {
     int32_t relation; // of a gear that takes a fraction of an angle that loops place, which is no block; or YK_NONE
 } YkPiece;
 
-// What is known of a pose, or of all poses of an interval: [slot], [distance], [node].
+// Bounds of a pose, or of all poses of an interval: [slot], [distance], [node].
 typedef struct YkDiscs {
     const YkMechanism *mech;
     YkBall input;   // the mapped one, rad or m

@@ -52,7 +52,7 @@ typedef struct YkTies {
     size_t count, capacity;
 } YkTies;
 
-// What follows strands.
+// The data of following strands.
 typedef struct YkTracer {
     const YkMechanism *mech;
     YkPiece *pieces; // in their order

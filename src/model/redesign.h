@@ -33,7 +33,7 @@ double yk_redesign_now(const YkRedesign *redesign, int32_t parameter);  // its v
 size_t yk_redesign_count(const YkRedesign *redesign);                   // of names[]
 const double *yk_redesign_values(const YkRedesign *redesign);           // [parameter]: all of them
 
-// What varies, for callers that keep numbers derived from the model.
+// The numbers that vary, for callers that keep others derived from the model.
 bool yk_redesign_point_varies(const YkRedesign *redesign, int32_t point); // YK_NONE: an origin, which does not vary
 bool yk_redesign_along_varies(const YkRedesign *redesign, int32_t joint);
 // Returns the formula for a value of the copy, over the parameters by their index in the model; NULL if it is constant.

@@ -1,4 +1,4 @@
-// What all printers of pages share: elements, numbers, matrices.
+// Pieces that all printers of pages share: elements, numbers, matrices.
 #include <math.h>
 #include <string.h>
 #include "base/letters.h"

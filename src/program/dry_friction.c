@@ -54,7 +54,7 @@ static YkRef against(YkGraph *g, YkRef rate, YkRef limit)
     return yk_graph_choose(g, rate, limit, yk_graph_minus(g, limit));
 }
 
-typedef struct Scales { // rates and accelerations that are none
+typedef struct Scales { // rates and accelerations that count as 0
     YkRef rate, acceleration;
 } Scales;
 

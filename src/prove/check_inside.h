@@ -1,4 +1,4 @@
-// What the files of --check share.
+// Shared by the files of --check.
 #ifndef PROVE_CHECK_INSIDE_H
 #define PROVE_CHECK_INSIDE_H
 #include "prove/check.h"
@@ -62,7 +62,8 @@ typedef struct YkCheckPoints {
     const YkLoopBonds *bonds; // NULL: none
 } YkCheckPoints;
 
-// What equations of one derivation share as long as they start at one state; the derivation owns it (check_shared.c).
+// Shared by the equations of one derivation as long as they start at one state; the derivation owns it
+// (check_shared.c).
 typedef struct YkCheckShared {
     YkState *start;
     const YkDynamics *dynamics;

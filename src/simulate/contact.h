@@ -1,4 +1,4 @@
-// What the files about contacts share: contact.c finds their efforts, impact.c impacts.
+// Shared by the files about contacts: contact.c finds their efforts, impact.c impacts.
 #ifndef SIMULATE_CONTACT_H
 #define SIMULATE_CONTACT_H
 #include "simulate/simulation.h"

@@ -36,7 +36,7 @@ static inline bool yk_begins_flat(const YkSimulation *sim)
     return sim->is_flat && sim->near_time == sim->options.start;
 }
 
-// Where drives alone move the machine, they may rest, or turn back, so near to a singular position that no prediction
+// Drives that alone move the machine may rest, or turn back, so near to a singular position that no prediction
 // tells on which side of it they go on. A second state follows the drives there as sweeps do: starts it at the state's
 // pose, unless it has begun (false when out of memory); returns whether the pose that stands is the same.
 bool yk_simulation_start_guide(YkSimulation *sim);

@@ -25,8 +25,8 @@ typedef struct YkSearch {
     bool is_touched;       // the decision
 } YkSearch;
 
-// What holds a coordinate: a stop against which it rests, or dry friction that makes it stick; in an impact also a cam
-// that its follower reaches or touches.
+// Something that holds a coordinate: a stop against which it rests, or dry friction that makes it stick; in an impact
+// also a cam that its follower reaches or touches.
 typedef struct YkContact {
     size_t item;      // of the loads: COULOMB or STOP; unused for a cam
     int32_t cam;      // of the model; otherwise YK_NONE

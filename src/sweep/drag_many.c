@@ -128,7 +128,7 @@ static double go(YkDrag *d, Blocked *blocked, size_t *passes)
     return at;
 }
 
-// What blocks, as a number that is 0 there and grows inwards: a block's margin, how far a coordinate is from its stop.
+// An obstacle, as a number that is 0 there and grows inwards: a block's margin, how far a coordinate is from its stop.
 static double quantity(const YkDrag *d, const Blocked *b)
 {
     if (b->stop == SIZE_MAX) return d->state->space.block_margin[b->block];

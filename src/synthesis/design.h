@@ -34,7 +34,7 @@ typedef struct YkDesign {
     double dyad_length[2], dyad_angle[2];
 } YkDesign;
 
-// What a design has to do, in terms of its input.
+// The task of a design, in terms of its input.
 typedef struct YkJourney {
     const YkTask *task;        // NULL for a machine that no task asked for, which then has:
     const YkModel *sheet;      // its units
@@ -52,7 +52,7 @@ typedef struct YkJourney {
 
 enum { YK_CURVE_ROWS = 181 };
 
-// What the engine found.
+// The engine's findings.
 typedef struct YkVerdict {
     YkDefect defect;
     double error, worst, transmission[2];

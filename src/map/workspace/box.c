@@ -54,7 +54,7 @@ static bool is_empty_above(Visit *v, size_t level, const YkDiscCoefficients *c)
     return true;
 }
 
-// Where solutions meet, it may still be that none lets the blocks above close.
+// If solutions meet here, the blocks above may still close with none of them.
 static int unless_empty_above(Visit *v, size_t level, const YkDiscCoefficients *c)
 {
     bool can_be = level + 1 < v->tracer->piece_count && !v->is_within_hull;

@@ -11,7 +11,7 @@ enum { YK_BOX_UNCLEAR = -1, YK_BOX_LEVELS = 64 };
 // Source of the proof: docs/configurations.md, "Two freedoms".
 int yk_box_count(YkTracer *tracer, const double low[2], const double high[2], int *counts);
 
-// What counting keeps from box to box: for every group where its paths begin, and how many solutions it has. A proof
+// Kept by counting from box to box: for every group where its paths begin, and how many solutions it has. A proof
 // that only just succeeds or fails may depend on it; with the same memory a box has the same answer.
 typedef struct YkBoxMemory {
     YkGeneric generic[YK_BOX_LEVELS];

@@ -5,7 +5,7 @@
 #include "map/workspace/box.h"
 #include "map/workspace/crossings.h"
 
-// What is known of a cell: PROVED (its number, everywhere in it), LOST (not even at its centre), NEAR (a curve). From
+// The state of a cell: PROVED (its number, everywhere in it), LOST (not even at its centre), NEAR (a curve). From
 // WALKED on, a bit for each of its sides: an outline runs along it.
 enum { YK_CELL_PROVED = 1, YK_CELL_LOST = 2, YK_CELL_NEAR = 4, YK_CELL_WALKED = 8 };
 

@@ -4,7 +4,7 @@
 #define MAP_TILE_H
 #include "map/workspace/field.h"
 
-// What comes out of a tile, as words: five of its head, the counts that were expected of each piece, its squares in the
+// The result of a tile, as words: five of its head, the counts that were expected of each piece, its squares in the
 // order in which they were divided, its crossings.
 enum { YK_TILE_SQUARES, YK_TILE_CROSSINGS, YK_TILE_IS_UNPROVED, YK_TILE_UNPROVED, YK_TILE_PIECES, YK_TILE_HEAD };
 

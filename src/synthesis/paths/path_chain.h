@@ -5,7 +5,7 @@
 #define SYNTHESIS_PATH_CHAIN_H
 #include "synthesis/paths/path_bar.h"
 
-// What carries an end of the dyad.
+// The body that carries an end of the dyad.
 typedef enum YkChainBody { YK_CHAIN_GROUND, YK_CHAIN_INPUT, YK_CHAIN_COUPLER, YK_CHAIN_OUTPUT } YkChainBody;
 
 // The ways in which a kind of machine is built. Watt: the coupler and the output, or the coupler and the input, have

@@ -10,7 +10,7 @@ size_t yk_path_batch_count(YkDesignKind kind);
 // Lists the kinds that a task asks for. Returns their number.
 size_t yk_path_kinds(const YkTask *task, YkDesignKind kind[YK_DESIGN_KINDS]);
 
-// What computes batches of starts, each of them by its number alone.
+// Computes batches of starts, each of them by its number alone.
 typedef struct YkPathBatches {
     YkPathProblem problem, coarse; // all points, and every `stride`th
     YkPathWork work;
