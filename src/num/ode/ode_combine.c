@@ -46,7 +46,7 @@ typedef void (*Combine)(size_t n, const double *restrict a, const size_t *of, co
 void yk_ode_combine(size_t n, size_t terms, const double *a, const size_t *of, const double *const *k, double h,
                     const double *y, double *z)
 {
-    static const Combine combine[] = {NULL,      combine_1, combine_2, combine_3, combine_4,
-                                      combine_5, combine_6, combine_7, combine_8, combine_9};
+    static const Combine combine[YK_ODE_MOST_TERMS + 1] = {NULL,      combine_1, combine_2, combine_3, combine_4,
+                                                           combine_5, combine_6, combine_7, combine_8, combine_9};
     combine[terms](n, a, of, k, h, y, z);
 }
