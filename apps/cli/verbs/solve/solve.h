@@ -31,8 +31,8 @@ bool yk_lacks_construction(const YkSession *session);
 void yk_polygon_text(YkSession *session, const YkState *state);
 void yk_polygon_json(YkSession *session, YkJson *json, const YkState *state);
 // Write the forces of the configuration if session->dynamics has them.
-void yk_forces_text(YkSession *session, const YkState *state);
-void yk_forces_json(YkSession *session, YkJson *json, const YkState *state);
+void yk_forces_text(YkSession *session);
+void yk_forces_json(YkSession *session, YkJson *json);
 void yk_forces_csv(YkSession *session, const char *label);
 // Writes "12 force + 4 moment + 4 acceleration = 20 equations; 20 unknowns".
 void yk_add_count(YkText *text, YkEquationCount count);
