@@ -50,13 +50,13 @@ typedef struct YkReaction {
     double at[2];    // the joint's point in the world, m
     bool is_determinate; // false: one of many, the least in norm, or without the dry friction of joints at rest
 } YkReaction;
-// Returns the reaction of a joint. Where equal planets share a load (`planets: N` of gears), the forces at the pin and at
-// the teeth are those on the one planet that the file describes.
+// Returns the reaction of a joint. Where equal planets share a load (`planets: N` of gears), the forces at the pin and
+// at the teeth are those on the one planet that the file describes.
 YK_API YkReaction yk_dynamics_reaction(const YkDynamics *dynamics, size_t joint);
-// Contacts are what gears, racks, belts and cams transmit: the force that their first body exerts on their second (wheel,
-// rack, pulley, follower), at the pitch point or where the cam touches. Where that place is not known, as for belts and
-// for wheels whose centres are not points, the contact is a couple about the body's centre of mass. Names live as long as
-// the mechanism.
+// Contacts are what gears, racks, belts and cams transmit: the force that their first body exerts on their second
+// (wheel, rack, pulley, follower), at the pitch point or where the cam touches. Where that place is not known, as for
+// belts and for wheels whose centres are not points, the contact is a couple about the body's centre of mass. Names
+// live as long as the mechanism.
 YK_API size_t yk_dynamics_contact_count(const YkDynamics *dynamics);
 YK_API const char *yk_dynamics_contact_name(const YkDynamics *dynamics, size_t contact);
 YK_API YkReaction yk_dynamics_contact(const YkDynamics *dynamics, size_t contact);

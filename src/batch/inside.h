@@ -37,8 +37,8 @@ struct YkBatch {
     YkPoseForces *forces; // of the channels that need them; NULL if none does
 };
 
-// needed.c: finds the orientations whose direction is never read, and those that are not read at all. Returns false when out
-// of memory.
+// needed.c: finds the orientations whose direction is never read, and those that are not read at all. Returns false
+// when out of memory.
 bool yk_batch_find_rates_alone(YkBatch *batch);
 // channels.c: prepares the angles of a channel, and finds the lanes that already hold it.
 void yk_batch_prepare_angle(YkBatch *batch, size_t channel);

@@ -1,8 +1,8 @@
 // Instant centres by Kennedy's theorem, checked against the velocities and completed from them.
 //
 // In homogeneous coordinates (x, y, w) a centre at infinity is a point like any other: the line through two points and
-// the point where two lines meet are cross products. The centres of three bodies lie on one line (Aronhold 1872, Kennedy
-// 1886), so that of i and j lies on the lines through the centres ik and kj, for every k whose two are known.
+// the point where two lines meet are cross products. The centres of three bodies lie on one line (Aronhold 1872,
+// Kennedy 1886), so that of i and j lies on the lines through the centres ik and kj, for every k whose two are known.
 #include <yoke/centers.h>
 #include <math.h>
 #include <stdlib.h>

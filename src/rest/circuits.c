@@ -1,5 +1,5 @@
-// Finds the equilibria of a machine with one freedom: on each circuit of its map the effort of the loads changes sign there.
-// The map comes as near to a limit of the free coordinate as one likes, where random poses hardly ever lie.
+// Finds the equilibria of a machine with one freedom: on each circuit of its map the effort of the loads changes sign
+// there. The map comes as near to a limit of the free coordinate as one likes, where random poses hardly ever lie.
 #include "base/problems.h"
 #include "rest/rest.h"
 #include "solve/gap.h"
@@ -87,7 +87,7 @@ typedef struct Probe {
     double at, accel, slope;
 } Probe;
 
-// inward: +1 or -1, a direction in which the coordinate may go from there. Returns false if the machine does not stand there.
+// inward: +1 or -1, a direction in which the coordinate may go. Returns false if the machine cannot stand there.
 static bool probe(YkRest *rest, const double *row, double at, double inward, Probe *p)
 {
     double h = inward * 1e-6 * rest->scale[0], beyond;
@@ -98,8 +98,8 @@ static bool probe(YkRest *rest, const double *row, double at, double inward, Pro
     return stands;
 }
 
-// Returns whether the acceleration may come to zero between two places at which it has one sign: it may be as far from a straight
-// line as a cubic that has its slopes there.
+// Returns whether the acceleration may come to zero between two places at which it has one sign: it may be as far from
+// a straight line as a cubic that has its slopes there.
 static bool may_vanish(const Probe *p, const Probe *q)
 {
     double span = q->at - p->at, least = fmin(fabs(p->accel), fabs(q->accel)), most = 0;
@@ -114,8 +114,8 @@ static bool is_straight(const Probe *p, const Probe *q)
     return one > 0.7 && one < 1.5 && other > 0.7 && other < 1.5;
 }
 
-// Finds the equilibria between two places. Several may be close together, so intervals are halved until the acceleration is about
-// a straight line in them. Returns false when out of memory.
+// Finds the equilibria between two places. Several may be close together, so intervals are halved until the
+// acceleration is about a straight line in them. Returns false when out of memory.
 static bool search_between(YkRest *rest, const double *row, Probe p, Probe q, int depth, int *left)
 {
     const double NONE = 1e-12; // over the largest: what rounding leaves where the machine rests anywhere

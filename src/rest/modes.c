@@ -19,8 +19,8 @@ bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, d
     return true;
 }
 
-// Returns the step of the differences in units of the inputs, with the state at their middle: beside a limit all changes with
-// the square root of the distance to it, which is in proportion to the margin.
+// Returns the step of the differences in units of the inputs, with the state at their middle: beside a limit all
+// changes with the square root of the distance to it, which is in proportion to the margin.
 static double step_here(const YkState *s)
 {
     return fmin(1e-3, fmax(1e-9, 0.01 * s->space.margin[0]));
@@ -46,8 +46,8 @@ static bool differences(YkRest *rest, const double *q, bool of_rates, double uni
     return true;
 }
 
-// The scale of an input is the machine's size, and a limit may be much nearer than that: then the step is shortened until
-// both of its ends close.
+// The scale of an input is the machine's size, and a limit may be much nearer than that: then the step is shortened
+// until both of its ends close.
 static bool differences_within(YkRest *rest, const double *q, double *unit, double *matrix)
 {
     for (int k = 0; k < 8; k++, *unit /= 8)
@@ -81,8 +81,8 @@ static double gap_of(const YkRest *rest, const double *A, const double *B)
     return size > 0 ? distance(rest, A, B) / size : 0;
 }
 
-// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts them
-// again; `finer` is room for another matrix.
+// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts
+// them again; `finer` is room for another matrix.
 static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
 {
     size_t f = rest->freedom;
@@ -98,9 +98,10 @@ static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
     return true;
 }
 
-// Differentiates by rates at rest->q, where accelerations are quadratic in them unless a load has a corner at rest, as a drag
-// by rate*abs(rate) has, or changes within small rates. Then takes ever shorter steps, removes what is in proportion to
-// the step, and keeps the matrix that agrees best with the one before. `size` is that of rates of change here.
+// Differentiates by rates at rest->q, where accelerations are quadratic in them unless a load has a corner at rest, as
+// a drag by rate*abs(rate) has, or changes within small rates. Then takes ever shorter steps, removes what is in
+// proportion to the step, and keeps the matrix that agrees best with the one before. `size` is that of rates of change
+// here.
 static bool differentiate_by_rates(YkRest *rest, double size, double *matrix)
 {
     enum { SHORTENED = 10 };

@@ -156,7 +156,8 @@ static size_t nearest_node(const Tree *tree)
     return nearest;
 }
 
-// Lets the witness remember what it has been told on the way to a node; one more than all nodes stands for the straight way.
+// Lets the witness remember what it has been told on the way to a node; one more than all nodes stands for the straight
+// way.
 static void remember(const Mover *m, size_t node)
 {
     if (m->state->witness) m->state->witness->keep(m->state->witness, node);

@@ -127,8 +127,8 @@ static bool was_flipped(const YkSweep *w, size_t row)
     return false;
 }
 
-// Returns whether the machine goes on from a row at a known change point, though its rates have no limits there: one input may
-// stop and another start.
+// Returns whether the machine goes on from a row at a known change point, though its rates have no limits there: one
+// input may stop and another start.
 static bool goes_on(YkSweep *w, size_t row, double way)
 {
     YkPath *path = &w->walk.path;

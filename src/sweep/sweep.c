@@ -18,8 +18,8 @@ static bool watch(void *context, double at)
     return true;
 }
 
-// Goes from the pose of the state to the start of the sweep, on the same branch; events on that way are not recorded. If
-// the sweep goes on in the same direction, a change point at its start is passed as anywhere else; if it turns back
+// Goes from the pose of the state to the start of the sweep, on the same branch; events on that way are not recorded.
+// If the sweep goes on in the same direction, a change point at its start is passed as anywhere else; if it turns back
 // there, the signs hold that it came with.
 static bool approach(YkSweep *w)
 {

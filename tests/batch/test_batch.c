@@ -266,8 +266,8 @@ static void test_the_worst_status_is_returned(void **unused)
     machine_free(&m);
 }
 
-// A kite whose crank is as long as its ground: at 0 its moving pin lies on the rocker's, whose angle no loop determines.
-// There and close by, a state settles the lane; its neighbours are not disturbed.
+// A kite whose crank is as long as its ground: at 0 its moving pin lies on the rocker's, whose angle no loop
+// determines. There and close by, a state settles the lane; its neighbours are not disturbed.
 static void test_lanes_where_pins_coincide_are_those_of_a_state(void **unused)
 {
     (void)unused;

@@ -261,8 +261,8 @@ static void test_poses_without_forces(void **unused)
     assert_true(poses_compared > POSES / 2);
 }
 
-// All that turns in a gear train at a fixed ratio to its input has rates that are multiples of one rate: the torque and the
-// couple on the ring are such a multiple and a number, one operation each, and what does not vary is copied.
+// All that turns in a gear train at a fixed ratio to its input has rates that are multiples of one rate: the torque and
+// the couple on the ring are such a multiple and a number, one operation each, and what does not vary is copied.
 static void test_ratios_are_joined(void **unused)
 {
     (void)unused;

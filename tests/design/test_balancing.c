@@ -115,8 +115,8 @@ static void a_six_bar_is_balanced_with_counterweights_on_three_bodies_or_more(vo
     free(text);
 }
 
-// Of the piston's acceleration the part that turns with the crank is that of a very long rod: a counterweight on the crank
-// makes the mean square of the force least where it balances half of the piston.
+// Of the piston's acceleration the part that turns with the crank is that of a very long rod: a counterweight on the
+// crank makes the mean square of the force least where it balances half of the piston.
 static void a_crank_alone_balances_half_of_the_piston(void **state)
 {
     (void)state;
@@ -137,8 +137,8 @@ static void a_crank_alone_balances_half_of_the_piston(void **state)
     close_machine(&m);
 }
 
-// The mean squares of force, moment and effort of a four-bar with point masses at (x, y) and (u, v) of crank and rocker, as
-// the engine has them.
+// The mean squares of force, moment and effort of a four-bar with point masses at (x, y) and (u, v) of crank and
+// rocker, as the engine has them.
 static void mean_squares(const double p[4], double radius[2], double mean[3])
 {
     char text[2000];
@@ -247,8 +247,8 @@ static void a_slider_crank_is_balanced_by_its_rod_and_its_crank(void **state)
     close_machine(&m);
 }
 
-// Khurmi & Gupta 16.13: T = 5000 + 1500 sin(3 theta) N m at 300 rpm swings the energy by 2 * 1500/3 = 1000 J. The extremes lie
-// between the poses.
+// Khurmi & Gupta 16.13: T = 5000 + 1500 sin(3 theta) N m at 300 rpm swings the energy by 2 * 1500/3 = 1000 J. The
+// extremes lie between the poses.
 static void a_flywheel_for_a_given_torque_has_six_digits(void **state)
 {
     (void)state;
@@ -290,8 +290,9 @@ static void a_flywheel_takes_up_the_torques_energy(void **state)
     close_machine(&m);
 }
 
-// In line, all mass in the piston: m r w^2 (cos a + A2 cos 2a - ...) with A2 = L + L^3/4 + 15 L^5/128 + 35 L^7/512 + ... of the
-// ratio L = r/l; each order turns half with the crank, half against it. A counterweight on the crank takes away the first half.
+// In line, all mass in the piston: m r w^2 (cos a + A2 cos 2a - ...) with A2 = L + L^3/4 + 15 L^5/128 + 35 L^7/512 +
+// ... of the ratio L = r/l; each order turns half with the crank, half against it. A counterweight on the crank takes
+// away the first half.
 static void a_slider_cranks_orders_are_told_apart(void **state)
 {
     (void)state;
@@ -341,8 +342,8 @@ static double swing_of(const double *torque, size_t count, double step)
     return high - low;
 }
 
-// A punch that resists with 3 kN m for a sixth of a turn, as the examples of textbooks have it: a constant motor gives its mean
-// all the time, so that the wheel gives back 5/6 of the work, which its own edges round off.
+// A punch that resists with 3 kN m for a sixth of a turn, as the examples of textbooks have it: a constant motor gives
+// its mean all the time, so that the wheel gives back 5/6 of the work, which its own edges round off.
 static void a_punch_presss_flywheel_gives_back_five_sixths_of_the_work(void **state)
 {
     (void)state;

@@ -50,8 +50,8 @@ static YkVec expected(const Loaded *m, const YkForceVector *v)
     return yk_scale(sign, yk_vec(r.force[0], r.force[1]));
 }
 
-// A body's vectors follow head to tail and end where they begin; their moments about its centre of mass vanish, and about
-// any other point as well. Returns where the next body begins.
+// A body's vectors follow head to tail and end where they begin; their moments about its centre of mass vanish, and
+// about any other point as well. Returns where the next body begins.
 static size_t check_body(const Loaded *m, size_t first, double size)
 {
     YkForceVector head = yk_force_polygons_vector(m->polygons, first);

@@ -106,7 +106,8 @@ static void numbers_alone_are_folded(void **state)
     }
 }
 
-// A power of a number is a product, a quotient or a root where that is the same, and stays a power elsewhere: of a leaf too.
+// A power of a number is a product, a quotient or a root where that is the same, and stays a power elsewhere: of a leaf
+// too.
 static void powers_are_powers(void **state)
 {
     Graph *t = *state;
@@ -125,7 +126,8 @@ static void powers_are_powers(void **state)
     CHECK_NEAR(value(t, yk_graph_power(g, t->x, t->y), 1.37, 2.2), pow(1.37, 2.2), 1e-14);
 }
 
-// Each operation counts once, however often it is used; signs, leaves and what depends on parameters alone cost nothing.
+// Each operation counts once, however often it is used; signs, leaves and what depends on parameters alone cost
+// nothing.
 static void operations_are_counted_once(void **state)
 {
     Graph *t = *state;

@@ -1,5 +1,5 @@
-// Maps of machines with gears and racks among their loops: at random inputs they have as many places as a fine walk finds by
-// closed form, and those that `solve --all` lists; events stand where the walk's count changes.
+// Maps of machines with gears and racks among their loops: at random inputs they have as many places as a fine walk
+// finds by closed form, and those that `solve --all` lists; events stand where the walk's count changes.
 #include <yoke/configurations.h>
 #include <yoke/map.h>
 #include "configurations/geared_chain.h"
@@ -76,8 +76,8 @@ static void test_geared_five_bars_have_the_places_of_a_walk(void **unused)
     assert_true(compared > 15 * cases && most >= 4);
 }
 
-// The limits of the example, which looks the same from both sides of the ground line, are found in pairs, and where its loop and
-// its mesh have dependent derivatives, from the file's lengths: a determinant of 3 by 3.
+// The limits of the example, which looks the same from both sides of the ground line, are found in pairs, and where its
+// loop and its mesh have dependent derivatives, from the file's lengths: a determinant of 3 by 3.
 static void test_limits_are_where_the_determinant_vanishes(void **unused)
 {
     (void)unused;
@@ -150,8 +150,9 @@ static void test_a_wheel_on_a_rocker_stands_in_every_phase_of_its_mesh(void **un
 
 // --- a law of the input among a group's equations
 
-// A five-bar whose third angle follows a law of its crank. It closes as a four-bar does whose coupler is that long; there are
-// limits where the ends of crank and ground are as far apart as coupler and rocker together, or without each other.
+// A five-bar whose third angle follows a law of its crank. It closes as a four-bar does whose coupler is that long;
+// there are limits where the ends of crank and ground are as far apart as coupler and rocker together, or without each
+// other.
 static void test_a_law_of_the_input_counts_once(void **unused)
 {
     (void)unused;

@@ -267,8 +267,8 @@ static void test_the_count_changes_at_limits_alone(void **unused)
     machine_free(&m);
 }
 
-// Random machines of two and three loops, the last of them with a triad; dimensions from one configuration, in which all
-// angles are 0.
+// Random machines of two and three loops, the last of them with a triad; dimensions from one configuration, in which
+// all angles are 0.
 static void check_machine(const char *links, uint64_t seed, size_t *found, size_t *incomplete)
 {
     Truss truss = {.links = links};
@@ -477,8 +477,8 @@ static Machine cam_machine(double lift, double y, double rod)
     return machine_parse_with(text, NULL, 0);
 }
 
-// The crank's end is in line with the rod where the table is as high as the triangle of both says; all angles of the cam
-// at which it is are limits, and no others.
+// The crank's end is in line with the rod where the table is as high as the triangle of both says; all angles of the
+// cam at which it is are limits, and no others.
 static void test_a_cam_limits_what_it_moves(void **unused)
 {
     (void)unused;

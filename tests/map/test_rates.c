@@ -2,8 +2,8 @@
 #include "configurations/truss.h"
 #include "map/map.h"
 
-// Checks that a derivative's disc over an interval contains the difference quotient of two values at its ends: by the mean
-// value theorem, both of its parts are derivatives somewhere in between.
+// Checks that a derivative's disc over an interval contains the difference quotient of two values at its ends: by the
+// mean value theorem, both of its parts are derivatives somewhere in between.
 static void check_rate(YkBall rate, YkVec from, YkVec to, double length, double *narrowest)
 {
     YkVec quotient = yk_scale(1 / length, yk_sub(to, from));

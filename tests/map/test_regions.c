@@ -163,8 +163,8 @@ static double span(const FiveBar *f, double u, double v)
     return hypot(2 * f->w + f->crank[1] * cos(v) - f->crank[0] * cos(u), f->crank[1] * sin(v) - f->crank[0] * sin(u));
 }
 
-// Returns for how many angles v, rad, the couplers reach, at one u: the arcs of a circle about R within an annulus about
-// the left crank's end.
+// Returns for how many angles v, rad, the couplers reach, at one u: the arcs of a circle about R within an annulus
+// about the left crank's end.
 static double reach_at(const FiveBar *f, double u)
 {
     double x = f->crank[0] * cos(u) - 2 * f->w, y = f->crank[0] * sin(u), d = hypot(x, y), a = f->crank[1], part[2];
@@ -223,8 +223,8 @@ static void test_cranks_reach_what_the_couplers_span(void **unused)
     }
 }
 
-// Where both couplers are equally long and the cranks' ends meet, the couplers turn freely. There cos u = w / crank, above
-// and below the motors; all about these places there are two configurations.
+// Where both couplers are equally long and the cranks' ends meet, the couplers turn freely. There cos u = w / crank,
+// above and below the motors; all about these places there are two configurations.
 static void test_places_where_a_dyad_turns_freely_are_told(void **unused)
 {
     (void)unused;
@@ -254,8 +254,8 @@ static void test_places_where_a_dyad_turns_freely_are_told(void **unused)
     machine_free(&m);
 }
 
-// Where the couplers are just long enough for the cranks stretched apart, at u = pi and v = 0, two configurations meet at
-// one pose. All about it is proved, as it is where the couplers are a little longer and nothing meets.
+// Where the couplers are just long enough for the cranks stretched apart, at u = pi and v = 0, two configurations meet
+// at one pose. All about it is proved, as it is where the couplers are a little longer and nothing meets.
 static void test_places_at_which_configurations_touch_are_told(void **unused)
 {
     (void)unused;
@@ -284,8 +284,9 @@ static void test_places_at_which_configurations_touch_are_told(void **unused)
     }
 }
 
-// Couplers that are a little too short do not close within a small circle; those that differ by more than rounding do not
-// turn freely, but do not close within one either. It is narrower than the tolerance, and only said not to be proved.
+// Couplers that are a little too short do not close within a small circle; those that differ by more than rounding do
+// not turn freely, but do not close within one either. It is narrower than the tolerance, and only said not to be
+// proved.
 static void test_small_gaps_are_not_proved(void **unused)
 {
     (void)unused;
@@ -370,8 +371,8 @@ static void test_counts_are_those_of_solve_all(void **unused)
     assert_true((seen[0] > 0) + (seen[2] > 0) + (seen[4] > 0) + (seen[6] > 0) >= 2);
 }
 
-// A platform of three legs whose lengths l1 and l2 are the inputs, l3 is 0.9: |l1| is at most AC + DF + l3, |l2| at most
-// BC + EF + l3.
+// A platform of three legs whose lengths l1 and l2 are the inputs, l3 is 0.9: |l1| is at most AC + DF + l3, |l2| at
+// most BC + EF + l3.
 static Machine three_legs(void)
 {
     static const char text[] =

@@ -1,6 +1,6 @@
-// Three equal cranks on one bar, and a block that slides on the bar and up and down: where crank and bar are in line two of
-// the cranks alone could fold, and rates come from all loops together, those of a wheel in mesh with a crank too. In closed
-// form the bar only translates.
+// Three equal cranks on one bar, and a block that slides on the bar and up and down: where crank and bar are in line
+// two of the cranks alone could fold, and rates come from all loops together, those of a wheel in mesh with a crank
+// too. In closed form the bar only translates.
 #include "machine.h"
 
 static const char text[] =

@@ -1,5 +1,6 @@
-// Three wheels with a side rod, beside a group that Newton's method solves: along a path the wheels pass the poses in which
-// two of them could fold either way, as all loops together say, and stay alike; whether steps end on such a pose or not.
+// Three wheels with a side rod, beside a group that Newton's method solves: along a path the wheels pass the poses in
+// which two of them could fold either way, as all loops together say, and stay alike; whether steps end on such a pose
+// or not.
 #include "machine.h"
 
 static const char text[] =

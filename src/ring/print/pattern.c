@@ -9,8 +9,8 @@
 enum { RING_SYMBOLS_MIN = 128, IN_VAIN_MAX = 100 };
 enum { WORDS_MAX = 128, SYMBOLS_MAX = 16, PLACES = 1024, PATTERNS_MAX = PLACES / 2, PADDING = 16 };
 
-// All that decides how an element is written but for names: its terms, its symbols numbered as they occur, their classes
-// and order, and what replaces them.
+// All that decides how an element is written but for names: its terms, its symbols numbered as they occur, their
+// classes and order, and what replaces them.
 typedef struct Sign {
     uint64_t words[WORDS_MAX], hash;
     size_t word_count, symbol_count;
