@@ -136,6 +136,36 @@ static void a_machine_that_is_turned_needs_the_same_counterweights(void **state)
     yk_balancing_free(upright);
 }
 
+// Lanchester's balancer: the yoke of a crank moves as the sum of two vectors that turn against each other, so a weight on the crank
+// and one on a wheel that turns against it take half of it each, whatever the direction of the yoke.
+static void wheels_against_each_other_balance_a_scotch_yoke(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        char text[1200];
+        double way = 45 * k * YK_PI / 180, across = way + YK_PI / 2;
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O: [0, 0], P: [0.2, 0]}}\n  crank: {points: {O: [0, 0], A: [0.05, 0]}}\n"
+                 "  yoke: {points: {S: [0, 0]}, mass: 3}\n  wheel: {points: {P: [0, 0]}}\n"
+                 "joints:\n  O: {pin: [ground, crank], angle: theta}\n  P: {pin: [ground, wheel], angle: phi}\n"
+                 "  R: {slide: [ground, yoke], along: %.17g rad, distance: x}\n"
+                 "  A: {pin-slot: [yoke, crank], at: A, from: S, along: %.17g rad}\n"
+                 "gears: {g: {mesh: [crank, wheel], teeth: [40, 40], module: 5 mm}}\n"
+                 "drives: {theta: 0.5 + 8 rad/s * t}\nstart: {x: %.17g}\n",
+                 way, across, 0.05 * cos(0.5 - way));
+        Machine m = open_text(text);
+        YkBalancing *b = yk_balancing_new(m.state, NULL, NULL);
+        assert_non_null(b);
+        CHECK_NEAR(yk_balancing_before(b).force, 3 * 0.05 * 64, 1e-9);
+        assert_true(yk_balancing_is_full(b));
+        assert_int_equal(yk_balancing_count(b), 2);
+        for (size_t i = 0; i < 2; i++) CHECK_NEAR(yk_balancing_at(b, i).product, 3 * 0.05 / 2, 1e-12);
+        CHECK_NEAR(yk_balancing_after(b).force, 0, 1e-9);
+        yk_balancing_free(b);
+        close_machine(&m);
+    }
+}
+
 static char *read_file(const char *path)
 {
     FILE *file = fopen(path, "rb");
@@ -557,6 +587,7 @@ int main(void)
         cmocka_unit_test(a_compromise_is_the_least_in_its_neighbourhood),
         cmocka_unit_test(a_four_bar_gets_the_counterweights_of_berkof_and_lowen),
         cmocka_unit_test(a_machine_that_is_turned_needs_the_same_counterweights),
+        cmocka_unit_test(wheels_against_each_other_balance_a_scotch_yoke),
         cmocka_unit_test(a_six_bar_is_balanced_with_counterweights_on_three_bodies_or_more),
         cmocka_unit_test(a_slider_crank_is_balanced_by_its_rod_and_its_crank),
         cmocka_unit_test(a_flywheel_takes_up_the_torques_energy),
