@@ -62,6 +62,8 @@ static size_t go(YkBatch *batch, const Machine *m, bool chooses)
     const double *in[INPUTS_MAX];
     double *out[CHANNELS_MAX];
     size_t at = 0;
+    for (size_t c = 0; c < channel_count; c++)
+        for (size_t k = 0; k < POSES; k++) along[c][k] = 12345; // what is not wanted is written too
     yk_batch_begin(batch, m->state);
     for (size_t part = 0; at < POSES; part++) {
         size_t count = parts[part % 7] < POSES - at ? parts[part % 7] : POSES - at;
@@ -112,7 +114,7 @@ static void check_machine(const char *file, bool with_forces, size_t most)
     run_apart(&m);
     YkBatch *batch = yk_batch_new_along(m.state, channels, channel_count);
     YkState *state = yk_state_new(m.mech);
-    assert_true(batch && state);
+    assert_true(batch && state && yk_batch_has_lanes(batch));
     yk_state_copy(state, m.state);
     size_t count = go(batch, &m, true);
     if (count != most) print_message("%s: %zu poses on the path\n", file, count);
