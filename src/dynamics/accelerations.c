@@ -108,11 +108,6 @@ YkStatus yk_dynamics_reduce_tree(YkDynamics *d, const YkState *state, double *ac
     bool has_efforts = d->loads->item_count > 0;
     if (has_efforts && !yk_loads_efforts(d->loads, state, d->v, d->effort, d->power, &culprit))
         return yk_dynamics_fail_at_load(d, culprit);
-    if (d->push != 0) {
-        if (!has_efforts) memset(d->effort, 0, n * sizeof *d->effort);
-        d->effort[d->pushed] += d->push;
-        has_efforts = true;
-    }
     int bad = yk_tree_accelerate(d->tree, d->q, d->v, has_efforts ? d->effort : NULL, accelerations);
     return bad < 0 ? YK_OK : yk_dynamics_fail_at_input(d, bad);
 }
@@ -130,15 +125,11 @@ static YkStatus stand(YkDynamics *d, YkState *state, const YkLoad **loads)
         return status;
     }
     *loads = NULL;
-    if (d->loads->item_count + d->loads->handle_count == 0 && d->push == 0) return status;
+    if (d->loads->item_count + d->loads->handle_count == 0) return status;
     size_t culprit;
     memset(d->load, 0, d->mech->model->body_count * sizeof *d->load);
     if (!yk_loads_add(d->loads, state, &state->space, d->load, d->power, &culprit))
         return yk_dynamics_fail_at_load(d, culprit);
-    if (d->push != 0) {
-        const YkTreeCoordinate *c = &d->mech->coordinates[d->mech->inputs[d->pushed]];
-        yk_loads_add_effort(d->mech, &state->space, c->joint, c->is_distance, d->push, d->load);
-    }
     *loads = d->load;
     return status;
 }

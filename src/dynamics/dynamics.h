@@ -31,8 +31,6 @@ struct YkDynamics {
     double *drive;                         // per input: the effort of its drive
     double stored;                         // in springs, J
     double largest_force;
-    int32_t pushed; // an input on which `push` acts in addition to all loads, for responses
-    double push;
     uint64_t changes; // of the mechanism's variant, when its values were taken
     bool ran_out;     // of memory, once: later results cannot be trusted
     YkReport report;

@@ -17,7 +17,6 @@ static void add(YkChannelKind kind, size_t index, int orders)
 static void list_channels(const Machine *m, bool transmission)
 {
     channel_count = 0;
-    add(YK_CHANNEL_TIME, 0, 1);
     for (size_t k = 0; k < yk_coordinate_count(m->mech); k++) add(YK_CHANNEL_COORDINATE, k, 3);
     for (size_t k = 0; k < yk_model_body_count(m->model); k++) add(YK_CHANNEL_BODY, k, 3);
     for (size_t k = 0; k < yk_model_joint_count(m->model); k++) {
@@ -32,6 +31,7 @@ static void list_channels(const Machine *m, bool transmission)
     }
     for (size_t k = 0; transmission && k < yk_block_count(m->mech); k++)
         if (yk_block_info(m->mech, k).kind <= YK_BLOCK_RPR) add(YK_CHANNEL_TRANSMISSION, k, 1);
+    add(YK_CHANNEL_TIME, 0, 1); // last: the first channel is one that a pose changes
 }
 
 // Random inputs about the state's own: `spread` radians, or that part of a length.

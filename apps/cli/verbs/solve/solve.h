@@ -24,6 +24,7 @@ YkStatus yk_solve_forces(YkSession *session, YkDynamics *dynamics, YkMethod meth
 bool yk_polygon_read(YkSession *session, YkPolygonKind *kind); // false with a problem: --polygon has another word
 bool yk_wants_force_polygons(const YkSession *session);        // --polygon force
 // Makes the polygon of a pose whose forces yk_solve_forces has found. Returns NULL with a problem if there is none.
+YkPolygon *yk_polygon_of(YkSession *session, const YkState *state);
 // Makes the force polygons of a pose. dynamics: solved there, or NULL if it has no forces, and why (NULL: unknown).
 // Returns NULL with a problem if there are none.
 YkForcePolygons *yk_force_polygons_of(YkSession *session, const YkDynamics *dynamics, const char *why);
