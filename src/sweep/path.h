@@ -50,8 +50,8 @@ void yk_path_end(YkPath *path);
 // heading.c: returns the direction on the path, +1 or -1, in which an earlier motion has come to where the path starts;
 // 0: across it, or none has.
 double yk_path_heading(const YkPath *path);
-// Sets the inputs, and the signs that blocks are known to have there, at `at`: with the motion's own rates, or (along) with rates per unit of the path. Returns
-// YK_BAD_MODEL if a drive has no value at that time.
+// Sets the inputs, and the signs that blocks are known to have there, at `at`: with the motion's own rates, or (along)
+// with rates per unit of the path. Returns YK_BAD_MODEL if a drive has no value at that time.
 YkStatus yk_path_set(YkPath *path, double at, bool along);
 // Sets the inputs alone.
 YkStatus yk_path_set_inputs(const YkPath *path, double at, bool along);
@@ -61,6 +61,8 @@ YkStatus yk_path_try(YkPath *path, double at, bool along);
 void yk_path_refer(YkPath *path);
 void yk_path_refer_state(YkState *state);
 YkStatus yk_path_probe(YkPath *path, double at, bool along);
+// Solves the last pose again with the motion's own rates. Where it does not close again, only the inputs have rates.
+void yk_path_settle(YkPath *path);
 // Returns how far the inputs go between two places: rad, or machine sizes; over time an estimate from samples.
 double yk_path_length(YkPath *path, double from, double to);
 // near.c: distances by how far the inputs go, rad or machine sizes. yk_path_way returns the farthest that an input gets
