@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <yoke/yoke.h>
 #include "check.h"
+#include "compile/mechanism.h"
 
 enum { TEXT_MAX = 20000, LINES_MAX = 60 };
 
@@ -109,6 +110,42 @@ static bool check_motion(const Machine *a, const Machine *b, const char *file)
     return true;
 }
 
+// Freedoms by Gruebler's count with the constraints of each kind of joint; nothing is told beyond the last of anything.
+static void check_counts(const Machine *m, const char *file)
+{
+    const YkMechanism *mech = m->mech;
+    YkFreedom f = yk_mechanism_freedom(mech);
+    size_t driven = 0, blocks = yk_block_count(mech);
+    int gruebler = 3 * ((int)yk_model_body_count(m->model) - 1);
+    for (size_t k = 0; k < yk_coordinate_count(mech); k++) driven += yk_coordinate_info(mech, k).has_drive;
+    for (size_t k = 0; k < yk_model_joint_count(m->model); k++) {
+        const char *kind = yk_model_joint_kind(m->model, k);
+        gruebler -= !strcmp(kind, "weld") ? 3 : !strcmp(kind, "pin-slot") ? 1 : !strcmp(kind, "free") ? 0 : 2;
+    }
+    bool is_plain = yk_contact_count(mech) == 0 && m->model->follow_count == 0 && m->model->lock_count == 0;
+    if (is_plain && f.gruebler != gruebler) print_error("%s: %d freedoms, not %d\n", file, f.gruebler, gruebler);
+    if (is_plain) assert_int_equal(f.gruebler, gruebler);
+    assert_int_equal(f.driven, driven);
+    assert_int_equal(f.by_rank, yk_input_count(mech));
+    assert_int_equal((int)f.redundant, f.by_rank - f.gruebler);
+    for (size_t b = 0; b <= blocks; b++) {
+        YkBlockInfo info = yk_block_info(mech, b);
+        assert_int_equal(info.label == NULL, b == blocks);
+        for (size_t k = 0; k < info.joint_count; k++)
+            assert_true(yk_block_joint(mech, b, k) < yk_model_joint_count(m->model));
+        for (size_t k = 0; k < info.body_count; k++)
+            assert_true(yk_block_body(mech, b, k) < yk_model_body_count(m->model));
+        for (size_t k = 0; k < info.relation_count; k++) assert_non_null(yk_block_relation(mech, b, k));
+        assert_true(yk_block_joint(mech, b, info.joint_count) == YK_NOT_FOUND);
+        assert_true(yk_block_body(mech, b, info.body_count) == YK_NOT_FOUND);
+        assert_null(yk_block_relation(mech, b, info.relation_count));
+        if (info.kind == YK_BLOCK_RRR && info.label) assert_in_range(info.body_count, 1, 20);
+    }
+    assert_true(yk_loop_joint(mech, yk_loop_count(mech)) == YK_NOT_FOUND);
+    assert_true(yk_input_coordinate(mech, yk_input_count(mech)) == YK_NOT_FOUND);
+    assert_true(yk_redundant_joint(mech, yk_redundant_count(mech)) == YK_NOT_FOUND);
+}
+
 static size_t check_file(const char *file, uint64_t seed)
 {
     static char text[TEXT_MAX], other[TEXT_MAX];
@@ -118,6 +155,7 @@ static size_t check_file(const char *file, uint64_t seed)
     text[length] = 0;
     fclose(in);
     Machine a = machine_of(text);
+    if (a.mech) check_counts(&a, file);
     for (int k = 0; k < 3 && a.mech; k++) {
         strcpy(other, text);
         bool has_other = shuffle(other, "\nbodies:\n", &seed);

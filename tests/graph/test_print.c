@@ -273,11 +273,40 @@ static void numbers_read_back(void **state)
     end(&c);
 }
 
+// An array begins with its values, in their order, in lines of the usual length.
+static void arrays_are_declared_with_their_values(void **state)
+{
+    (void)state;
+    Case c = {0};
+    YkPrinter printer;
+    YkText out = {0};
+    uint64_t seed = 9;
+    start(&c, &seed);
+    assert_true(yk_printer_start(&printer, &c.graph, &file, "P", false, &out));
+    yk_printer_begin(&printer, c.given, GIVEN);
+    YkRef values[40];
+    for (int k = 0; k < 40; k++) values[k] = c.given[k % GIVEN];
+    yk_printer_array(&printer, "row", values, 3, 7);
+    assert_string_equal(yk_text_get(&out), "    double row[7] = {x0, x1, x2};\n");
+    yk_text_clear(&out);
+    yk_printer_array(&printer, "row", values, 40, 40);
+    check_lines(yk_text_get(&out));
+    printed_join(out.data);
+    size_t commas = 0;
+    for (const char *at = out.data; *at; at++) commas += *at == ',';
+    assert_int_equal(commas, 39);
+    assert_non_null(strstr(out.data, " m->p7, x0, x1, x2, x3, x4, m->p5, m->p6, m->p7};"));
+    yk_printer_end(&printer);
+    yk_text_free(&out);
+    end(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_graphs_are_printed),
         cmocka_unit_test(numbers_read_back),
+        cmocka_unit_test(arrays_are_declared_with_their_values),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
