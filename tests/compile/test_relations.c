@@ -280,12 +280,13 @@ static void a_rocker_on_a_cam_turns_by_its_law(void **unused)
     yk_problems_free(problems);
 }
 
-// Whichever followers have left their cams, the other contacts keep their names, and the relations behind them are theirs.
+// Whichever followers have left their cams, contacts keep their names, and the relations behind the others are theirs.
 static void contacts_of_open_cams_have_no_relation(void **unused)
 {
     (void)unused;
     static const char *const text =
-        "laws: {lift: {period: 2*pi, segments: [{rise: {to: pi, by: 0.02 m, law: cycloidal}}, {fall: {to: 2*pi, by: 0.02 m, law: cycloidal}}]}}\n"
+        "laws: {lift: {period: 2*pi, segments: [{rise: {to: pi, by: 0.02 m, law: 3-4-5}},"
+        " {fall: {to: 2*pi, by: 0.02 m, law: 3-4-5}}]}}\n"
         "cams:\n  c0: {cam: shaft, follower: f0, law: lift, roller: 0.01, base: 0.05}\n"
         "  c1: {cam: shaft, follower: f1, law: lift, roller: 0.01, base: 0.06}\n"
         "  c2: {cam: shaft, follower: f2, law: lift, roller: 0.01, base: 0.07}\n"

@@ -1,5 +1,5 @@
-// The examples with their bodies and joints in other orders: the same freedoms, as many loops and redundant constraints,
-// and the same motion of every point.
+// The examples with their bodies and joints in other orders: the same freedoms, as many loops and redundant
+// constraints, and the same motion of every point.
 #include <glob.h>
 #include <stdlib.h>
 #include <yoke/yoke.h>

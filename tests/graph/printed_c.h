@@ -1,5 +1,5 @@
-// Reads and computes the C that the printer writes: declarations with one expression each, sines in pairs, values of the
-// machine, and calls of laws as these tests print them.
+// Reads and computes the C that the printer writes: declarations with one expression each, sines in pairs, values of
+// the machine, and calls of laws as these tests print them.
 #ifndef TESTS_GRAPH_PRINTED_C_H
 #define TESTS_GRAPH_PRINTED_C_H
 #include <ctype.h>

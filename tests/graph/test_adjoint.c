@@ -125,7 +125,7 @@ static void solved_equations_hand_their_shares_on(void **state)
     yk_arena_free(arena);
 }
 
-// Laws hand on their next derivative, of which there are two: x (y^3 - y) + (3 (x + y)^2 - 1) y by x and y, in closed form.
+// Laws hand on their next derivative, of which there are two: x (y^3 - y) + (3 (x + y)^2 - 1) y, in closed form.
 static void laws_hand_their_slopes_on(void **state)
 {
     (void)state;

@@ -158,8 +158,8 @@ static void check_lines(const char *text)
     }
 }
 
-// Each variable saves something: it has a name of its own, is used twice, or its expression would be long. Together they
-// do each operation once.
+// Each variable saves something: it has a name of its own, is used twice, or its expression would be long. Together
+// they do each operation once.
 static void check_savings(const Case *c, const Printed *p, size_t from)
 {
     size_t operations = p->operations;
@@ -238,7 +238,7 @@ static void random_graphs_are_printed(void **state)
     }
 }
 
-// Numbers are literals of their type, which read back to the same bits; functions of the single type have their own names.
+// Numbers are literals of their type, which read back to the same bits; functions of the single type have own names.
 static void numbers_read_back(void **state)
 {
     (void)state;

@@ -153,8 +153,8 @@ static void test_roots_that_tell(void **unused)
     assert_true(bad > 300 && bad < 300 * LANES - 300);
 }
 
-// A root need not tell where another one is not finite whenever it is not: as a term, a factor, a numerator or the operand
-// of a sign, but not as a denominator, in a choice or in another function.
+// A root need not tell where another one is not finite whenever it is not: as a term, a factor, a numerator or the
+// operand of a sign, but not as a denominator, in a choice or in another function.
 static void test_which_roots_tell(void **unused)
 {
     (void)unused;

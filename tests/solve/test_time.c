@@ -96,7 +96,7 @@ static void digits_that_are_lost_are_told(void **unused)
     assert_int_equal(code, YK_CODE_DRIVE_UNKNOWN);
 }
 
-// `start:` gives rates to what nothing else moves: a drive's rate is its own, and what follows has the rate of the motion.
+// `start:` gives rates to what nothing else moves: a drive's rate is its own, and what follows has the motion's.
 static void rates_at_the_start_are_of_free_inputs(void **unused)
 {
     (void)unused;

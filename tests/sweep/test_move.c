@@ -126,8 +126,7 @@ static void test_a_range_of_the_same_labels_is_out_of_reach(void **unused)
     machine_free(&m);
 }
 
-// At the limit that ends a move the machine has the rates that it was asked for, not rates per part of the way; in small
-// steps beside it the other links' rates are those of the motion.
+// At the limit that ends a move the input has the rates that were asked for, not rates per part of the way.
 static void test_rates_at_a_limit_are_those_of_the_motion(void **unused)
 {
     (void)unused;

@@ -1,5 +1,5 @@
-// Distances on a path over time are those of the drives: how far they go, the place that far away, the part of a way, where
-// they turn back.
+// Distances on a path over time are those of the drives: how far they go, the place that far away, the part of a way,
+// where they turn back.
 #include "solve/machine.h"
 #include "sweep/path.h"
 

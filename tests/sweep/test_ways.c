@@ -27,7 +27,7 @@ static YkSweep *sweep(const Machine *m, size_t coordinate, double from, double t
     return found;
 }
 
-// The first order of a row's channels is of positions, which agree; the others only where rates are of this branch alone.
+// Positions agree in all rows; rates only where they are of this branch alone.
 static void check_row(const Machine *m, YkSweep *one, size_t row, YkSweep *two, size_t other, const char *file)
 {
     YkChannel channels[CHANNELS];
