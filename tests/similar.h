@@ -241,7 +241,8 @@ static inline void similar_each_example(void (*check)(const char *file))
     const char *head = YOKE_ROOT "/examples/";
     glob_t found;
     assert_int_equal(glob(YOKE_ROOT "/examples/*.yaml", 0, NULL, &found), 0);
-    for (size_t k = 0; k < found.gl_pathc; k++) {
+    size_t step = check_cases(1000) == 1000 ? 1 : 4;
+    for (size_t k = 0; k < found.gl_pathc; k += step) {
         char name[256];
         const char *file = found.gl_pathv[k] + strlen(head);
         snprintf(name, sizeof name, " %.*s ", (int)(strlen(file) - strlen(".yaml")), file);

@@ -72,6 +72,7 @@ static YkStatus go(Mover *m, YkWalk *w, double from, double to)
     keep_passes(m->move, w, from, to);
     if (w->failed) return YK_NO_MEMORY;
     if (ok) return arrive(w, to, to > from ? 1 : -1);
+    if (!yk_state_is_stopped(m->state)) yk_path_settle(&w->path);
     m->move->part = (w->path.last - from) / (to - from);
     m->move->block = w->limit_block;
     return w->status < 0 ? w->status : status < 0 ? status : YK_LIMIT;

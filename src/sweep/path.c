@@ -117,6 +117,15 @@ YkStatus yk_path_probe(YkPath *path, double at, bool along)
     return status;
 }
 
+void yk_path_settle(YkPath *path)
+{
+    YkState *s = path->state;
+    if (yk_path_probe(path, path->last, false) >= 0) return;
+    s->has_rates = false;
+    for (size_t i = 0; i < s->mech->input_count; i++)
+        memcpy(s->valid_input + 3 * i + 1, s->input + 3 * i + 1, 2 * sizeof *s->input);
+}
+
 double yk_path_limit(YkPath *path, double good, double bad)
 {
     for (int k = 0; k < 100; k++) {

@@ -65,6 +65,8 @@ YkStatus yk_path_try(YkPath *path, double at, bool along);
 void yk_path_refer(YkPath *path);
 void yk_path_refer_state(YkState *state);
 YkStatus yk_path_probe(YkPath *path, double at, bool along);
+// Solves the last pose again with the motion's own rates. Where it does not close again, only the inputs have rates.
+void yk_path_settle(YkPath *path);
 // Returns how far the inputs go between two places: rad, or machine sizes; over time an estimate from samples.
 double yk_path_length(YkPath *path, double from, double to);
 // near.c: distances by how far the inputs go, rad or machine sizes. yk_path_way returns the farthest that an input gets

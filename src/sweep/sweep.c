@@ -66,7 +66,7 @@ static void run(YkSweep *w)
 {
     run_rows(w);
     if (w->row_count > 0) yk_sweep_read_events(w, w->walk.path.last);
-    if (w->walk.status != YK_STOPPED) yk_path_probe(&w->walk.path, w->walk.path.last, false);
+    if (w->walk.status != YK_STOPPED) yk_path_settle(&w->walk.path);
     if (w->walk.status == YK_OK) yk_walk_arrive(&w->walk, w->options.to > w->options.from ? 1 : -1);
 }
 

@@ -226,6 +226,14 @@ static void terms_are_joined(void **state)
     assert_true(yk_graph_is_number(g, parts[0], 20) || yk_graph_is_number(g, parts[1], 20));
     YkRef product = yk_graph_multiply(g, yk_graph_number(g, 10), yk_graph_add(g, t->x, t->y));
     assert_true(g->values[product].op == YK_VALUE_MULTIPLY);
+    // Multiplied out, these would take one operation more.
+    YkRef two = yk_graph_number(g, 2), ten = yk_graph_number(g, 10), area = yk_graph_multiply(g, t->x, t->y);
+    YkRef far[] = {yk_graph_add(g, area, two), yk_graph_add(g, t->x, two), yk_graph_subtract(g, two, area)};
+    for (size_t k = 0; k < 3; k++) {
+        YkRef whole = yk_graph_multiply(g, ten, far[k]);
+        assert_true(g->values[whole].op == YK_VALUE_MULTIPLY);
+        assert_int_equal(yk_graph_cost(g, &whole, 1), yk_graph_cost(g, &far[k], 1) + 1);
+    }
     // A force of 7 along a normal, from its part across: the length of the normal cancels.
     YkRef per = yk_graph_inverse(g, yk_graph_vec_length(g, other));
     YkRefVec normal = yk_graph_vec_scale(g, per, other);

@@ -330,6 +330,20 @@ static void test_poses_are_compared_up_to_whole_turns(void **unused)
     machine_free(&m);
 }
 
+// Of a branch only the sign counts, and 0 is none; there is none behind the last block.
+static void a_branch_is_a_sign(void **unused)
+{
+    (void)unused;
+    static const int branches[] = {1, -1, 0, 5, -3};
+    Machine m = machine_load("four-bar");
+    for (size_t k = 0; k < sizeof branches / sizeof *branches; k++) {
+        yk_state_set_branch(m.state, 0, branches[k]);
+        assert_int_equal(yk_state_branch(m.state, 0), (branches[k] > 0) - (branches[k] < 0));
+    }
+    assert_int_equal(yk_state_branch(m.state, yk_block_count(m.mech)), 0);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -342,6 +356,7 @@ int main(void)
         cmocka_unit_test(test_held_coordinates_start_with_their_values_and_rates),
         cmocka_unit_test(test_setting_the_other_branch_solves_the_other_assembly),
         cmocka_unit_test(test_poses_are_compared_up_to_whole_turns),
+        cmocka_unit_test(a_branch_is_a_sign),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
