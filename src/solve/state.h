@@ -94,7 +94,7 @@ static inline bool yk_state_spend(YkState *state, size_t steps)
 // Lets the runner read phases in place of the angles of inputs that have one.
 void yk_state_place_phases(YkState *state);
 
-static inline YkRun yk_state_run(YkState *state, YkSpace *space)
+static inline YkRun yk_state_run(YkState *state, const YkSpace *space)
 {
     if (state->has_phases) yk_state_place_phases(state);
     return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1, state->slot_reference,

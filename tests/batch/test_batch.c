@@ -81,6 +81,18 @@ static void check_pose(const char *file, const Machine *m, size_t k)
     }
 }
 
+// The same, one pose a call: channels then come from a space of their own.
+static void check_call(const char *file, YkBatch *batch, const Machine *m, size_t k)
+{
+    const double *in[INPUTS_MAX];
+    double *out[CHANNELS_MAX];
+    for (size_t i = 0; i < 3 * yk_input_count(m->mech); i++) in[i] = inputs[i] + k;
+    for (size_t c = 0; c < channel_count; c++) *(out[c] = outputs[c] + k) = 12345;
+    YkStatus worst = yk_batch_run(batch, in, out, status + k, 1);
+    assert_int_equal(worst, status[k]);
+    check_pose(file, m, k);
+}
+
 static void check_machine(const char *file, double spread, bool transmission)
 {
     Machine m = machine_load(file);
@@ -95,6 +107,7 @@ static void check_machine(const char *file, double spread, bool transmission)
     YkStatus worst = run(batch, &m, true, POSES);
     assert_int_equal(worst, YK_LIMIT);
     for (size_t k = 0; k < POSES; k++) check_pose(file, &m, k);
+    for (size_t k = 0; k < POSES; k += 37) check_call(file, batch, &m, k);
     yk_batch_free(batch);
     machine_free(&m);
 }

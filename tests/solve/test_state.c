@@ -227,6 +227,24 @@ static void test_inputs_that_are_no_numbers_are_refused_with_a_status(void **unu
         }
 }
 
+// Nothing but the inputs decides about an open chain.
+static void test_one_number_of_any_input_that_is_none_refuses_the_pose(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("double-pendulum");
+    assert_int_equal(yk_input_count(m.mech), 2);
+    for (size_t k = 0; k < 6; k++) {
+        YkMotion good = yk_state_input(m.state, k / 3), bad = good;
+        double *const numbers[] = {&bad.position, &bad.velocity, &bad.acceleration};
+        *numbers[k % 3] = NAN;
+        yk_state_set_input(m.state, k / 3, bad);
+        assert_true(yk_state_solve(m.state) < 0);
+        yk_state_set_input(m.state, k / 3, good);
+        assert_int_equal(yk_state_solve(m.state), YK_OK);
+    }
+    machine_free(&m);
+}
+
 // --- copies, inputs, reference
 // --------------------------------------------------------------------------------------------
 
@@ -351,6 +369,7 @@ int main(void)
         cmocka_unit_test(test_nothing_is_nan_at_any_distance_from_a_dead_point),
         cmocka_unit_test(test_a_pose_beyond_a_limit_keeps_the_last_and_says_by_how_much),
         cmocka_unit_test(test_inputs_that_are_no_numbers_are_refused_with_a_status),
+        cmocka_unit_test(test_one_number_of_any_input_that_is_none_refuses_the_pose),
         cmocka_unit_test(test_a_copy_answers_alike_and_goes_its_own_way),
         cmocka_unit_test(test_time_sets_the_drives_with_their_derivatives),
         cmocka_unit_test(test_held_coordinates_start_with_their_values_and_rates),
