@@ -93,7 +93,8 @@ typedef struct YkWrench {
 } YkWrench;
 YK_API YkWrench yk_dynamics_shaking(const YkDynamics *dynamics);
 // A body's free-body balance about its centre of mass (its origin if it has no mass): loads (gravity, forces, springs,
-// friction, efforts) + reactions = inertia; `residual` is the difference, over the largest force (or 1 where all are 0).
+// friction, efforts) + reactions = inertia; `residual` is the difference, over the largest force (or 1 where all are
+// 0).
 typedef struct YkBalance {
     YkWrench loads, reactions, inertia;
     double residual;

@@ -253,7 +253,8 @@ static bool run_alone(YkBatch *b, const double *const *inputs, double *const *ou
     return is_well && (!b->forces || yk_batch_run_forces_alone(b, outputs, 0));
 }
 
-// Returns how many numbers stand in a cache line before the first one of an output, if they are as many for all outputs.
+// Returns how many numbers stand in a cache line before the first one of an output, if they are as many for all
+// outputs.
 static size_t lanes_before(const YkBatch *b, double *const *outputs)
 {
     size_t beyond = YK_KNOWS_BLOCKS && b->channel_count > 0 ? (uintptr_t)outputs[0] % 64 : 0;

@@ -18,8 +18,8 @@ void yk_batch_prepare_angle(YkBatch *b, size_t k)
     b->turns[k][1] = angle.b;
 }
 
-// Returns the pointer to the lanes of a space that already hold a channel as requested: a distance, a rate relative to the
-// ground. NULL if it has to be computed.
+// Returns the pointer to the lanes of a space that already hold a channel as requested: a distance, a rate relative to
+// the ground. NULL if it has to be computed.
 static double **row_of(const YkBatch *b, const YkSpace *space, size_t k)
 {
     const YkMechanism *mech = b->mech;

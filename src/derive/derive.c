@@ -23,8 +23,8 @@ enum { CHUNK_MIN = 1 << 19, CHUNK_MAX = 1 << 24, CHUNK_PER_BODY = 1 << 13 };
 
 // Makes the arena, whose first chunk is larger than all other memory of the derivation together. Pages of it that are
 // never used cost nothing. A C library that keeps freed memory in proportion to the largest piece that was freed, as
-// glibc does, then serves the next derivation with the same pages; otherwise it gives them back to the system after each
-// one, and takes them anew for several times what a small derivation costs.
+// glibc does, then serves the next derivation with the same pages; otherwise it gives them back to the system after
+// each one, and takes them anew for several times what a small derivation costs.
 static YkArena *new_arena(const YkModel *model)
 {
     YkArena *arena = yk_arena_new();

@@ -44,9 +44,10 @@ static YkStatus move_near(YkRest *rest, const double *row, double at)
     return status;
 }
 
-// Stands at a value of the free coordinate, in the configuration of a row near to it, and finds how the loads accelerate it.
-// Where a group is solved by iteration, the search for its assembly takes a hundred times as long as moving there from the
-// last value beside the same row. Returns false if the machine does not close there, or is singular.
+// Stands at a value of the free coordinate, in the configuration of a row near to it, and finds how the loads
+// accelerate it. Where a group is solved by iteration, the search for its assembly takes a hundred times as long as
+// moving there from the last value beside the same row. Returns false if the machine does not close there, or is
+// singular.
 static bool stand(YkRest *rest, const double *row, double at, double *accel)
 {
     YkStatus status = YK_NO_ASSEMBLY;

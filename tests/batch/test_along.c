@@ -1,5 +1,5 @@
-// Batches along a path: in parts of any length they have the bits of a state that goes the same way, turn by turn; the forces of
-// a batch in which no pose follows another, where they are wanted; and they end before a limit.
+// Batches along a path: in parts of any length they have the bits of a state that goes the same way, turn by turn; the
+// forces of a batch in which no pose follows another, where they are wanted; and they end before a limit.
 #include <yoke/move.h>
 #include "batch/batch.h"
 #include "solve/machine.h"

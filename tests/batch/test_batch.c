@@ -198,7 +198,8 @@ static void test_a_missing_input_stands_for_the_states_own(void **unused)
     machine_free(&m);
 }
 
-// Wherever the rows begin in their cache lines, and however many poses there are, each is computed, and nothing beside them.
+// Wherever the rows begin in their cache lines, and however many poses there are, each is computed, and nothing beside
+// them.
 static void test_rows_may_begin_anywhere(void **unused)
 {
     (void)unused;

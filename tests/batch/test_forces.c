@@ -285,8 +285,8 @@ static void test_springs_of_a_group(void **unused)
     assert_true(poses_compared > POSES / 2);
 }
 
-// A motor turns a wheel by a pinion: it feels the wheel's inertia by the square of the ratio. For this alone the wheel's
-// acceleration is needed, and nothing else of the pose.
+// A motor turns a wheel by a pinion: it feels the wheel's inertia by the square of the ratio. For this alone the
+// wheel's acceleration is needed, and nothing else of the pose.
 static void test_a_motor_feels_a_wheel_by_the_square_of_the_ratio(void **unused)
 {
     (void)unused;

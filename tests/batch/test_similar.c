@@ -1,4 +1,5 @@
-// Examples in other units (tests/similar.h): a batch gives similar numbers in every lane, those of poses beside a limit too.
+// Examples in other units (tests/similar.h): a batch gives similar numbers in every lane, those of poses beside a limit
+// too.
 #include <yoke/batch.h>
 #include "../similar.h"
 
@@ -53,7 +54,8 @@ static void run(const Similar *m, const YkChannel *channels, size_t count, doubl
     yk_batch_free(batch);
 }
 
-// Forces come from a graph, which joins what happens to be the same number in one system of units: they may round otherwise.
+// Forces come from a graph, which joins what happens to be the same number in one system of units: they may round
+// otherwise.
 static void compare(const char *file, YkChannel channel, const double *one, const double *two)
 {
     double most = 0;

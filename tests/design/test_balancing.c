@@ -136,8 +136,8 @@ static void a_machine_that_is_turned_needs_the_same_counterweights(void **state)
     yk_balancing_free(upright);
 }
 
-// Lanchester's balancer: the yoke of a crank moves as the sum of two vectors that turn against each other, so a weight on the crank
-// and one on a wheel that turns against it take half of it each, whatever the direction of the yoke.
+// Lanchester's balancer: the yoke of a crank moves as the sum of two vectors that turn against each other, so a weight
+// on the crank and one on a wheel that turns against it take half of it each, whatever the direction of the yoke.
 static void wheels_against_each_other_balance_a_scotch_yoke(void **state)
 {
     (void)state;

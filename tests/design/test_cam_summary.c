@@ -95,8 +95,8 @@ static void undercut_lies_between_its_cusps(void **state)
     cam_free(&cam);
 }
 
-// On the same pitch curve a roller is undercut where its radius exceeds the curve's, however little and briefly: twice on a lift
-// that falls as it rises.
+// On the same pitch curve a roller is undercut where its radius exceeds the curve's, however little and briefly: twice
+// on a lift that falls as it rises.
 static void a_roller_a_little_larger_than_the_pitch_curve_is_undercut(void **state)
 {
     (void)state;

@@ -399,8 +399,8 @@ static YkRef product_either_way(YkGraph *g, YkRef a, YkRef b, bool is_turned)
     return is_turned ? yk_graph_multiply(g, b, a) : yk_graph_multiply(g, a, b);
 }
 
-// Both components of a turning vector's acceleration are one step, however they are written, and also where others read the
-// square of its rate; but only if they belong together.
+// Both components of a turning vector's acceleration are one step, however they are written, and also where others read
+// the square of its rate; but only if they belong together.
 static void test_turning_vectors(void **unused)
 {
     (void)unused;

@@ -152,8 +152,8 @@ static void test_a_wheel_on_a_rocker_stands_in_every_phase_of_its_mesh(void **un
 
 // --- a rack in a group
 
-// A wheel on the end of a crank that a link holds, and a rack that a carrier leads past it and another link holds. No relation
-// tells the input, so all repeats after a turn of the crank.
+// A wheel on the end of a crank that a link holds, and a rack that a carrier leads past it and another link holds. No
+// relation tells the input, so all repeats after a turn of the crank.
 static void test_a_group_with_a_rack_repeats_after_a_turn(void **unused)
 {
     (void)unused;

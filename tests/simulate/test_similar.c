@@ -1,6 +1,6 @@
-// Examples in other units of length and mass (tests/similar.h): they move alike in time, with the same steps and events and similar
-// work. Not so in other units of time: steps are chosen by errors of places and of rates, measured by a radian or by the machine's
-// size and by these in a second.
+// Examples in other units of length and mass (tests/similar.h): they move alike in time, with the same steps and events
+// and similar work. Not so in other units of time: steps are chosen by errors of places and of rates, measured by a
+// radian or by the machine's size and by these in a second.
 #include "../similar.h"
 #include "simulate/simulation.h"
 

@@ -1,5 +1,5 @@
-// Examples in other units (tests/similar.h): designs with their poses, derivatives by parameters and accelerations of many
-// states are similar.
+// Examples in other units (tests/similar.h): designs with their poses, derivatives by parameters and accelerations of
+// many states are similar.
 #include <yoke/study.h>
 #include "../similar.h"
 
@@ -98,8 +98,8 @@ static void answer(const Asked *asked, const Similar *a, const Similar *m, Answe
     yk_motion_batch_free(batch);
 }
 
-// Forces, and accelerations by them, come from a graph, which joins what happens to be the same number in one system of units:
-// they may round otherwise.
+// Forces, and accelerations by them, come from a graph, which joins what happens to be the same number in one system of
+// units: they may round otherwise.
 static void check_all(const char *file, const char *name, YkChannel channel, const double *one, const double *two,
                       size_t count)
 {

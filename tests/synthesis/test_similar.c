@@ -1,5 +1,5 @@
-// Tasks in another unit of length (tests/similar.h): the same machines are found, down to the text of their files, in which the
-// unit is written.
+// Tasks in another unit of length (tests/similar.h): the same machines are found, down to the text of their files, in
+// which the unit is written.
 #include <yoke/synthesis.h>
 #include "../similar.h"
 

@@ -17,8 +17,9 @@ void yk_solve_of_csv(YkSession *session, const YkState *state); // one row a con
 // Write the instant centres (--centers); a machine without them gets a problem, and nothing is written.
 void yk_centers_text(YkSession *session, const YkState *state);
 void yk_centers_json(YkSession *session, YkJson *json, const YkState *state);
-// Finds forces at a pose, and the accelerations that they give to free inputs. dynamics may be NULL. A pose without forces
-// (a dead point, a freedom without inertia) keeps its motion; session->dynamics is then NULL, and the status says why.
+// Finds forces at a pose, and the accelerations that they give to free inputs. dynamics may be NULL. A pose without
+// forces (a dead point, a freedom without inertia) keeps its motion; session->dynamics is then NULL, and the status
+// says why.
 YkStatus yk_solve_forces(YkSession *session, YkDynamics *dynamics, YkMethod method, YkState *state);
 // Write the polygon of --polygon; at a pose without one there is a problem, and nothing is written.
 bool yk_polygon_read(YkSession *session, YkPolygonKind *kind); // false with a problem: --polygon has another word
