@@ -137,6 +137,7 @@ static void mass_matrices_are_symmetric_and_positive(void **unused)
         size_t n = rig.mech->input_count, free[MOST], f = 0;
         for (size_t i = 0; i < n && f < MOST; i++)
             if (!yk_dynamics_is_prescribed(d, i)) free[f++] = i;
+        for (size_t i = 0; i < f; i++) yk_dynamics_set_effort(d, (size_t)rig.mech->inputs[free[i]], 0); // not its own
         bool ok = f > 0 && yk_dynamics_accelerate(d, rig.state, base) == YK_OK;
         for (size_t i = 0; i < f && ok; i++) {
             size_t coordinate = (size_t)rig.mech->inputs[free[i]];
