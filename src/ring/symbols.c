@@ -100,7 +100,7 @@ static int32_t refuse_name(YkRing *ring, const char *name)
 
 int32_t yk_ring_symbol(YkRing *ring, const char *name, YkRingClass kind)
 {
-    if (is_name(name)) return add_named(ring, name, (YkRingSymbol){.kind = kind});
+    if (is_name(name)) return add_named(ring, name, (YkRingSymbol){.kind = (uint8_t)kind});
     return refuse_name(ring, name);
 }
 
@@ -150,7 +150,7 @@ static int32_t add_derived(YkRing *ring, int32_t coordinate, size_t primes, YkRi
     memcpy(name, of, length);
     memset(name + length, '\'', primes);
     name[length + primes] = '\0';
-    if (length + primes <= NAME_MAX_LENGTH) return add_symbol(ring, name, (YkRingSymbol){.kind = kind});
+    if (length + primes <= NAME_MAX_LENGTH) return add_symbol(ring, name, (YkRingSymbol){.kind = (uint8_t)kind});
     yk_ring_fail(ring, YK_RING_NAME);
     return -1;
 }
