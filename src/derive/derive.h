@@ -194,7 +194,7 @@ const char *yk_derive_numbered(YkDerivation *d, const char *stem, size_t number)
 char *yk_derive_digits(char *end, size_t number); // writes a number before `end`; returns its first digit
 
 // --- The machine (geometry.c, path.c)
-const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin
+const YkPoisson *yk_derive_at(YkDerivation *d, int32_t point);       // in the body's axes; YK_NONE: the origin
 const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);    // a slide's direction in its first body's axes
 const YkPoisson *yk_derive_distance(YkDerivation *d, int32_t joint); // the symbol; NULL if it does not slide
 // Returns the vector from the first body's place to the second's along the line: distance * unit vector, body form.

@@ -20,7 +20,8 @@ static const YkPoisson *name_value(YkDerivation *d, const YkExpr *expr, const Yk
     int32_t symbol = yk_derive_symbol(d, yk_text_get(&name), kind);
     yk_text_free(&name);
     const YkPoisson *named = symbol < 0 ? NULL : yk_ring_of(d->ring, symbol);
-    if (!named || !yk_derive_add_constant(d, (YkDeriveConstant){symbol, expr, jet.d[0], exact ? exact : named})) return NULL;
+    if (!named || !yk_derive_add_constant(d, (YkDeriveConstant){symbol, expr, jet.d[0], exact ? exact : named}))
+        return NULL;
     yk_ring_set_number(d->ring, symbol, exact);
     return named;
 }
