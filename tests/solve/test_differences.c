@@ -1,15 +1,7 @@
 // The rates of every point and body of every example are the differences of its poses, the accelerations those of its
 // rates, along a motion of the inputs that goes on as their own rates say.
-#include <glob.h>
-#include <yoke/yoke.h>
-#include "check.h"
-
-typedef struct Machine {
-    YkProblems *problems;
-    YkModel *model;
-    YkMechanism *mech;
-    YkState *state;
-} Machine;
+#include "../examples.h"
+#include "solve/machine.h"
 
 // Puts the inputs where they are after `time`, and solves.
 static bool go(const Machine *m, const YkMotion *from, double time)
@@ -76,8 +68,9 @@ static bool check_pose(const Machine *m, const YkMotion *from, const char *file)
     return true;
 }
 
-static size_t check_file(const char *path)
+static size_t check_file(const char *path, size_t number)
 {
+    (void)number;
     const char *file = strrchr(path, '/') + 1;
     size_t done = 0;
     Machine m = {.problems = yk_problems_new()};
@@ -100,22 +93,14 @@ static size_t check_file(const char *path)
             if (pose > 0) done += check_pose(&m, from, file); // laws may have corners at the start
         }
     }
-    yk_state_free(m.state);
-    yk_mechanism_free(m.mech);
-    yk_model_free(m.model);
-    yk_problems_free(m.problems);
+    machine_free(&m);
     return done;
 }
 
 static void rates_are_differences(void **unused)
 {
     (void)unused;
-    glob_t found;
-    size_t done = 0, step = check_cases(1000) == 1000 ? 1 : 4;
-    assert_int_equal(glob(YOKE_ROOT "/examples/*.yaml", 0, NULL, &found), 0);
-    for (size_t k = 0; k < found.gl_pathc; k += step) done += check_file(found.gl_pathv[k]);
-    assert_true(done * step > 150);
-    globfree(&found);
+    assert_true(each_example(check_file) > 150);
 }
 
 int main(void)
