@@ -1,5 +1,4 @@
 // Reads the answers from a pose.
-#include <string.h>
 #include "elementary/elementary.h"
 #include "solve/angle.h"
 #include "solve/gap.h"
