@@ -2,10 +2,13 @@
 // answer, whatever the number of parameters.
 //
 // With the inputs given the loops R(x, p) = 0 hold over time, and so do their first and second derivatives R', R''
-// along it, which are linear in x' and x'' with the same Jacobian J. An answer y(x, x', x'', p) has the derivatives y_p
-// - l2^T R''_p - l1^T R'_p - l0^T R_p: J^T l2 = y_x'', then J^T l1 = what y and l2^T R'' have by x', then J^T l0 = what
-// y, R' and R'' have by x. All are sums of turned vectors, each with its derivatives by time (a jet), whose shares are
-// handed backwards to angles, distances and the vectors, and by the recipe to points and lines of the model.
+// along it, which are linear in x' and x'' with the same Jacobian J. An answer y(x, x', x'', p) has the derivatives
+//
+//     y_p - l2^T R''_p - l1^T R'_p - l0^T R_p:
+//
+// J^T l2 = y_x'', then J^T l1 = what y and l2^T R'' have by x', then J^T l0 = what y, R' and R'' have by x. All are
+// sums of turned vectors, each with its derivatives by time (a jet), whose shares are handed backwards to angles,
+// distances and the vectors, and by the recipe to points and lines of the model.
 // Source: Giles & Pierce 2000, Flow, Turbulence and Combustion 65; Griewank & Walther 2008, Evaluating Derivatives.
 #ifndef COMPILE_GRADIENT_H
 #define COMPILE_GRADIENT_H

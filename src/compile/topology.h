@@ -18,7 +18,8 @@ static inline int32_t yk_other_body(const YkModel *model, int32_t joint, int32_t
 // guess.c: returns the values of the tree's coordinates at the start: drives at t = 0, otherwise `start:`, otherwise 0.
 // guess[coordinate].
 void yk_start_guess(const YkMechanism *mech, double *guess);
-// Finds the bodies' orientations and the joints' distances; reports slides and welds that contradict each other.
+// topology.c: finds the bodies' orientations and the joints' distances; reports slides and welds that contradict each
+// other.
 bool yk_topology_orientations(YkMechanism *mech, const YkIncidence *incidence, YkProblems *problems);
 // Finds tree, coordinates, loops, gruebler; reports declared coordinates that close a loop.
 bool yk_topology_tree(YkMechanism *mech, const YkIncidence *incidence, YkProblems *problems);

@@ -56,7 +56,7 @@ static void put_sliding(YkDerivation *d, YkPage *page, int32_t joint)
     const YkPoisson *line = yk_derive_in_joints(d, yk_ring_multiply(ring, guide->unit, yk_derive_along(d, joint)));
     const YkPoisson *spin = yk_derive_in_joints(d, guide->spin), *turning = yk_derive_in_joints(d, guide->spin_rate);
     const YkPoisson *quarter = yk_ring_multiply(ring, yk_ring_i(ring), line), *rate = yk_ring_of(ring, c->rate);
-    const YkPoisson *slid = yk_derive_slide(d, joint), *at = yk_derive_at(d, from.body, from.point);
+    const YkPoisson *slid = yk_derive_slide(d, joint), *at = yk_derive_at(d, from.point);
     const YkPoisson *arm = yk_derive_in_joints(d, yk_ring_add(ring, slid, yk_ring_multiply(ring, guide->unit, at)));
     YkText title = {0};
     yk_text_format(&title, "%s slides on %s (%s)", d->model->bodies[j->body[1]].name, on, j->name);

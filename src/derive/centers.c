@@ -113,7 +113,7 @@ static void put_at_joint(Centers *c, const YkCenter *center)
         return;
     }
     YkDerivePlace place = yk_derive_place(c->d, (int32_t)center->joint, 0);
-    const YkPoisson *at = yk_derive_position(c->d, place.body, yk_derive_at(c->d, place.body, place.point));
+    const YkPoisson *at = yk_derive_position(c->d, place.body, yk_derive_at(c->d, place.point));
     YkLine *line = yk_page_formula(c->page, yk_derive_text(c->d, "the pin ", joint->name, ""));
     put_point(c, line, center);
     yk_line_sign(c->page, line, "=");

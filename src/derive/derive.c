@@ -4,12 +4,46 @@
 #include "derive/gears/gears.h"
 #include "derive/inside.h"
 
+static bool has_call(const YkExpr *expr)
+{
+    if (!expr || expr->kind == YK_EXPR_NUMBER || expr->kind == YK_EXPR_NAME) return false;
+    return expr->kind > YK_EXPR_MULTIPLY || has_call(expr->a) || has_call(expr->b);
+}
+
+static void enter_expression(YkDerivation *d, const YkExpr *expr)
+{
+    if (has_call(expr)) yk_derive_given(d, expr);
+}
+
+// Enters constants in the file's order, so that their names do not depend on what is derived; one that the ring cannot
+// hold fails where it is needed.
+static void enter_constants(YkDerivation *d)
+{
+    const YkModel *model = d->model;
+    for (size_t p = 0; p < model->point_count; p++) {
+        enter_expression(d, model->points[p].x);
+        enter_expression(d, model->points[p].y);
+    }
+    for (size_t b = 1; b < model->body_count; b++) {
+        enter_expression(d, model->bodies[b].center_x);
+        enter_expression(d, model->bodies[b].center_y);
+        yk_derive_mass(d, (int32_t)b);
+        if (!yk_derive_is_rod(&model->bodies[b])) yk_derive_inertia(d, (int32_t)b);
+    }
+    for (size_t j = 0; j < model->joint_count; j++) {
+        yk_derive_turn(d, model->joints[j].along_expr);
+        yk_derive_forgive(d);
+        yk_derive_turn(d, model->joints[j].turned_expr);
+        yk_derive_forgive(d);
+    }
+}
+
 static bool enter_all(YkDerivation *d)
 {
     d->points = YK_NEW(d->arena, const YkPoisson *, d->model->point_count + 1);
     if (!d->points || !yk_derive_enter_parameters(d) || !yk_derive_enter_coordinates(d) || !yk_derive_enter_bodies(d))
         return false;
-    yk_derive_enter_constants(d);
+    enter_constants(d);
     return yk_derivation_is_well(d);
 }
 

@@ -156,7 +156,7 @@ bool yk_derivation_ran_out(const YkDerivation *derivation);
 // Returns why there is no result: memory if anything ran out of it, otherwise the status of the ring.
 YkRingStatus yk_derivation_fault(const YkDerivation *derivation);
 
-// --- From the file (expression.c, symbols.c)
+// --- From the file (expression.c, measures.c, constants.c, symbols.c)
 // Returns an expression of the file in SI, exactly: parameters, coordinates, rates and t become symbols; decimals and
 // units are exact (deg with the symbol pi). What is not a polynomial becomes a constant symbol if it is constant;
 // otherwise NULL with the status YK_RING_DIVISOR. NULL expression: 0.
@@ -173,8 +173,6 @@ const YkPoisson *yk_derive_strength(YkDerivation *d, const YkExpr *expr, const c
 // Returns the symbol of a constant that the ring cannot hold, k_1 or alpha_1: one for each expression. Returns NULL
 // if it is not a constant.
 const YkPoisson *yk_derive_constant(YkDerivation *d, const YkExpr *expr, bool is_angle, int32_t *symbol);
-// Enters all of them in the file's order, so that their names do not depend on what is derived. Cost: O(file).
-void yk_derive_enter_constants(YkDerivation *d);
 // Writes the meaning of masses and inertias, or of other constants: of those that the page has not explained yet.
 void yk_derive_put_constants(YkDerivation *d, YkPage *page, bool of_masses);
 // Returns e^(i expr) of an angle. NULL expression: 1.
@@ -196,7 +194,7 @@ const char *yk_derive_numbered(YkDerivation *d, const char *stem, size_t number)
 char *yk_derive_digits(char *end, size_t number); // writes a number before `end`; returns its first digit
 
 // --- The machine (geometry.c, path.c)
-const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin
+const YkPoisson *yk_derive_at(YkDerivation *d, int32_t point);       // in the body's axes; YK_NONE: the origin
 const YkPoisson *yk_derive_along(YkDerivation *d, int32_t joint);    // a slide's direction in its first body's axes
 const YkPoisson *yk_derive_distance(YkDerivation *d, int32_t joint); // the symbol; NULL if it does not slide
 // Returns the vector from the first body's place to the second's along the line: distance * unit vector, body form.

@@ -8,9 +8,8 @@ static const YkPoisson *vector(YkDerivation *d, const YkExpr *x, const YkExpr *y
     return yk_ring_add(d->ring, along, yk_ring_multiply(d->ring, yk_ring_i(d->ring), across));
 }
 
-const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point)
+const YkPoisson *yk_derive_at(YkDerivation *d, int32_t point)
 {
-    (void)body;
     if (point == YK_NONE) return yk_ring_rational(d->ring, 0, 1);
     if (!d->points[point]) d->points[point] = vector(d, d->model->points[point].x, d->model->points[point].y);
     return d->points[point];
@@ -47,9 +46,8 @@ const YkPoisson *yk_derive_position(YkDerivation *d, int32_t body, const YkPoiss
         int32_t joint = d->bodies[b].joint, parent = d->bodies[b].parent;
         int side = d->model->joints[joint].body[1] == b;
         YkDerivePlace here = yk_derive_place(d, joint, side), there = yk_derive_place(d, joint, !side);
-        sum = yk_ring_subtract(ring, sum, yk_ring_multiply(ring, d->bodies[b].unit, yk_derive_at(d, b, here.point)));
-        sum = yk_ring_add(ring, sum,
-                          yk_ring_multiply(ring, d->bodies[parent].unit, yk_derive_at(d, parent, there.point)));
+        sum = yk_ring_subtract(ring, sum, yk_ring_multiply(ring, d->bodies[b].unit, yk_derive_at(d, here.point)));
+        sum = yk_ring_add(ring, sum, yk_ring_multiply(ring, d->bodies[parent].unit, yk_derive_at(d, there.point)));
         if (d->joint_distance[joint] == YK_NONE) continue;
         const YkPoisson *slide = yk_derive_slide(d, joint);
         sum = side ? yk_ring_add(ring, sum, slide) : yk_ring_subtract(ring, sum, slide);
@@ -86,8 +84,8 @@ const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body)
 {
     const YkBody *b = &d->model->bodies[body];
     if (!yk_derive_is_rod(b)) return vector(d, b->center_x, b->center_y);
-    const YkPoisson *ends = yk_derive_at(d, body, b->rod[0]);
-    ends = yk_ring_add(d->ring, ends, yk_derive_at(d, body, b->rod[1]));
+    const YkPoisson *ends = yk_derive_at(d, b->rod[0]);
+    ends = yk_ring_add(d->ring, ends, yk_derive_at(d, b->rod[1]));
     return yk_ring_scale(d->ring, ends, 1, 2);
 }
 
@@ -95,8 +93,8 @@ const YkPoisson *yk_derive_center(YkDerivation *d, int32_t body)
 static const YkPoisson *inertia_of_rod(YkDerivation *d, int32_t body)
 {
     const YkBody *b = &d->model->bodies[body];
-    const YkPoisson *rod = yk_derive_at(d, body, b->rod[1]);
-    rod = yk_ring_subtract(d->ring, rod, yk_derive_at(d, body, b->rod[0]));
+    const YkPoisson *rod = yk_derive_at(d, b->rod[1]);
+    rod = yk_ring_subtract(d->ring, rod, yk_derive_at(d, b->rod[0]));
     const YkPoisson *square = yk_ring_dot(d->ring, rod, rod), *mass = yk_derive_mass(d, body);
     return yk_ring_scale(d->ring, yk_ring_multiply(d->ring, mass, square), 1, 12);
 }

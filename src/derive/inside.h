@@ -17,6 +17,8 @@ bool yk_derive_enter_coordinates(YkDerivation *d);
 const YkPoisson *yk_derive_unit_size(YkDerivation *d, double size, int angle);
 // Returns the angle of a body's axes outside cos and sin, joint form (bodies.c).
 const YkPoisson *yk_derive_body_angle(YkDerivation *d, int32_t body);
+// Adds a named constant (constants.c). Returns false when out of memory.
+bool yk_derive_add_constant(YkDerivation *d, YkDeriveConstant constant);
 bool yk_derive_enter_bodies(YkDerivation *d);
 bool yk_derive_is_long(const YkDerivation *d); // so long that it has no joint form
 

@@ -27,7 +27,7 @@ static void unite_places(YkDerivation *d, struct YkDeriveNames *names)
     }
     for (size_t p = 0; p < d->model->point_count; p++) {
         int32_t body = d->model->points[p].body;
-        if (yk_ring_is_zero(yk_derive_at(d, body, (int32_t)p)))
+        if (yk_ring_is_zero(yk_derive_at(d, (int32_t)p)))
             yk_sets_join(names->root, (int32_t)p, place_index(d, (YkDerivePlace){body, YK_NONE}));
     }
 }
@@ -172,8 +172,8 @@ static void step_on(Walk *walk, YkDerivePlace from, YkDerivePlace to, bool inwar
 {
     YkDerivation *d = walk->d;
     YkDerivePlace tail = inwards ? to : from, head = inwards ? from : to;
-    const YkPoisson *arm = yk_derive_at(d, head.body, head.point);
-    arm = yk_ring_subtract(d->ring, arm, yk_derive_at(d, tail.body, tail.point));
+    const YkPoisson *arm = yk_derive_at(d, head.point);
+    arm = yk_ring_subtract(d->ring, arm, yk_derive_at(d, tail.point));
     YkDeriveVector vector = between(d, head, tail, yk_ring_multiply(d->ring, d->bodies[from.body].unit, arm));
     vector.body = from.body;
     vector.is_negative = inwards;

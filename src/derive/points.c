@@ -56,7 +56,7 @@ bool yk_derive_section_points(YkDerivation *d, YkPage *page)
         yk_text_format(&title, "%s of %s", name, d->model->bodies[point->body].name);
         yk_page_heading(page, 2, yk_text_get(&title));
         yk_text_free(&title);
-        put_motion(d, page, name, yk_derive_position(d, point->body, yk_derive_at(d, point->body, (int32_t)p)));
+        put_motion(d, page, name, yk_derive_position(d, point->body, yk_derive_at(d, (int32_t)p)));
     }
     if (is_empty) yk_page_words(page, "No body has mass, and all points are joints: name bodies' points in `points:`.");
     return true;

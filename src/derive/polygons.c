@@ -19,10 +19,9 @@ static const YkPoisson *arm_of(Writer *w, const YkPolygonEnd *end)
     YkDerivation *d = w->d;
     int32_t body = (int32_t)end->body, joint = (int32_t)end->joint;
     const YkPoisson *unit = d->bodies[body].unit;
-    if (end->joint == YK_NOT_FOUND) return yk_ring_multiply(w->ring, unit, yk_derive_at(d, body, (int32_t)end->point));
+    if (end->joint == YK_NOT_FOUND) return yk_ring_multiply(w->ring, unit, yk_derive_at(d, (int32_t)end->point));
     int side = d->model->joints[joint].body[1] == body;
-    const YkPoisson *arm =
-        yk_ring_multiply(w->ring, unit, yk_derive_at(d, body, yk_derive_place(d, joint, side).point));
+    const YkPoisson *arm = yk_ring_multiply(w->ring, unit, yk_derive_at(d, yk_derive_place(d, joint, side).point));
     bool is_under = side == 0 && d->joint_distance[joint] != YK_NONE;
     return is_under ? yk_ring_add(w->ring, arm, yk_derive_slide(d, joint)) : arm;
 }

@@ -85,7 +85,8 @@ void yk_printer_value(YkPrinter *printer, YkRef value);
 void yk_printer_written(YkPrinter *printer, YkRef value);
 // Returns whether it needs no statement: a number, a leaf, a value of the machine, an element of `known`.
 bool yk_printer_is_given(const YkPrinter *printer, YkRef value);
-// Prints the machine's own values, those that were needed and have names by now: `machine.name = ...;`.
+// print_statements.c: prints the machine's own values, `machine.name = ...;`, those that were needed and have names by
+// now.
 void yk_printer_machine(YkPrinter *printer);
 void yk_printer_number(YkPrinter *printer, double number);
 // Breaks the text from there on into lines of the usual length.

@@ -180,8 +180,8 @@ static void refuse(const YkExpr *expr, const char *what, YkProblems *problems)
 
 void yk_redesign_hint(YkProblems *problems)
 {
-    yk_problem_hint(problems, "points, masses, gravity, springs and directions can vary; each value by a file of its "
-                              "own (--param) can vary all");
+    yk_problem_hint(problems, "points, masses, gravity, springs and directions can vary here; `--param` changes any "
+                              "parameter, one value at a time");
 }
 
 static bool is_turned(const YkModel *model, const double *target)

@@ -20,8 +20,8 @@ typedef struct YkBalanceSystem {
     double unit; // of length, m
     YkUnknown *columns;
     size_t count;
-    size_t n,
-        sides; // unknowns, those of least_norm.c after the columns; right sides: 1 and the radial forces of gears, N for each newton across the teeth
+    size_t n;                    // unknowns, those of least_norm.c after the columns
+    size_t sides;                // right sides: 1 and the radial forces of gears, N for each newton across the teeth
     YkRef *system;               // [n][n + sides]; while it is made, [3 for each moving body][n + sides]
     YkRef *solution;             // [n][sides], once it is solved
     size_t first_dry, dry_count; // right sides of dry friction; 0: none

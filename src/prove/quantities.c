@@ -68,7 +68,7 @@ static const YkPoisson *coordinate_of_point(YkDerivation *d, const char *name, s
         const char *own = dot + 1;
         if (!is_word(name, (size_t)(dot - name), d->model->bodies[point->body].name)) continue;
         if (!is_word(own, length - 2 - (size_t)(own - name), point->name)) continue;
-        const YkPoisson *at = yk_derive_position(d, point->body, yk_derive_at(d, point->body, (int32_t)p));
+        const YkPoisson *at = yk_derive_position(d, point->body, yk_derive_at(d, (int32_t)p));
         return part == 'x' ? yk_ring_real(d->ring, at) : yk_ring_imaginary(d->ring, at);
     }
     return NULL;

@@ -62,8 +62,8 @@ YkMap *yk_rest_map(YkRest *rest);
 // Finds the equilibria on all circuits. Returns false when out of memory or stopped.
 bool yk_rest_search_circuits(YkRest *rest, const YkMap *map);
 
-// Finds accelerations a[f] at rest (rates 0, or `rates`) in the pose with free inputs q. Returns false if it does not
-// close.
+// modes.c: finds accelerations a[f] at rest (rates 0, or `rates`) in the pose with free inputs q. Returns false if it
+// does not close.
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a);
 // Differentiates the accelerations at q, the state's pose, by the free inputs, f x f: central differences of order 4.
 bool yk_rest_differentiate(YkRest *rest, const double *q, double *matrix);

@@ -207,7 +207,8 @@ bool yk_gather_add_product(YkRing *ring, const YkRingTerm *a, const YkRingTerm *
 const YkPoisson *yk_gather_end(YkRing *ring);
 void yk_gather_free(YkGather *gather);
 bool yk_gather_room(YkRing *ring, size_t count); // makes room for this number in gather.terms
-// Makes the element of sorted terms, zeros among them allowed, over a denominator.
+
+// --- element.c: makes the element of sorted terms, zeros among them allowed, over a denominator.
 const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator);
 const YkPoisson *yk_poisson_term(YkRing *ring, uint64_t key, int64_t number, int64_t denominator);
 uint64_t yk_poisson_content(const YkPoisson *a); // common divisor of its numbers

@@ -147,8 +147,7 @@ struct YkSimulation {
 };
 
 // witness.c: tells the witness that the motion begins at the state, which has the pose of `from`, a state of another
-// mechanism;
-// NULL: it begins anywhere.
+// mechanism; NULL: it begins anywhere.
 void yk_simulation_tell_start(YkSimulation *sim, const YkState *from);
 // Tells it of the pose that stands. Returns false, with a report, if that is proved to be on another configuration.
 bool yk_simulation_tell(YkSimulation *sim, YkWitnessed kind);
@@ -182,12 +181,13 @@ typedef struct YkStartRate { // a rate requested for the start
 } YkStartRate;
 // Fills given[number in `start:` and the options, plus one], without the rates of drives. Returns how many.
 size_t yk_simulation_given_rates(const YkSimulation *sim, YkStartRate *given);
+// Finds rates of the inputs from those in `start:`, as well as the loops allow.
+bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems);
+
 // singular_start.c: handles a start at a dead point or change point. Takes other coordinates, or a branch with its
 // rates; returns false with a problem added if nothing determines how it continues.
 bool yk_simulation_is_singular(const YkSimulation *sim);
 bool yk_simulation_start_singular(YkSimulation *sim, YkProblems *problems);
-// Finds rates of the inputs from those in `start:`, as well as the loops allow.
-bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems);
 
 // stage.c: sets the state's inputs for (t, y), and the signs of near blocks. Returns false if a drive has no value.
 bool yk_simulation_set(YkSimulation *sim, double t, const double *y);
@@ -225,12 +225,11 @@ YkInterpolation yk_simulation_interpolate(YkSimulation *sim, double t, const dou
 bool yk_simulation_sum_poses(YkSimulation *sim, double t, const double *y, const double *acceleration);
 bool yk_simulation_take_sum(YkSimulation *sim);
 
-// coordinates.c: other independent coordinates.
-// Takes other coordinates if they are better here: everything is remade for them, the pose stays. Returns false on
-// failure.
+// choose.c: takes other independent coordinates if they are better here: everything is remade for them, the pose stays.
+// Returns false on failure.
 bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed);
-// Takes the coordinates order[free] as independent ones at the present pose; leaves everything (and *changed) as it is
-// if they do not fit. Returns false on failure.
+// coordinates.c: takes the coordinates order[free] as independent ones at the present pose; leaves everything (and
+// *changed) as it is if they do not fit. Returns false on failure.
 bool yk_simulation_take(YkSimulation *sim, const size_t *order, bool *changed);
 void yk_simulation_unbuild(YkSimulation *sim);
 bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: call it after everything else is made

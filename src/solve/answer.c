@@ -1,7 +1,7 @@
 // Reads the answers from a pose.
-#include <string.h>
 #include "elementary/elementary.h"
 #include "solve/angle.h"
+#include "solve/gap.h"
 #include "solve/pose.h"
 #include "solve/state.h"
 
@@ -53,6 +53,17 @@ YkMotion yk_state_coordinate(const YkState *s, size_t coordinate)
     if (c->input == YK_NONE) return without_rates(coordinate_in(s, &s->space, c), s->has_rates);
     const double *in = s->valid_input + 3 * c->input; // as it was set, to the last bit and turn
     return (YkMotion){in[0], in[1], in[2]};
+}
+
+bool yk_state_is_at(const YkState *state, const YkState *other)
+{
+    const double same = 1e-6;
+    if (!state || !other || state->mech != other->mech || !state->has_pose || !other->has_pose) return false;
+    for (size_t c = 0; c < state->mech->coordinate_count; c++) {
+        double off = yk_state_coordinate(state, c).position - yk_state_coordinate(other, c).position;
+        if (!(yk_gap(state->mech, state->mech->coordinates[c].is_distance, off) < same)) return false;
+    }
+    return true;
 }
 
 // Adds angles along the tree, so that a body's angle is as continuous as its coordinates.

@@ -1,8 +1,6 @@
 // How far apart two poses are.
 #include "solve/gap.h"
 #include <math.h>
-#include <yoke/state.h>
-#include "solve/state.h"
 
 double yk_gap(const YkMechanism *mech, bool is_distance, double difference)
 {
@@ -25,15 +23,4 @@ double yk_group_gap(const YkMechanism *mech, const YkBlock *group, const double 
     for (size_t k = 0; k < group->column_count; k++)
         gap = fmax(gap, yk_gap(mech, mech->group_columns[group->first_column + k].is_distance, a[k] - b[k]));
     return gap;
-}
-
-bool yk_state_is_at(const YkState *state, const YkState *other)
-{
-    const double same = 1e-6;
-    if (!state || !other || state->mech != other->mech || !state->has_pose || !other->has_pose) return false;
-    for (size_t c = 0; c < state->mech->coordinate_count; c++) {
-        double off = yk_state_coordinate(state, c).position - yk_state_coordinate(other, c).position;
-        if (!(yk_gap(state->mech, state->mech->coordinates[c].is_distance, off) < same)) return false;
-    }
-    return true;
 }

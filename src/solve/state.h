@@ -23,8 +23,7 @@ typedef struct YkWitness {
     // At a pose of the motion. Returns false if it is proved that the motion cannot have come there.
     bool (*step)(struct YkWitness *witness, const YkState *state, YkWitnessed kind);
     // The motion goes on with a state of another mechanism of the same model, at the same pose. `from` is the state
-    // before it;
-    // NULL: it begins there. `to` NULL: that mechanism is gone.
+    // before it; NULL: it begins there. `to` NULL: that mechanism is gone.
     void (*change)(struct YkWitness *witness, const YkState *from, const YkState *to);
     // Remembers what has been told so far, under a number; and goes back to it, for another try.
     void (*keep)(struct YkWitness *witness, size_t number);

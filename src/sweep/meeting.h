@@ -12,6 +12,7 @@ void yk_walk_begin_at(YkWalk *walk, double at, double way);
 // on; it has its present sign at the place `known`, to which the motion has come in the direction `way`. Returns
 // whether it did; the state must be solved again.
 bool yk_walk_meets(YkWalk *walk, size_t block, double at, double known, double way);
+
 // --- meeting.c
 
 // Returns whether all of [a, b] is so close to the block's known change point that its sign follows from the side
@@ -22,8 +23,7 @@ bool yk_walk_knows_meeting(const YkWalk *walk, size_t block, double at);
 // Notes the known change points that the path passes between a and b, where the state stands.
 void yk_walk_note_crossings(YkWalk *walk, double a, double b);
 // Returns whether the path does not turn back at a known change point, exactly at `at`. If it goes over it there, this
-// is noted.
-// is_start: the walk begins there.
+// is noted. is_start: the walk begins there.
 bool yk_walk_passes_meeting(YkWalk *walk, size_t block, double at, double way, bool is_start);
 
 // --- side.c: where the inputs are

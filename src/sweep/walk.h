@@ -27,32 +27,41 @@ typedef struct YkWalk {
     void *context;
 } YkWalk;
 
-// walk_begin.c: starts a walk along `path`, which the walk owns from here on. Returns false when out of memory;
-// yk_walk_end frees it.
+// --- walk_begin.c
+
+// Starts a walk along `path`, which the walk owns from here on. Returns false when out of memory; yk_walk_end frees it.
 bool yk_walk_start(YkWalk *walk, YkPath path, double turn_max);
 void yk_walk_end(YkWalk *walk);
-// Walks in verified sub-steps from a, where the state is, to b. Returns false if the motion ends on the way: the status
-// tells why, and a limit is noted as an event.
-bool yk_walk_go(YkWalk *walk, double a, double b);
 // Returns whether the caller of the long call that the walk works for has stopped it. The status is then YK_STOPPED.
 bool yk_walk_is_stopped(YkWalk *walk);
-// Returns whether the walk would take unreasonably many steps. The status is then YK_STOPPED, and the state's report
-// tells why. Call it before a walk; it takes account of the cost of the machine at each step.
-bool yk_walk_refuses(YkWalk *walk, double a, double b);
 // Records an event.
 void yk_walk_note(YkWalk *walk, YkEvent event);
 // Ends the walk at `at`, since the machine does not close at `bad`, or no drive gives a position there.
 void yk_walk_end_at(YkWalk *walk, double at, double bad);
-
 // Returns the blocks' margins at the three samples of an interval (0 start, 1 middle, 2 end), one set for each level of
 // halving.
 double *yk_walk_margins(const YkWalk *walk, size_t depth, size_t which);
 void yk_walk_read_margins(const YkWalk *walk, double *margins);
 // Returns false for the larger groups, which Newton's method solves: they have no margin of their own.
 bool yk_walk_has_margin(const YkWalk *walk, size_t block);
+// Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from
+// `at`.
+bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
+
+// --- walk.c
+
+// Walks in verified sub-steps from a, where the state is, to b. Returns false if the motion ends on the way: the status
+// tells why, and a limit is noted as an event.
+bool yk_walk_go(YkWalk *walk, double a, double b);
+// Returns whether the walk would take unreasonably many steps. The status is then YK_STOPPED, and the state's report
+// tells why. Call it before a walk; it takes account of the cost of the machine at each step.
+bool yk_walk_refuses(YkWalk *walk, double a, double b);
 // Flips blocks that are singular at `a`, which the motion has reached and passes: double zeros, passed with the other
 // sign.
 void yk_walk_flip_at(YkWalk *walk, double a, const double *margins);
+
+// --- touch.c
+
 double yk_walk_touch(double a, double ma, double b, double mb); // a double zero of a margin between a and b, roughly
 // Returns a double zero at `at` precisely, searched up to `reach` from there, in radians or sizes. If there is none,
 // `at`.
@@ -68,13 +77,15 @@ bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, d
 bool yk_walk_turns_at_limit(YkWalk *walk, size_t block, double *at);
 // Returns whether they do so for one of the blocks that touch.
 bool yk_walk_turns_at_a_limit(YkWalk *walk, const double *margins, double at);
-// Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from
-// `at`.
-bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
-// meeting.c: returns the side of a block's known change point, if it lies at `at`, for which the signs hold; 0: it does
+
+// --- meeting.c
+
+// Returns the side of a block's known change point, if it lies at `at`, for which the signs hold; 0: it does
 // not.
 double yk_walk_side_held(const YkWalk *walk, size_t block, double at);
-// limits.c: poses beside a change point where the walk stands.
+
+// --- limits.c: poses beside a change point where the walk stands
+
 typedef struct YkBeside {
     YkWalk *walk;
     double at, side;       // the signs hold on that side of the path (+1: ahead)
@@ -99,11 +110,17 @@ YkStatus yk_walk_take_limits(YkWalk *walk, double at, double way);
 void yk_state_take_rates(YkState *state, const double *numbers);
 // Returns whether the rates at the end of the path are along it: elsewhere the limits depend on the way there.
 bool yk_path_moves_along(const YkPath *path);
-// blur.c: gives the state, which has come to `at` with that status, rates without rounding where a change point is
+int yk_walk_touching_block(const YkWalk *walk, const double *margins); // the first one, or -1
+
+// --- blur.c
+
+// Gives the state, which has come to `at` with that status, rates without rounding where a change point is
 // close. Returns the status that it has then; NO_MEMORY if memory ran out.
 YkStatus yk_walk_clear_rates(YkWalk *walk, double at, double way, YkStatus status);
-int yk_walk_touching_block(const YkWalk *walk, const double *margins); // the first one, or -1
-// heading.c: returns whether the signs of a block are already those beyond the change point at which the walk has
+
+// --- heading.c
+
+// Returns whether the signs of a block are already those beyond the change point at which the walk has
 // stopped.
 bool yk_walk_has_passed(const YkWalk *walk);
 // Notes that the walk has ended at the state's pose, going in this direction of its path.

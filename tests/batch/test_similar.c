@@ -54,28 +54,13 @@ static void run(const Similar *m, const YkChannel *channels, size_t count, doubl
     yk_batch_free(batch);
 }
 
-// Forces come from a graph, which joins what happens to be the same number in one system of units: they may round
-// otherwise.
-static void compare(const char *file, YkChannel channel, const double *one, const double *two)
-{
-    double most = 0;
-    for (size_t k = 0; k < POSES; k++) most = fmax(most, fabs(one[k]));
-    for (size_t k = 0; k < POSES; k++)
-        if (yk_channel_needs_forces(channel))
-            CHECK_NEAR(similar_to(one[k], channel.quantity), two[k], 1e-12 * similar_to(most, channel.quantity));
-        else
-            similar_check(one[k], two[k], channel.quantity, file, "a channel of a batch");
-}
-
 static void check_file(const char *file)
 {
     static double in[2][ROWS][POSES], out[2][CHANNELS][POSES];
     signed char status[2][POSES];
     YkChannel channels[CHANNELS];
-    similar_set(0, 0, 0);
-    Similar a = similar_load(file, NULL);
-    similar_set(-5, 4, 3);
-    Similar b = similar_load(file, NULL);
+    Similar a, b;
+    similar_load_both(&a, &b, file, (const int[]){-5, 4, 3});
     bool fits = a.mech && 3 * yk_input_count(a.mech) <= ROWS && yk_state_assemble(a.state) >= 0;
     if (fits) {
         assert_true(yk_state_assemble(b.state) >= 0);
@@ -84,7 +69,8 @@ static void check_file(const char *file)
         run(&a, channels, count, in[0], out[0], status[0]);
         run(&b, channels, count, in[1], out[1], status[1]);
         assert_memory_equal(status[0], status[1], POSES);
-        for (size_t c = 0; c < count; c++) compare(file, channels[c], out[0][c], out[1][c]);
+        for (size_t c = 0; c < count; c++)
+            similar_check_values(out[0][c], out[1][c], POSES, channels[c], file, "a channel of a batch");
     }
     similar_free(&a);
     similar_free(&b);

@@ -1,27 +1,10 @@
 // The examples with their bodies and joints in other orders: the same freedoms, as many loops and redundant
 // constraints, and the same motion of every point.
-#include <glob.h>
-#include <stdlib.h>
-#include <yoke/yoke.h>
-#include "check.h"
+#include "../examples.h"
 #include "compile/mechanism.h"
+#include "solve/machine.h"
 
 enum { TEXT_MAX = 20000, LINES_MAX = 60 };
-
-typedef struct Machine {
-    YkProblems *problems;
-    YkModel *model;
-    YkMechanism *mech;
-    YkState *state;
-} Machine;
-
-static void free_machine(Machine *m)
-{
-    yk_state_free(m->state);
-    yk_mechanism_free(m->mech);
-    yk_model_free(m->model);
-    yk_problems_free(m->problems);
-}
 
 static Machine machine_of(const char *text)
 {
@@ -146,8 +129,9 @@ static void check_counts(const Machine *m, const char *file)
     assert_true(yk_redundant_joint(mech, yk_redundant_count(mech)) == YK_NOT_FOUND);
 }
 
-static size_t check_file(const char *file, uint64_t seed)
+static size_t check_file(const char *file, size_t number)
 {
+    uint64_t seed = number;
     static char text[TEXT_MAX], other[TEXT_MAX];
     FILE *in = fopen(file, "rb");
     assert_non_null(in);
@@ -173,22 +157,16 @@ static size_t check_file(const char *file, uint64_t seed)
         assert_int_equal(yk_redundant_count(a.mech) > 0, yk_redundant_count(b.mech) > 0);
         CHECK_NEAR(yk_mechanism_size(a.mech), yk_mechanism_size(b.mech), 1e-15 * yk_mechanism_size(a.mech));
         moved += check_motion(&a, &b, file);
-        free_machine(&b);
+        machine_free(&b);
     }
-    free_machine(&a);
+    machine_free(&a);
     return moved;
 }
 
 static void examples_in_other_orders(void **unused)
 {
     (void)unused;
-    glob_t found;
-    size_t moved = 0;
-    assert_int_equal(glob(YOKE_ROOT "/examples/*.yaml", 0, NULL, &found), 0);
-    size_t step = check_cases(1000) == 1000 ? 1 : 4;
-    for (size_t k = 0; k < found.gl_pathc; k += step) moved += check_file(found.gl_pathv[k], k);
-    assert_true(moved * step > 60);
-    globfree(&found);
+    assert_true(each_example(check_file) > 60);
 }
 
 int main(void)

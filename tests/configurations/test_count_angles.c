@@ -59,8 +59,8 @@ typedef struct Published {
     size_t count;
 } Published;
 
-// The triad, the three trusses of seven links, and Watt-Baranov trusses of nine, eleven and thirteen: 2^(loops + 1) -
-// 2.
+// The triad, the three trusses of seven links, and Watt-Baranov trusses of nine, eleven and thirteen:
+// 2^(loops + 1) - 2.
 // Sources: Rojas & Thomas 2012 (closed-form position analysis of Watt-Baranov trusses); Wampler 2001.
 static const Published published[] = {{"abc ad be cf def", 6},
                                       {"cef egh agi bdh ab cd fi", 14},

@@ -11,7 +11,7 @@ static const YkPoisson *element_of(Machine *m, const char *text)
              "joints: {O: {pin: [ground, arm], angle: q}}\n",
              text);
     *m = machine_of(file);
-    return yk_ring_real(m->d->ring, yk_derive_at(m->d, 1, (int32_t)yk_model_find_point(m->model, "arm.P")));
+    return yk_ring_real(m->d->ring, yk_derive_at(m->d, (int32_t)yk_model_find_point(m->model, "arm.P")));
 }
 
 static void check_value(const char *text, const char *expected)
@@ -78,7 +78,7 @@ static void numbers_that_the_ring_cannot_hold_fail_where_they_are_needed(void **
     assert_non_null(inertia);
     take_values(&m);
     CHECK_NEAR(yk_ring_value(m.d->ring, inertia, m.values).x, 1.234567890123456e-6, 1e-21);
-    check_element(&m, yk_ring_real(m.d->ring, yk_derive_at(m.d, 1, 0)), "1");
+    check_element(&m, yk_ring_real(m.d->ring, yk_derive_at(m.d, 0)), "1");
     assert_int_equal(yk_ring_status(m.d->ring), YK_RING_OK);
     assert_null(yk_derive_center(m.d, 1));
     assert_int_equal(yk_ring_status(m.d->ring), YK_RING_OVERFLOW);
@@ -91,7 +91,7 @@ static void units_of_the_file_count(void **state)
     Machine m = machine_of("units: {length: mm, angle: deg}\n"
                            "bodies: {ground: {points: {Z: [10, 0]}}, arm: {points: {P: [0, 0]}}}\n"
                            "joints: {S: {slide: [ground, arm], along: 60, turned: 45, distance: s}}\n");
-    check_element(&m, yk_ring_real(m.d->ring, yk_derive_at(m.d, 0, 0)), "1/100");
+    check_element(&m, yk_ring_real(m.d->ring, yk_derive_at(m.d, 0)), "1/100");
     check_element(&m, yk_ring_real(m.d->ring, yk_derive_along(m.d, 0)), "1/2");
     check_element(&m, yk_ring_imaginary(m.d->ring, m.d->bodies[1].unit), "sqrt(2)/2");
     machine_end(&m);
@@ -120,7 +120,7 @@ static void visit_bodies(Machine *m, const char *name)
     double size = yk_mechanism_size(m->mech);
     for (size_t p = 0; p < m->model->point_count; p++) {
         int32_t body = m->model->points[p].body;
-        const YkPoisson *at = yk_derive_position(m->d, body, yk_derive_at(m->d, body, (int32_t)p));
+        const YkPoisson *at = yk_derive_position(m->d, body, yk_derive_at(m->d, (int32_t)p));
         const YkPoisson *forms[2] = {at, yk_derive_in_joints(m->d, at)};
         YkPointMotion motion = yk_state_point(m->state, p);
         take_values(m);

@@ -127,8 +127,8 @@ static void paths_between_points_add_up_to_the_difference_of_positions(void **st
             YkDerivePath path;
             YkDerivePlace from = {m.model->points[p].body, (int32_t)p}, to = {m.model->points[q].body, (int32_t)q};
             assert_true(yk_derive_path(m.d, from, to, &path));
-            const YkPoisson *a = yk_derive_position(m.d, to.body, yk_derive_at(m.d, to.body, to.point));
-            const YkPoisson *b = yk_derive_position(m.d, from.body, yk_derive_at(m.d, from.body, from.point));
+            const YkPoisson *a = yk_derive_position(m.d, to.body, yk_derive_at(m.d, to.point));
+            const YkPoisson *b = yk_derive_position(m.d, from.body, yk_derive_at(m.d, from.point));
             assert_true(yk_ring_is_same(path.sum, yk_ring_subtract(m.d->ring, a, b)));
         }
     machine_end(&m);

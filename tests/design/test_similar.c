@@ -70,7 +70,7 @@ static void check_strokes(const Similar *a, const Similar *b)
 {
     for (size_t c = 0; c < yk_coordinate_count(a->mech); c++) {
         YkStroke s, t;
-        YkQuantity of = yk_coordinate_info(a->mech, c).is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE;
+        YkQuantity of = similar_quantity(a->mech, c);
         YkChannel channel = {YK_CHANNEL_COORDINATE, (int)c, 0, of};
         YkStatus status = yk_stroke(a->state, 0, channel, &s);
         SIMILAR_EQUAL(a->file, status, yk_stroke(b->state, 0, channel, &t));
@@ -90,14 +90,11 @@ static void test_designs_in_other_units(void **unused)
                                         "examples/steam-engine.yaml", "examples/geared-five-bar.yaml"};
     static const double weights[][3] = {{0, 0, 0}, {1, 0.5, 0.25}};
     for (size_t k = 0; k < check_cases(sizeof files / sizeof *files); k++) {
+        static const int units[][3] = {{-5, 4, -3}, {3, -6, 5}};
         Similar m[2];
-        for (int i = 0; i < 2; i++) {
-            if (i == 0) similar_set(0, 0, 0);
-            if (i == 1 && k % 2) similar_set(3, -6, 5);
-            if (i == 1 && !(k % 2)) similar_set(-5, 4, -3);
-            m[i] = similar_load(files[k], NULL);
+        similar_load_both(&m[0], &m[1], files[k], units[k % 2]);
+        for (int i = 0; i < 2; i++)
             assert_true(yk_state_set_time(m[i].state, 0, m[i].problems) >= 0 && yk_state_assemble(m[i].state) >= 0);
-        }
         check_centers(&m[0], &m[1]);
         for (size_t w = 0; w < 2; w++) check_balancing(&m[0], &m[1], weights[w]);
         check_strokes(&m[0], &m[1]);

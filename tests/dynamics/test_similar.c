@@ -24,10 +24,8 @@ static void check_pose(Similar *a, Similar *b, double time)
 static void check_file(const char *file)
 {
     for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
-        similar_set(0, 0, 0);
-        Similar a = similar_load(file, NULL);
-        similar_set(units[k][0], units[k][1], units[k][2]);
-        Similar b = similar_load(file, NULL);
+        Similar a, b;
+        similar_load_both(&a, &b, file, units[k]);
         if (a.mech) {
             YkStatus one = yk_state_assemble(a.state);
             SIMILAR_EQUAL(file, yk_state_assemble(b.state), one);

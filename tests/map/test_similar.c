@@ -11,11 +11,6 @@ static YkMap *map_of(const Similar *m)
     return map;
 }
 
-static YkQuantity quantity_of(const Similar *m, size_t coordinate)
-{
-    return yk_coordinate_info(m->mech, coordinate).is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE;
-}
-
 static void check_range(const Similar *a, YkRange r, YkRange s, YkQuantity of)
 {
     similar_check(r.from, s.from, of, a->file, "start of a range");
@@ -25,7 +20,7 @@ static void check_range(const Similar *a, YkRange r, YkRange s, YkQuantity of)
 static void check_circuit(const Similar *a, const YkMap *one, const YkMap *two, size_t c)
 {
     YkMapCircuit p = yk_map_circuit(one, c), q = yk_map_circuit(two, c);
-    YkQuantity over = quantity_of(a, yk_map_coordinate(one));
+    YkQuantity over = similar_quantity(a->mech, yk_map_coordinate(one));
     size_t coordinates = yk_coordinate_count(a->mech);
     SIMILAR_EQUAL(a->file, p.contains_start, q.contains_start);
     SIMILAR_EQUAL(a->file, p.ranges, q.ranges);
@@ -39,8 +34,8 @@ static void check_circuit(const Similar *a, const YkMap *one, const YkMap *two, 
         SIMILAR_EQUAL(a->file, e.branch, f.branch);
         similar_check(e.at, f.at, over, a->file, "place of an event");
         for (size_t i = 0; i < coordinates; i++)
-            similar_check(yk_map_event_value(one, c, k, i), yk_map_event_value(two, c, k, i), quantity_of(a, i),
-                          a->file, "a coordinate at an event");
+            similar_check(yk_map_event_value(one, c, k, i), yk_map_event_value(two, c, k, i),
+                          similar_quantity(a->mech, i), a->file, "a coordinate at an event");
     }
     for (size_t k = 0; k < p.branches; k++) {
         YkMapBranch b = yk_map_branch(one, c, k), d = yk_map_branch(two, c, k);
@@ -48,8 +43,8 @@ static void check_circuit(const Similar *a, const YkMap *one, const YkMap *two, 
         SIMILAR_EQUAL(a->file, b.rows, d.rows);
         for (size_t row = 0; row < b.rows; row++)
             for (size_t i = 0; i < coordinates; i++)
-                similar_check(yk_map_row(one, c, k, row)[i], yk_map_row(two, c, k, row)[i], quantity_of(a, i), a->file,
-                              "a coordinate in a row");
+                similar_check(yk_map_row(one, c, k, row)[i], yk_map_row(two, c, k, row)[i],
+                              similar_quantity(a->mech, i), a->file, "a coordinate in a row");
     }
     for (size_t j = 0; j < yk_model_joint_count(a->model); j++) {
         YkMapTurn t = yk_map_turn(one, c, j), u = yk_map_turn(two, c, j);

@@ -43,9 +43,7 @@ static void check_point(const Similar *a, YkRest *one, YkRest *two, size_t p)
     YkState *s = yk_rest_state(one, p), *t = yk_rest_state(two, p);
     for (size_t c = 0; c < yk_coordinate_count(yk_rest_mechanism(one)); c++)
         similar_check(yk_state_coordinate(s, c).position, yk_state_coordinate(t, c).position,
-                      yk_coordinate_info(yk_rest_mechanism(one), c).is_distance ? YK_QUANTITY_LENGTH
-                                                                                : YK_QUANTITY_ANGLE,
-                      a->file, "place of a coordinate");
+                      similar_quantity(yk_rest_mechanism(one), c), a->file, "place of a coordinate");
     for (size_t i = 0; i < f; i++)
         for (size_t j = 0; j < f; j++) {
             int lengths = is_distance(one, i) + is_distance(one, j);

@@ -45,6 +45,16 @@ static inline Machine machine_open(const char *file, const char *input)
     return m;
 }
 
+// From a file that may not load or compile; state is then NULL. Does not assemble.
+static inline Machine machine_try(const char *path)
+{
+    Machine m = {.problems = yk_problems_new()};
+    m.model = yk_model_load(path, NULL, m.problems);
+    m.mech = m.model ? yk_mechanism_compile(m.model, NULL, m.problems) : NULL;
+    m.state = m.mech ? yk_state_new(m.mech) : NULL;
+    return m;
+}
+
 static inline Machine machine_load(const char *file)
 {
     Machine m = machine_open(file, NULL);

@@ -98,20 +98,6 @@ static void answer(const Asked *asked, const Similar *a, const Similar *m, Answe
     yk_motion_batch_free(batch);
 }
 
-// Forces, and accelerations by them, come from a graph, which joins what happens to be the same number in one system of
-// units: they may round otherwise.
-static void check_all(const char *file, const char *name, YkChannel channel, const double *one, const double *two,
-                      size_t count)
-{
-    double most = 0;
-    for (size_t k = 0; k < count; k++) most = fmax(most, fabs(one[k]));
-    for (size_t k = 0; k < count; k++)
-        if (yk_channel_needs_forces(channel))
-            CHECK_NEAR(similar_to(one[k], channel.quantity), two[k], 1e-12 * similar_to(most, channel.quantity));
-        else
-            similar_check(one[k], two[k], channel.quantity, file, name);
-}
-
 static void compare(const Asked *asked, const Similar *a, const Similar *b, const Answers *one, const Answers *two)
 {
     assert_memory_equal(one->status, two->status, sizeof one->status);
@@ -121,8 +107,8 @@ static void compare(const Asked *asked, const Similar *a, const Similar *b, cons
         YkChannel channel = asked->channels[c];
         char name[256];
         yk_channel_name(a->mech, channel, name, sizeof name);
-        check_all(a->file, name, channel, one->value[c], two->value[c], DESIGNS * POSES);
-        check_all(a->file, name, channel, one->extent[c][0], two->extent[c][0], DESIGNS * 3);
+        similar_check_values(one->value[c], two->value[c], DESIGNS * POSES, channel, a->file, name);
+        similar_check_values(one->extent[c][0], two->extent[c][0], DESIGNS * 3, channel, a->file, name);
         for (size_t p = 0; p < asked->parameter_count; p++) {
             double unit = unit_of(a, b, asked->parameters[p]);
             double due = similar_to(one->by_difference[c][p], channel.quantity), near = 1e-9 * fabs(due);
@@ -132,7 +118,7 @@ static void compare(const Asked *asked, const Similar *a, const Similar *b, cons
     }
     YkChannel by_forces = {YK_CHANNEL_FORCE, 0, 0, YK_QUANTITY_ANGLE_ACCELERATION};
     for (size_t i = 0; i < yk_input_count(a->mech); i++)
-        check_all(a->file, "acceleration", by_forces, one->acceleration[i], two->acceleration[i], DESIGNS);
+        similar_check_values(one->acceleration[i], two->acceleration[i], DESIGNS, by_forces, a->file, "acceleration");
 }
 
 static void test_studies_in_other_units(void **unused)

@@ -45,8 +45,7 @@ static void check_sweep(Similar *a, Similar *b, int coordinate, double from, dou
     enum { MOST = 24 };
     YkChannel channels[MOST];
     size_t count = choose_channels(a, channels, MOST);
-    bool is_distance = coordinate >= 0 && yk_coordinate_info(a->mech, (size_t)coordinate).is_distance;
-    YkQuantity at = coordinate < 0 ? YK_QUANTITY_TIME : is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE;
+    YkQuantity at = coordinate < 0 ? YK_QUANTITY_TIME : similar_quantity(a->mech, (size_t)coordinate);
     YkSweepOptions o = yk_default_sweep_options();
     o.coordinate = coordinate;
     o.from = from;
@@ -76,12 +75,12 @@ static void check_sweep(Similar *a, Similar *b, int coordinate, double from, dou
     yk_sweep_free(two);
 }
 
-static void check_ranges(const Similar *a, const Similar *b, size_t coordinate, bool is_distance)
+static void check_ranges(const Similar *a, const Similar *b, size_t coordinate)
 {
     YkRange one[8], two[8];
     size_t count = yk_closing_ranges(a->state, coordinate, one, 8);
     SIMILAR_EQUAL(a->file, count, yk_closing_ranges(b->state, coordinate, two, 8));
-    YkQuantity at = is_distance ? YK_QUANTITY_LENGTH : YK_QUANTITY_ANGLE;
+    YkQuantity at = similar_quantity(a->mech, coordinate);
     for (size_t k = 0; k < count && k < 8; k++) {
         similar_check(one[k].from, two[k].from, at, a->file, "start of a range");
         similar_check(one[k].to, two[k].to, at, a->file, "end of a range");
@@ -121,7 +120,7 @@ static void check_input(Similar *a, Similar *b)
            far = is_distance ? 0.8 * yk_mechanism_size(a->mech) : 2 * YK_PI;
     check_sweep(a, b, (int)coordinate, from, from + far, 7);
     check_sweep(a, b, (int)coordinate, from + far / 3, from - 0.2 * far, 3);
-    check_ranges(a, b, coordinate, is_distance);
+    check_ranges(a, b, coordinate);
     check_move(a, b, 0.4);
     check_move(a, b, -1.1);
 }
@@ -129,10 +128,8 @@ static void check_input(Similar *a, Similar *b)
 static void check_file(const char *file)
 {
     for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
-        similar_set(0, 0, 0);
-        Similar a = similar_load(file, NULL);
-        similar_set(units[k][0], units[k][1], units[k][2]);
-        Similar b = similar_load(file, NULL);
+        Similar a, b;
+        similar_load_both(&a, &b, file, units[k]);
         YkStatus one = a.mech ? yk_state_assemble(a.state) : YK_NO_ASSEMBLY;
         SIMILAR_EQUAL(file, b.mech ? yk_state_assemble(b.state) : YK_NO_ASSEMBLY, one);
         if (one >= 0 && k == 0) check_sweep(&a, &b, -1, 0, 0.7, 5);

@@ -1,5 +1,5 @@
 // A sweep in two parts, and a sweep back, go through the poses of the sweep in one, past the same events.
-#include <glob.h>
+#include "../examples.h"
 #include "solve/machine.h"
 
 enum { STEPS = 8, CHANNELS = 24 };
@@ -27,7 +27,8 @@ static YkSweep *sweep(const Machine *m, size_t coordinate, double from, double t
     return found;
 }
 
-// Positions agree in all rows; rates only where they are of this branch alone.
+// Positions agree in all rows; rates only where they are of this branch alone. Where a block is near a limit, rounding
+// of 1e-16 moves its pose by the root of that, and rates by more.
 static void check_row(const Machine *m, YkSweep *one, size_t row, YkSweep *two, size_t other, const char *file)
 {
     YkChannel channels[CHANNELS];
@@ -112,17 +113,15 @@ static bool check_range(const char *file, Machine *m, size_t coordinate, double 
     return is_whole;
 }
 
-static size_t check_file(const char *path)
+static size_t check_file(const char *path, size_t number)
 {
+    (void)number;
     char name[128];
     const char *file = strrchr(path, '/') + 1;
     size_t gone = 0;
     snprintf(name, sizeof name, "%.*s", (int)(strlen(file) - strlen(".yaml")), file);
-    YkProblems *problems = yk_problems_new();
-    YkModel *model = yk_model_load(path, NULL, problems);
-    Machine m = {problems, model, model ? yk_mechanism_compile(model, NULL, problems) : NULL, NULL};
-    m.state = m.mech ? yk_state_new(m.mech) : NULL;
-    if (m.state && yk_input_count(m.mech) > 0 && yk_state_set_time(m.state, 0, problems) >= 0 &&
+    Machine m = machine_try(path);
+    if (m.state && yk_input_count(m.mech) > 0 && yk_state_set_time(m.state, 0, m.problems) >= 0 &&
         yk_state_assemble(m.state) == YK_OK) {
         size_t coordinate = yk_input_coordinate(m.mech, 0);
         double here = yk_state_coordinate(m.state, coordinate).position;
@@ -137,12 +136,7 @@ static size_t check_file(const char *path)
 static void test_examples_in_parts_and_back(void **unused)
 {
     (void)unused;
-    glob_t found;
-    size_t gone = 0, step = check_cases(1000) == 1000 ? 1 : 4;
-    assert_int_equal(glob(YOKE_ROOT "/examples/*.yaml", 0, NULL, &found), 0);
-    for (size_t k = 0; k < found.gl_pathc; k += step) gone += check_file(found.gl_pathv[k]);
-    assert_true(gone * step > 80);
-    globfree(&found);
+    assert_true(each_example(check_file) > 80);
 }
 
 int main(void)

@@ -120,7 +120,7 @@ const YkPoisson *yk_derive_joint_arm(YkDeriveForces *f, int32_t joint, int side)
 {
     YkDerivation *d = f->d;
     YkDerivePlace place = yk_derive_place(d, joint, side);
-    const YkPoisson *arm = yk_derive_arm(f, place.body, yk_derive_at(d, place.body, place.point));
+    const YkPoisson *arm = yk_derive_arm(f, place.body, yk_derive_at(d, place.point));
     if (side == 1 || d->joint_distance[joint] == YK_NONE) return arm;
     return yk_ring_add(d->ring, arm, yk_derive_slide(d, joint));
 }

@@ -217,8 +217,7 @@ static void make_turning(YkMeshMaking *m, const Cam *of)
         swing = yk_ring_multiply(ring, yk_ring_multiply(ring, unit, arm), start_of(m, of, touch));
     } else {
         const YkPoisson *pin = yk_mesh_at(m, cam->follower_joint, of->way > 0);
-        swing =
-            yk_ring_multiply(ring, unit, yk_ring_subtract(ring, yk_derive_at(m->d, cam->follower, cam->point), pin));
+        swing = yk_ring_multiply(ring, unit, yk_ring_subtract(ring, yk_derive_at(m->d, cam->point), pin));
     }
     if (cam->is_conjugate) swing = yk_ring_multiply(ring, swing, ratio);
     const YkPoisson *slope = yk_ring_scale(ring, of->v, of->turn * of->way, 1);

@@ -6,7 +6,7 @@
 static const YkPoisson *at_of(YkDerivation *d, int32_t joint, int side)
 {
     YkDerivePlace place = yk_derive_place(d, joint, side);
-    return yk_derive_at(d, place.body, place.point);
+    return yk_derive_at(d, place.point);
 }
 
 static bool do_share_a_point(YkDerivation *d, int32_t a, int32_t b)

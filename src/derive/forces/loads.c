@@ -122,8 +122,7 @@ static YkDeriveLoad *add_between(YkDeriveForces *f, YkDeriveLoadKind kind, const
     YkDeriveLoad *load = add_load(f, kind, spring->name);
     const YkPoisson *pull = yk_ring_multiply(d->ring, tension, line);
     for (int end = 0; end < 2; end++) {
-        const YkPoisson *arm =
-            yk_derive_arm(f, spring->body[end], yk_derive_at(d, spring->body[end], spring->point[end]));
+        const YkPoisson *arm = yk_derive_arm(f, spring->body[end], yk_derive_at(d, spring->point[end]));
         push(f, load, spring->body[end], arm, end ? yk_ring_negate(d->ring, pull) : pull, NULL);
     }
     return load;
@@ -167,8 +166,7 @@ static void add_spring_between(YkDeriveForces *f, const YkSpring *spring)
     YkDerivation *d = f->d;
     YkRing *ring = d->ring;
     const YkPoisson *end[2];
-    for (int e = 0; e < 2; e++)
-        end[e] = yk_derive_position(d, spring->body[e], yk_derive_at(d, spring->body[e], spring->point[e]));
+    for (int e = 0; e < 2; e++) end[e] = yk_derive_position(d, spring->body[e], yk_derive_at(d, spring->point[e]));
     const YkPoisson *line = yk_ring_subtract(ring, end[1], end[0]), *square = yk_ring_dot(ring, line, line);
     const YkPoisson *k = yk_derive_strength(d, spring->stiffness_expr, "k", spring->name),
                     *c = yk_derive_strength(d, spring->damping_expr, "c", spring->name);
@@ -233,8 +231,7 @@ static void add_forces(YkDeriveForces *f)
         const YkPoisson *moment = yk_derive_load_value(f, &force->moment, force->name, "m");
         const YkPoisson *vector = yk_ring_add(d->ring, x, yk_ring_multiply(d->ring, yk_ring_i(d->ring), y));
         if (force->in_body_axes) vector = yk_ring_multiply(d->ring, d->bodies[force->body].unit, vector);
-        push(f, load, force->body, yk_derive_arm(f, force->body, yk_derive_at(d, force->body, force->point)), vector,
-             moment);
+        push(f, load, force->body, yk_derive_arm(f, force->body, yk_derive_at(d, force->point)), vector, moment);
     }
 }
 

@@ -90,7 +90,7 @@ const YkPoisson *yk_mesh_arm(YkMeshMaking *m, int32_t body, const YkPoisson *pla
 const YkPoisson *yk_mesh_at(YkMeshMaking *m, int32_t joint, int side)
 {
     YkDerivePlace place = yk_derive_place(m->d, joint, side);
-    return yk_derive_at(m->d, place.body, place.point);
+    return yk_derive_at(m->d, place.point);
 }
 
 // Returns the unit vector along a slide's line in the world, forwards for its second body.

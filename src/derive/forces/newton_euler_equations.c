@@ -72,7 +72,7 @@ const YkPoisson *yk_derive_projected(const YkDeriveForces *f, size_t coordinate)
     }
     for (size_t k = 0; k < f->junction_count; k++) {
         YkDerivePlace place = f->junctions[k].place;
-        const YkPoisson *at = yk_derive_position(d, place.body, yk_derive_at(d, place.body, place.point));
+        const YkPoisson *at = yk_derive_position(d, place.body, yk_derive_at(d, place.point));
         const YkPoisson *shift = partial_position(f, at, coordinate);
         works[count++] = yk_ring_multiply(ring, yk_ring_conjugate(ring, shift), f->junctions[k].force);
     }
@@ -100,8 +100,8 @@ const YkPoisson *yk_derive_generalised(const YkDeriveForces *f, const YkDeriveLo
 static const YkPoisson *across(YkDerivation *d, const YkDeriveLoop *loop)
 {
     YkDerivePlace first = yk_derive_place(d, loop->joint, 0), second = yk_derive_place(d, loop->joint, 1);
-    const YkPoisson *from = yk_derive_position(d, first.body, yk_derive_at(d, first.body, first.point));
-    const YkPoisson *to = yk_derive_position(d, second.body, yk_derive_at(d, second.body, second.point));
+    const YkPoisson *from = yk_derive_position(d, first.body, yk_derive_at(d, first.point));
+    const YkPoisson *to = yk_derive_position(d, second.body, yk_derive_at(d, second.point));
     const YkPoisson *line = yk_ring_multiply(d->ring, d->bodies[first.body].unit, yk_derive_along(d, loop->joint));
     return yk_ring_cross(d->ring, line, yk_ring_subtract(d->ring, to, from));
 }

@@ -165,10 +165,10 @@ static void check_gears(Planets *p)
     }
 }
 
-// Refuses a planet on which more acts than gears.
+// Refuses a planet on which something besides gears acts.
 static void act(Planets *p, int32_t body)
 {
-    if (body != YK_NONE && p->of[body].copies > 0) refuse(&p->of[body], "more than gears acts on %q");
+    if (body != YK_NONE && p->of[body].copies > 0) refuse(&p->of[body], "something besides gears acts on %q");
 }
 
 static void check_neighbours(Planets *p)

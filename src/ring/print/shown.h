@@ -155,7 +155,14 @@ static inline int64_t yk_surd_square(unsigned surd) // 2, 3 or 6
     return (surd & YK_UNIT_SQRT2 ? 2 : 1) * (surd & YK_UNIT_SQRT3 ? 3 : 1);
 }
 // Writes a symbol's name.
-void yk_write_name(YkRing *ring, int32_t symbol, YkRingFormat format, YkText *text);
+static inline void yk_write_name(YkRing *ring, int32_t symbol, YkRingFormat format, YkText *text)
+{
+    const YkRingSymbol *named = &ring->symbols[symbol];
+    if (format == YK_RING_TEXT || format == YK_RING_BOOK)
+        yk_text_add_padded(text, named->name, named->name_length); // an arena's memory comes in multiples of 16 bytes
+    else
+        yk_text_puts(text, yk_ring_name_in(ring, symbol, format));
+}
 void yk_write_mathml(const YkSheet *sheet, const YkShow *sum, YkText *text);
 // The angle of a function: its terms in order, each with sign and multiple, including pi.
 typedef struct YkAngleShown {

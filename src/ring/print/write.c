@@ -32,15 +32,6 @@ static void put_whole(const Pen *pen, int64_t value)
     if (pen->format == YK_RING_C) yk_text_puts(pen->text, ".0");
 }
 
-void yk_write_name(YkRing *ring, int32_t symbol, YkRingFormat format, YkText *text)
-{
-    const YkRingSymbol *named = &ring->symbols[symbol];
-    if (format == YK_RING_TEXT || format == YK_RING_BOOK)
-        yk_text_add_padded(text, named->name, named->name_length); // an arena's memory comes in multiples of 16 bytes
-    else
-        yk_text_puts(text, yk_ring_name_in(ring, symbol, format));
-}
-
 static void put_name(const Pen *pen, int32_t symbol)
 {
     size_t start = pen->text->length;
