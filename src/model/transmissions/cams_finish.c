@@ -65,8 +65,7 @@ static void warn_of_place(YkLoader *loader, const YkCam *cam)
     YkVec arm = yk_sub(model->points[cam->point].at, pin->at[pin->body[0] == cam->follower ? 0 : 1]);
     YkVec at = yk_add(cam->pivot, arm);
     double found = yk_norm(at);
-    // The law's positive direction leads away from the cam.
-    bool is_lifted = cam->swing * yk_dot(at, yk_quarter(arm)) > 0;
+    bool is_lifted = cam->away * yk_dot(at, yk_quarter(arm)) > 0;
     if (fabs(found - asked) <= 1e-4 * asked && is_lifted) return;
     YkText words = {0};
     yk_text_format(&words, "%s", length_text(loader, found));
