@@ -13,7 +13,7 @@ MACHINE = """\
 name: Cam
 units: {length: mm, angle: deg, force: N}
 gravity: [-500, %(up)d*9810]
-parameters: {n: 240 rpm, W: %(way)d}
+parameters: {n: 240 rpm}
 %(laws)s
 cams:
   c: {cam: shaft, follower: rocker, base: 45, %(cam)s}
@@ -25,7 +25,7 @@ joints:
   O: {pin: %(shaft)s, angle: theta}
   Q: {pin: %(pin)s, angle: phi}
 drives: {theta: n * t}
-springs: {k: {along: phi, stiffness: %(stiffness)g N*m/rad, angle: -W*20}}
+springs: {k: {along: phi, stiffness: %(stiffness)g N*m/rad, angle: %(way)d*-20}}
 """
 STROKES = """\
 laws:
@@ -47,7 +47,7 @@ laws:
       - {rise: {to: 330, by: 12 deg, law: 4-5-6-7}}
       - {dwell: {to: 360}}"""
 FORMULA = """\
-laws: {swing: {period: 360, segments: [{formula: {to: 360, s: W*15 deg*(3 - 4*cos(x) + cos(2*x))/8}}]}}"""
+laws: {swing: {period: 360, segments: [{formula: {to: 360, s: %(way)d*15 deg*(3 - 4*cos(x) + cos(2*x))/8}}]}}"""
 # name: laws, keys of the cam
 WITH_POINT = {
     "roller": (STROKES, "law: swing, at: P, roller: 10"),
@@ -73,10 +73,10 @@ LIFTS = {"s", "v", "a", "j", "p", "lift", "size", "preload", "preload_needed"}  
 class Mirror(Case):
     def machine(self, kind, up, has_negative_law, stiffness=30):
         laws, cam = kind
-        words = {"up": up, "way": -1 if has_negative_law else 1, "laws": laws, "stiffness": stiffness,
+        words = {"up": up, "way": -1 if has_negative_law else 1, "stiffness": stiffness,
                  "shaft": "[ground, shaft]" if up > 0 else "[shaft, ground]",
                  "pin": "[ground, rocker]" if up > 0 or has_negative_law else "[rocker, ground]"}
-        text = MACHINE % dict(words, cam=cam % words)
+        text = MACHINE % dict(words, laws=laws % words, cam=cam % words)
         if has_negative_law:  # what rose falls
             text = re.sub("(rise|fall)(?=: )", lambda word: {"rise": "fall", "fall": "rise"}[word[0]], text)
         if "at: E" in cam:  # without a roller, 45 mm from the centre

@@ -402,8 +402,8 @@ static void shapes_are_those_of_the_cam_verb(void **state)
                  "cams: {c: {cam: shaft, follower: f, law: lift, %s}}\n"
                  "bodies:\n  shaft: {points: {O: [0, 0]}}\n%s"
                  "joints:\n  O: {pin: [ground, shaft], angle: theta}\n  %s\n",
-                 kinds[k].goes_below ? "fall" : "rise", is_angle ? "rad" : "m",
-                 kinds[k].goes_below ? "rise" : "fall", is_angle ? "rad" : "m", kinds[k].cam,
+                 kinds[k].goes_below ? "fall" : "rise", is_angle ? "rad" : "m", kinds[k].goes_below ? "rise" : "fall",
+                 is_angle ? "rad" : "m", kinds[k].cam,
                  is_angle ? kinds[k].points : "  ground: {points: {O: [0, 0]}}\n  f: {}\n", kinds[k].joints);
         Machine m = machine_of(text);
         check_shape(&m, kinds[k].has_roller);

@@ -23,7 +23,7 @@ YkCamShape yk_cam_shape_of(const YkCam *cam)
                         .oscillates = cam->oscillates,
                         .turn = cam->turn,
                         .swing = cam->away,
-                        .sign = cam->oscillates ? cam->swing * cam->away : 1,
+                        .sign = cam->swing * cam->away,
                         .base = cam->base,
                         .roller = cam->roller,
                         .offset = cam->offset,

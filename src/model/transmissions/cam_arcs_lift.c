@@ -7,6 +7,7 @@
 #include "elementary/elementary.h"
 #include "expr/jet.h"
 #include "model/transmissions/cam_arcs.h"
+#include "model/transmissions/cam_place.h"
 
 typedef struct Turning {
     YkSeries x, y;
@@ -144,13 +145,6 @@ bool yk_cam_contact_lift(const void *context, double angle, double d[YK_LAW_ORDE
     return true;
 }
 
-// Returns the angle at which f cos(angle - that of f) has this value, on the side where turning in the sense `away`
-// makes it grow.
-static double angle_of(YkVec f, double value, double away)
-{
-    return yk_atan2(f.y, f.x) - away * yk_acos(value / yk_norm(f));
-}
-
 static double argument(YkVec v)
 {
     return yk_atan2(v.y, v.x);
@@ -161,13 +155,12 @@ double yk_cam_contact_angle(const YkCam *cam, YkVec point, YkVec normal)
     YkVec c = yk_add(point, yk_scale(cam->roller, normal)), C;
     double distance = yk_norm(c), a = cam->arm;
     if (cam->face == YK_CAM_FACE_FLAT) {
-        double nu = cam->oscillates ? angle_of(cam->pivot, yk_dot(point, normal) + cam->offset, cam->away)
+        double nu = cam->oscillates ? yk_cam_face_angle(cam->pivot, yk_dot(point, normal) + cam->offset, cam->away)
                                     : argument(cam->along);
         return cam->turn * (nu - argument(normal));
     }
     if (cam->oscillates) {
-        double f = yk_norm(cam->pivot);
-        C = yk_scale(a, yk_unit(angle_of(cam->pivot, ((distance - a) * (distance + a) - f * f) / (2 * a), cam->away)));
+        C = yk_scale(a, yk_unit(yk_cam_arm_angle(cam->pivot, a, distance, cam->away)));
         C = yk_add(cam->pivot, C);
     } else {
         double y = sqrt((distance - cam->offset) * (distance + cam->offset));

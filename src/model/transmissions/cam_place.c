@@ -9,8 +9,7 @@ enum { LIFT_SAMPLES = 720 };
 // The angle nu at which f cos(nu - gamma) has this value, on the side where turning in the sense `away` makes it grow.
 double yk_cam_face_angle(YkVec pivot, double distance, double away)
 {
-    double gamma = yk_atan2(pivot.y, pivot.x), off = yk_acos(distance / yk_norm(pivot));
-    return away > 0 ? gamma - off : gamma + off;
+    return yk_atan2(pivot.y, pivot.x) - away * yk_acos(distance / yk_norm(pivot));
 }
 
 // Arm, centres and distance R form a triangle with R^2 = f^2 + a^2 + 2 a f cos(psi - gamma).
@@ -39,8 +38,7 @@ bool yk_cam_pair_holds(const YkCam *cam)
     YkVec arm;
     if (!cam->oscillates) return cam->other_span > sqrt(fmax(reach * reach - aside * aside, 0));
     if (!yk_cam_touch(cam, &arm)) return true; // nothing tells
-    arm = yk_mul(yk_scale(cam->other_arm / cam->arm, yk_unit(cam->other_angle)), arm);
-    return cam->away * yk_dot(yk_add(cam->pivot, arm), yk_quarter(arm)) < 0;
+    return cam->away * yk_cross(yk_mul(yk_unit(cam->other_angle), arm), cam->pivot) < 0;
 }
 
 static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
@@ -50,26 +48,24 @@ static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
     if (!cam->offset_expr) cam->offset = yk_dot(apart, yk_scale(-1, yk_quarter(cam->along)));
 }
 
-// Returns the sense in which the follower leaves the cam: that of a growing lift, unless the arm lies on the other side
-// and the law goes below 0 too. Arcs have no law yet, and theirs follows the arm.
-static double away_of(const YkModel *model, const YkCam *cam, YkVec arm)
+// Returns whether a falling lift leads away from the cam: the arm lies on that side, and the law goes below 0. Arcs have
+// no law yet, and theirs follows the arm.
+static bool falls_away(const YkModel *model, const YkCam *cam, YkVec arm)
 {
     const YkLaw *law = cam->law == YK_NONE ? NULL : model->laws[cam->law].law;
-    bool is_there = cam->swing * yk_dot(yk_add(cam->pivot, arm), yk_quarter(arm)) < 0;
-    return is_there && !(law && yk_cam_lowest_lift(law) > -1e-9) ? -cam->swing : cam->swing;
+    return cam->swing * yk_cross(arm, cam->pivot) < 0 && !(law && yk_cam_lowest_lift(law) > -1e-9);
 }
 
 // Finds arm and centres from points or keys; if two pins share one place, the file gives their distance.
 static void place_pivot(const YkModel *model, const YkJoint *pin, YkVec apart, YkCam *cam)
 {
     cam->pivot = apart;
-    cam->away = cam->swing;
     cam->is_apart = yk_norm(apart) > 1e-12 * (cam->base + cam->roller);
     if (cam->point != YK_NONE) {
         int side = pin->body[0] == cam->follower ? 0 : 1;
         YkVec arm = yk_sub(model->points[cam->point].at, pin->at[side]);
         cam->arm = yk_norm(arm);
-        cam->away = away_of(model, cam, arm);
+        if (falls_away(model, cam, arm)) cam->away = -cam->swing;
     }
     if (!cam->centers_expr)
         cam->centers = yk_norm(apart);
@@ -84,7 +80,7 @@ void yk_cam_place(const YkModel *model, YkCam *cam)
     int pin_side = pin->body[0] == cam->carrier ? 0 : 1, guide_side = guide->body[0] == cam->carrier ? 0 : 1;
     YkVec apart = yk_sub(guide->at[guide_side], pin->at[pin_side]);
     cam->turn = pin_side == 0 ? 1 : -1;
-    cam->swing = guide_side == 0 ? 1 : -1;
+    cam->away = cam->swing = guide_side == 0 ? 1 : -1;
     if (cam->oscillates)
         place_pivot(model, guide, apart, cam);
     else
