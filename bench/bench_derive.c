@@ -1,5 +1,5 @@
-// A whole derivation: the frame, all sections that `yoke derive` prints when none is named, and the page in text, from a
-// compiled machine; and the free bodies of a ladder of four-bars, as the command streams them.
+// A whole derivation: the frame, all sections that `yoke derive` prints when none is named, and the page in text, from
+// a compiled machine; and the free bodies of a ladder of four-bars, as the command streams them.
 #include <stdlib.h>
 #include <string.h>
 #include "derive/derive.h"

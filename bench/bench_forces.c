@@ -1,5 +1,5 @@
-// Forces: input torque and all reactions of the quick-return with masses, in batches and one pose a call, against Newton
-// and Euler by hand; a study of a million slider-cranks.
+// Forces: input torque and all reactions of the quick-return with masses, in batches and one pose a call, against
+// Newton and Euler by hand; a study of a million slider-cranks.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -30,7 +30,7 @@ endfunction()
 # Sets OUT to the files of src that tests compile anew, in place of the library's: these must stay objects of their own.
 function(yoke_tested_alone out)
   set(alone "")
-  file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/*/*.[ch])
+  file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/*.h ${CMAKE_SOURCE_DIR}/tests/*/*.[ch])
   foreach(test IN LISTS tests)
     file(STRINGS ${test} lines REGEX "^#include \"(\\.\\./)+src/[^\"]*\\.c\"")
     foreach(line IN LISTS lines)

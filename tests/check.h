@@ -19,8 +19,9 @@
 #define IS_SANITIZED 1
 #endif
 
-// Returns how many of a test's random cases to run: all, or a tenth under the sanitizers, which look for faults of memory and of
-// arithmetic, not of answers, and find them in the first cases or not at all, and where branches are counted.
+// Returns how many of a test's random cases to run: all, or a tenth under the sanitizers, which look for faults of
+// memory and of arithmetic, not of answers, and find them in the first cases or not at all, and where branches are
+// counted.
 static inline uint64_t check_cases(uint64_t all)
 {
 #if defined(IS_SANITIZED) || defined(YOKE_COVERAGE)

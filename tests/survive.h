@@ -3,9 +3,9 @@
 #define TESTS_SURVIVE_H
 #include "interposed.h"
 
-// Makes `call` again and again while its k-th allocation fails, every one at first and then some, until it needs no more than k.
-// The call returns whether it succeeded, checks its own answer, and has freed everything that it made. It must succeed where no
-// allocation failed, and fail where one did: no answer is given that lacks something.
+// Makes `call` again and again while its k-th allocation fails, every one at first and then some, until it needs no
+// more than k. The call returns whether it succeeded, checks its own answer, and has freed everything that it made. It
+// must succeed where no allocation failed, and fail where one did: no answer is given that lacks something.
 static inline void survive(bool (*call)(void *context), void *context, const char *name)
 {
     assert_true(call(context)); // what is made once, by the first call of all, does not count

@@ -1,8 +1,10 @@
-// Finds the start system of Alt's problem by monodromy, and writes src/synthesis/nine_points/alt_start_table.c. See tools/find-alt-start.
+// Finds the start system of Alt's problem by monodromy, and writes src/synthesis/nine_points/alt_start_table.c. See
+// tools/find-alt-start.
 //
-// A random complex linkage is turned to eight random places, which makes it a solution of the nine-point problem there. It is
-// led to places with few digits, and then round random triangles of places: the solutions permute, and every round shows
-// new ones, one of each triple of cognates being kept. It ends when a round shows none, by when there must be 1,442 of them.
+// A random complex linkage is turned to eight random places, which makes it a solution of the nine-point problem there.
+// It is led to places with few digits, and then round random triangles of places: the solutions permute, and every
+// round shows new ones, one of each triple of cognates being kept. It ends when a round shows none, by when there must
+// be 1,442 of them.
 // Source of the method: Duff, Hill, Jensen, Lee, Leykin & Sommars 2019; of the number: Wampler, Morgan & Sommese 1992.
 #include <inttypes.h>
 #include <pthread.h>

@@ -1,7 +1,6 @@
 // Certificates of motions.
 #include "certify.h"
 #include <math.h>
-#include <string.h>
 #include "answer.h"
 
 bool yk_certify_begin(YkSession *session)

@@ -4,7 +4,7 @@
 #include "session.h"
 #include "write/json.h"
 
-// Makes session->certifier, unless --trust is given; returns false when out of memory. Call it once, with session->mech.
+// Makes session->certifier unless --trust is given. Returns false when out of memory. Call it once, with session->mech.
 bool yk_certify_begin(YkSession *session);
 void yk_certify_end(YkSession *session);
 // Lets it watch session->state from here on.

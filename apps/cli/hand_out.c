@@ -1,4 +1,4 @@
-// Gives out pieces by demand and takes them in their order: what follows from a piece is decided as it is by one process.
+// Gives out pieces on demand and takes them in order, so that what follows from a piece is decided as by one process.
 #include "hand_out.h"
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #define CLI_HELD_PLACES_H
 #include "cli.h"
 
-// Warns of every coordinate that the engaged lock holds at 0 while the machine without the lock starts elsewhere (W0618).
+// Warns (W0618) of every coordinate that the engaged lock holds at 0 while the machine without it starts elsewhere.
 void yk_warn_of_held_places(YkSession *session);
 
 #endif

@@ -1,4 +1,4 @@
-// What the plugin yoke-mpi gives the command: messages between ranks, and nothing else.
+// The functions that the plugin yoke-mpi gives the command: messages between ranks, and nothing else.
 #ifndef CLI_RANKS_TABLE_H
 #define CLI_RANKS_TABLE_H
 #include <stdbool.h>

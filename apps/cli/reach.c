@@ -1,8 +1,6 @@
 // Moves the machine from the pose in which it was assembled to the one that was asked for.
 #include "reach.h"
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "answer.h"
 #include "certify.h"
 #include "stop.h"

@@ -1,7 +1,6 @@
 // Explains why the machine cannot get to the requested pose.
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "answer.h"
 #include "reach.h"
 #include "roll.h"

@@ -4,7 +4,7 @@
 #include <yoke/configurations.h>
 #include "session.h"
 
-// What a session keeps of them.
+// Kept of them by a session.
 struct YkRolls {
     YkConfigurations *configurations;
     double deadline; // --within; 0: none

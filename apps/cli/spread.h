@@ -1,4 +1,4 @@
-// What ranks that share work say to each other, and how they begin and end together. Rank 0 conducts, all others serve.
+// The messages of ranks that share work, and how they begin and end together. Rank 0 conducts, all others serve.
 #ifndef CLI_SPREAD_H
 #define CLI_SPREAD_H
 #include <stdint.h>
@@ -25,8 +25,8 @@ typedef struct YkSpreadRows {
 } YkSpreadRows;
 typedef enum YkSpreadReason { YK_SPREAD_STOPPED, YK_SPREAD_MEMORY } YkSpreadReason; // of LOST, an int32_t
 
-// Rank 0: receives the greeting of a rank and refuses one of another make with a problem. `what` is "study", and `files` the
-// files that it reads.
+// Rank 0: receives the greeting of a rank and refuses one of another make with a problem. `what` is "study", and
+// `files` the files that it reads.
 bool yk_spread_hear_hello(YkSession *session, int rank, uint64_t signature, const char *what, const char *files);
 // Takes LOST: returns whether the rank was told to stop; otherwise it ran out of memory, which becomes a problem.
 bool yk_spread_hear_lost(YkSession *session, int rank);

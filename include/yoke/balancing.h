@@ -25,9 +25,10 @@ typedef struct YkShakingPeaks {
     double force, moment, torque;
 } YkShakingPeaks;
 
-// A part of the shaking force: at `order` times the rate of the input one part turns with the input and another one against
-// it; together they draw an ellipse. A counterweight on the input's body changes the first order's part that turns with it,
-// and nothing else; the other parts need weights on wheels that turn as fast as they do (Lanchester's balancer).
+// A part of the shaking force: at `order` times the rate of the input one part turns with the input and another one
+// against it; together they draw an ellipse. A counterweight on the input's body changes the first order's part that
+// turns with it, and nothing else; the other parts need weights on wheels that turn as fast as they do (Lanchester's
+// balancer).
 typedef struct YkShakingOrder {
     double with, against; // N
     double direction;     // of the ellipse's long axis, of length with + against, in the world, rad
@@ -45,11 +46,11 @@ typedef struct YkCounterweight {
 } YkCounterweight;
 
 typedef struct YkBalancing YkBalancing;
-// Finds counterweights: on the bodies pinned to the ground, and where these do not suffice on others. The state is solved
-// and has one input, whose rate, or 1, is that of the cycle. They are a least-squares fit over the cycle's poses, which is
-// exact where a full balance of force exists. With weights, only bodies pinned to the ground get counterweights, and these make
-// the weighted sum of mean squares least. Returns NULL with a problem otherwise. Source: Berkof & Lowen 1969 (four-bars);
-// Tepper & Lowen 1972 (when a full balance exists).
+// Finds counterweights: on the bodies pinned to the ground, and where these do not suffice on others. The state is
+// solved and has one input, whose rate, or 1, is that of the cycle. They are a least-squares fit over the cycle's
+// poses, which is exact where a full balance of force exists. With weights, only bodies pinned to the ground get
+// counterweights, and these make the weighted sum of mean squares least. Returns NULL with a problem otherwise. Source:
+// Berkof & Lowen 1969 (four-bars); Tepper & Lowen 1972 (when a full balance exists).
 YK_API YkBalancing *yk_balancing_new(const YkState *state, const YkBalancingOptions *options, YkProblems *problems);
 YK_API void yk_balancing_free(YkBalancing *balancing);
 YK_API bool yk_balancing_is_full(const YkBalancing *balancing); // the centre of mass stands still

@@ -1,9 +1,9 @@
-// Studies in blocks, for whoever distributes them - over processes, machines or nights: designs by their numbers, a block
-// of them as rows, and a file of blocks that goes on where it was left.
+// Studies in blocks, for whoever distributes them - over processes, machines or nights: designs by their numbers, a
+// block of them as rows, and a file of blocks that goes on where it was left.
 //
 // A row is a design: the values of its parameters, its status (yoke/status.h), its number of valid poses, then its
-// answers: the channels at one pose; or least, largest, mean and range of each channel over all poses. What is not valid
-// is NaN, beside a status that says why. A row depends on nothing but the study and its own number.
+// answers: the channels at one pose; or least, largest, mean and range of each channel over all poses. What is not
+// valid is NaN, beside a status that says why. A row depends on nothing but the study and its own number.
 #ifndef YOKE_BLOCKS_H
 #define YOKE_BLOCKS_H
 
@@ -43,7 +43,8 @@ YK_API size_t yk_study_row_width(const YkStudy *study, const YkRowCase *asked);
 YK_API YkStatus yk_study_rows(YkStudy *study, const YkRowCase *asked, uint64_t from, size_t count, double *rows);
 
 // A file that keeps the rows of a study, block after block in the order of the designs, each block with a checksum. It
-// holds doubles as this machine stores them: another kind of processor cannot read it. One process at a time may open it.
+// holds doubles as this machine stores them: another kind of processor cannot read it. One process at a time may open
+// it.
 typedef struct YkBlocks YkBlocks;
 typedef struct YkBlocksOptions {
     uint64_t signature; // a hash of all that decides the rows; it tells this study from any other

@@ -120,8 +120,8 @@ typedef struct YkCamCondition {
 YK_API size_t yk_cam_segment_count(const YkCamDesign *design);
 YK_API YkCamSegment yk_cam_segment(const YkCamDesign *design, size_t segment);
 YK_API YkCamCondition yk_cam_condition(const YkCamDesign *design, size_t segment, size_t condition);
-// Finds jumps of s, v, a where segments join (fundamental law of cam design). Writes `capacity` of them at most. Returns
-// how many there are.
+// Finds jumps of s, v, a where segments join (fundamental law of cam design). Writes `capacity` of them at most.
+// Returns how many there are.
 typedef struct YkCamJump {
     double angle; // of the cam, rad
     int order;    // of the derivative that jumps

@@ -1,4 +1,4 @@
-// Centrodes: the paths of the instant centre of two bodies on each of them. As the machine moves, they roll on each other.
+// Centrodes: the paths of the instant centre of two bodies on each of them, which roll on each other in the motion.
 #ifndef YOKE_CENTRODES_H
 #define YOKE_CENTRODES_H
 
@@ -18,7 +18,8 @@ typedef struct YkCentrodePoint {
 typedef struct YkCentrodes YkCentrodes;
 // Follows the instant centre of two bodies through a cycle of the machine's one input, from the pose of `state`: once
 // round, or through most of the range in which it closes. `steps`: of the cycle. Returns NULL with a problem added if
-// the machine has not one freedom, if both bodies are the same, or when out of memory. Cost: a verified move for each step.
+// the machine has not one freedom, if both bodies are the same, or when out of memory. Cost: a verified move for each
+// step.
 YK_API YkCentrodes *yk_centrodes_new(const YkState *state, size_t first, size_t second, size_t steps,
                                      YkProblems *problems);
 YK_API void yk_centrodes_free(YkCentrodes *centrodes);

@@ -3,7 +3,8 @@
 // Dyads are solved in closed form, and every motion knows when they come to a change point. Larger groups are solved by
 // Newton's method from the pose before, which by itself could come to another solution. A certifier proves that it did
 // not: between two poses Krawczyk's operator, rounded outward, shows that everything up to the last group has
-// exactly one solution in a tube about the way, and that both poses are in it. docs/configurations.md has the mathematics.
+// exactly one solution in a tube about the way, and that both poses are in it. docs/configurations.md has the
+// mathematics.
 #ifndef YOKE_CERTIFICATE_H
 #define YOKE_CERTIFICATE_H
 
@@ -37,11 +38,11 @@ typedef struct YkMotionCertificate {
     double from_time, to_time; // equal if the motion is not one through time, s
     bool has_run_out;          // of memory, on the way: nothing is proved
 } YkMotionCertificate;
-// Tells what is proved of the motions so far. Between two verified poses, which in sweeps and moves are at most turn_max apart,
-// all inputs are taken to go straight; over time, where that is too far from cubics through their positions and rates at both
-// poses, along chords of these. A move that goes round a limit is proved along the way that it found; ways that it tried in
-// vain do not count. What a state does between two motions (yk_state_solve, yk_state_assemble, other values of a variant) is
-// not proved.
+// Tells what is proved of the motions so far. Between two verified poses, which in sweeps and moves are at most
+// turn_max apart, all inputs are taken to go straight; over time, where that is too far from cubics through their
+// positions and rates at both poses, along chords of these. A move that goes round a limit is proved along the way that
+// it found; ways that it tried in vain do not count. What a state does between two motions (yk_state_solve,
+// yk_state_assemble, other values of a variant) is not proved.
 YK_API YkMotionCertificate yk_certifier_report(const YkCertifier *certifier);
 
 #ifdef __cplusplus

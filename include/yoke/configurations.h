@@ -35,7 +35,8 @@ typedef struct YkContinuum {
     // directions of each vector of its kernel lead.
     size_t dimension;
     // Proved. The rank bounds the dimension from above. From below it is bounded where loops repeat each other because
-    // bodies keep their angle to each other (as long as dimensions are exact: to 1e-11 of the size); otherwise this is 0.
+    // bodies keep their angle to each other (as long as dimensions are exact: to 1e-11 of the size); otherwise this is
+    // 0.
     size_t at_least, at_most;
     size_t poses; // found along it
     double miss;  // by which their loops miss at most, over the machine's size
@@ -78,9 +79,9 @@ typedef struct YkConfigurationsOptions {
 YK_API YkConfigurationsOptions yk_default_configurations_options(void);
 
 // Visits every configuration at the state's inputs, the first YK_CONFIGURATIONS_SHOWN of them, each as its pose. visit
-// (may be NULL) returns false to stop; the state returns to the configuration it had. options may be NULL. For groups with up
-// to three gears, belts, racks, cams or laws and six unknowns, the space of all angles and distances is divided until each box
-// is proved to hold one pose or none.
+// (may be NULL) returns false to stop; the state returns to the configuration it had. options may be NULL. For groups
+// with up to three gears, belts, racks, cams or laws and six unknowns, the space of all angles and distances is divided
+// until each box is proved to hold one pose or none.
 // Other groups (with more of these, with laws that are not smooth, with constraints that repeat others,
 // or of more than 7 loops) are searched as yk_state_each does, and the report is not complete. Returns YK_OK,
 // YK_NO_ASSEMBLY (with report->complete: proved), YK_STOPPED, or YK_NO_MEMORY.
@@ -91,8 +92,8 @@ YK_API YkStatus yk_configurations_each(YkConfigurations *configurations, YkState
                                        bool (*visit)(void *context, YkState *state), void *context,
                                        YkConfigurationsReport *report);
 
-// Returns the continuum that the configuration being visited stands for, one pose of it for all; or NULL. It is looked for
-// where a dyad is singular, or a group is not proved to be complete.
+// Returns the continuum that the configuration being visited stands for, one pose of it for all; or NULL. It is looked
+// for where a dyad is singular, or a group is not proved to be complete.
 YK_API const YkContinuum *yk_configurations_continuum(const YkConfigurations *configurations);
 
 // Names the configuration that a state with a pose stands in, among those at its inputs: its label and, if several have

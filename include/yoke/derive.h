@@ -13,9 +13,9 @@ extern "C" {
 typedef struct YkDerivation YkDerivation;
 
 // Starts a derivation, with symbols for everything in the model. The model and the mechanism must outlive it. Returns
-// NULL with a problem added when out of memory, or if the file's numbers are too large to be exact. Use it in one thread
-// at a time. Cost: linear in the number of bodies, some microseconds each; everything else is derived when it is first
-// needed.
+// NULL with a problem added when out of memory, or if the file's numbers are too large to be exact. Use it in one
+// thread at a time. Cost: linear in the number of bodies, some microseconds each; everything else is derived when it is
+// first needed.
 YK_API YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems);
 YK_API void yk_derivation_free(YkDerivation *derivation);
 // Lets `progress` watch the pages and checks that follow (<yoke/progress.h>). After one of them was stopped, the
@@ -59,8 +59,8 @@ YK_API YkPageOptions yk_default_page_options(void); // text, all sections, no va
 YK_API YkStatus yk_derivation_page(YkDerivation *derivation, const YkPageOptions *options, YkProblems *problems);
 YK_API const char *yk_derivation_text(const YkDerivation *derivation); // of the last page; lives until the next
 
-// The kinds of verdict. A verdict rests on several tests: as an identity; by numbers at random poses; exactly, at random
-// points of the machine's motion over a prime field; and by numbers on machines with other dimensions.
+// The kinds of verdict. A verdict rests on several tests: as an identity; by numbers at random poses; exactly, at
+// random points of the machine's motion over a prime field; and by numbers on machines with other dimensions.
 typedef enum YkCheckKind {
     YK_CHECK_TRUE,        // for all dimensions
     YK_CHECK_TRUE_HERE,   // with this file's numbers; the verdict says what is known about others

@@ -35,8 +35,8 @@ typedef struct YkStroke {
     double low_at, high_at; // input angles there, rad, to 1e-9
     double ratio;           // input angle of the slower stroke over the faster one, >= 1
 } YkStroke;
-// Sweeps the input once round from the state's pose, and leaves the state elsewhere. Returns YK_OK; YK_LIMIT if the input cannot
-// turn through; YK_BAD_ARGUMENT if it does not turn at all (a distance) or
+// Sweeps the input once round from the state's pose, and leaves the state elsewhere. Returns YK_OK; YK_LIMIT if the
+// input cannot turn through; YK_BAD_ARGUMENT if it does not turn at all (a distance) or
 // the channel does not have exactly two extremes.
 YK_API YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *stroke);
 

@@ -1,5 +1,5 @@
-// Dragging: moves a point of a body towards a target as far as the machine allows, by continuous motion from its present
-// pose, and never on another branch.
+// Dragging: moves a point of a body towards a target as far as the machine allows, by continuous motion from its
+// present pose, and never on another branch.
 #ifndef YOKE_DRAG_H
 #define YOKE_DRAG_H
 
@@ -34,8 +34,8 @@ typedef struct YkDragged {
 
 // Drags the point towards target[2], world axes, m. With one free input the state ends at the first pose from which the
 // distance would grow, or at the end of the motion, to 1e-9 of the input. With several it follows the descent of the
-// distance. At stops and limits it slides along just inside them, as long as that soon brings it nearer, and may give up
-// (SPENT) before the nearest of their poses. Returns YK_OK, wherever it ended; YK_STOPPED (yk_state_set_progress);
+// distance. At stops and limits it slides along just inside them, as long as that soon brings it nearer, and may give
+// up (SPENT) before the nearest of their poses. Returns YK_OK, wherever it ended; YK_STOPPED (yk_state_set_progress);
 // YK_BAD_ARGUMENT for a target that is not finite or a state without a pose. Allocates nothing. Cost with one free
 // input: a few solutions every 8 degrees of the way; with n free inputs, n solutions a step, at most 300 steps.
 YK_API YkStatus yk_state_drag(YkDrag *drag, const double target[2], YkDragged *dragged);

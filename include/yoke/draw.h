@@ -30,8 +30,8 @@ YK_API void yk_drawing_free(YkDrawing *drawing);
 // YK_NO_MEMORY.
 YK_API YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state);
 YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state);
-// Adds instant centres, those of the last pose: marks with the names of both bodies, with the lines of Kennedy's theorem;
-// centres far away or at infinity are told below. NULL: none. Returns YK_OK or YK_NO_MEMORY.
+// Adds instant centres, those of the last pose: marks with the names of both bodies, with the lines of Kennedy's
+// theorem; centres far away or at infinity are told below. NULL: none. Returns YK_OK or YK_NO_MEMORY.
 YK_API YkStatus yk_drawing_centers(YkDrawing *drawing, const YkCenters *centers);
 // Adds centrodes, as they lie at the last pose: the first body's solid, the second's dashed. What lies farther than the
 // machine's size from it is left out. Returns YK_OK or YK_NO_MEMORY.

@@ -35,7 +35,7 @@ typedef enum YkMethod {
 // sets them, solves the state again, then finds all reactions and efforts. Returns YK_OK; YK_REDUNDANT with least-norm
 // reactions; YK_SINGULAR at a dead point or for a freedom without inertia (see the report); YK_CHANGE_POINT at a pose
 // whose rates are limits, which stay. Allocates nothing, except at the first pose of a variant's design.
-// Cost: linear for trees, chains of loops and ladders.
+// Cost: linear for trees, chains of loops and ladders; of many poses one a call, yk_batch_run takes a tenth of it.
 YK_API YkStatus yk_dynamics_solve(YkDynamics *dynamics, YkState *state, YkMethod method);
 // Finds only the accelerations, the fast part of the above: accelerations[input], prescribed ones too. The state's
 // answers are undefined until it is solved again.
@@ -50,13 +50,13 @@ typedef struct YkReaction {
     double at[2];    // the joint's point in the world, m
     bool is_determinate; // false: one of many, the least in norm, or without the dry friction of joints at rest
 } YkReaction;
-// Returns the reaction of a joint. Where equal planets share a load (`planets: N` of gears), the forces at the pin and at
-// the teeth are those on the one planet that the file describes.
+// Returns the reaction of a joint. Where equal planets share a load (`planets: N` of gears), the forces at the pin and
+// at the teeth are those on the one planet that the file describes.
 YK_API YkReaction yk_dynamics_reaction(const YkDynamics *dynamics, size_t joint);
-// Contacts are what gears, racks, belts and cams transmit: the force that their first body exerts on their second (wheel,
-// rack, pulley, follower), at the pitch point or where the cam touches. Where that place is not known, as for belts and
-// for wheels whose centres are not points, the contact is a couple about the body's centre of mass. Names live as long as
-// the mechanism.
+// Contacts are what gears, racks, belts and cams transmit: the force that their first body exerts on their second
+// (wheel, rack, pulley, follower), at the pitch point or where the cam touches. Where that place is not known, as for
+// belts and for wheels whose centres are not points, the contact is a couple about the body's centre of mass. Names
+// live as long as the mechanism.
 YK_API size_t yk_dynamics_contact_count(const YkDynamics *dynamics);
 YK_API const char *yk_dynamics_contact_name(const YkDynamics *dynamics, size_t contact);
 YK_API YkReaction yk_dynamics_contact(const YkDynamics *dynamics, size_t contact);
@@ -93,7 +93,8 @@ typedef struct YkWrench {
 } YkWrench;
 YK_API YkWrench yk_dynamics_shaking(const YkDynamics *dynamics);
 // A body's free-body balance about its centre of mass (its origin if it has no mass): loads (gravity, forces, springs,
-// friction, efforts) + reactions = inertia; `residual` is the difference, over the largest force.
+// friction, efforts) + reactions = inertia; `residual` is the difference, over the largest force (or 1 where all are
+// 0).
 typedef struct YkBalance {
     YkWrench loads, reactions, inertia;
     double residual;

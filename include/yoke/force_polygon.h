@@ -1,4 +1,4 @@
-// Force polygons, as they are drawn by hand: all forces on a body head to tail, closed by its inertia force (d'Alembert).
+// Force polygons, as drawn by hand: all forces on a body head to tail, closed by its inertia force (d'Alembert).
 #ifndef YOKE_FORCE_POLYGON_H
 #define YOKE_FORCE_POLYGON_H
 
@@ -40,8 +40,8 @@ YK_API YkForceVector yk_force_polygons_vector(const YkForcePolygons *polygons, s
 // Returns what the polygon of a body says, one body after the other; NULL for an index past the last.
 YK_API size_t yk_force_polygons_step_count(const YkForcePolygons *polygons);
 YK_API const char *yk_force_polygons_step(const YkForcePolygons *polygons, size_t index);
-// Returns the polygons as a picture, an SVG document, each to a scale of its own, with the words below; it lives as long
-// as they do. NULL when out of memory.
+// Returns the polygons as a picture, an SVG document, each to a scale of its own, with the words below; it lives as
+// long as they do. NULL when out of memory.
 YK_API const char *yk_force_polygons_svg(YkForcePolygons *polygons);
 
 #ifdef __cplusplus

@@ -88,8 +88,8 @@ YK_API const double *yk_map_points(const YkMap *map, size_t circuit, size_t bran
 // input it is, has them as limits. Each is found on this map by its pose. If one is not, or that map is not complete,
 // this one is not complete either. Returns YK_OK, YK_BAD_ARGUMENT or YK_NO_MEMORY.
 YK_API YkStatus yk_map_add_dead_points(YkMap *map, const YkMap *other);
-// Adds the dead points of every drive whose coordinate is not an input, by maps of their own. `start` as for yk_map_new.
-// Returns YK_OK, or an error with a problem added: a drive's map cannot be made, or out of memory.
+// Adds the dead points of every drive whose coordinate is not an input, by maps of their own. `start` as for
+// yk_map_new. Returns YK_OK, or an error with a problem added: a drive's map cannot be made, or out of memory.
 YK_API YkStatus yk_map_add_drives(YkMap *map, const YkState *start, YkProblems *problems);
 
 // --- places and ways
@@ -101,16 +101,17 @@ typedef struct YkMapPlace {
 } YkMapPlace;
 // Writes all configurations at a value of the mapped coordinate, `capacity` at most. Returns how many there are.
 YK_API size_t yk_map_places(const YkMap *map, double at, YkMapPlace *places, size_t capacity);
-// Writes the configurations that have these coordinates to about two digits, `capacity` at most: [yk_coordinate_count], NaN
-// for those that are not given; the mapped one must be. Returns how many there are; YK_NOT_FOUND when out of memory.
+// Writes the configurations that have these coordinates to about two digits, `capacity` at most: [yk_coordinate_count],
+// NaN for those that are not given; the mapped one must be. Returns how many there are; YK_NOT_FOUND when out of
+// memory.
 YK_API size_t yk_map_find(YkMap *map, const double *coordinates, YkMapPlace *places, size_t capacity);
 // Returns the machine's own configuration; strand is YK_NOT_FOUND if it was not found on the map.
 YK_API YkMapPlace yk_map_start(const YkMap *map);
 // Writes the coordinates of a configuration: [yk_coordinate_count]. Returns false for a wrong place, or out of memory.
 YK_API bool yk_map_coordinates_at(YkMap *map, YkMapPlace place, double *coordinates);
 // Finds a way from one configuration to another that passes the fewest limits and change points: writes the first, one
-// beside each event on the way (as near as the map is proved), and the last. Returns how many; 0 if no way exists, which
-// is proved if the map is complete; YK_NOT_FOUND when out of memory.
+// beside each event on the way (as near as the map is proved), and the last. Returns how many; 0 if no way exists,
+// which is proved if the map is complete; YK_NOT_FOUND when out of memory.
 YK_API size_t yk_map_way(const YkMap *map, YkMapPlace from, YkMapPlace to, YkMapPlace *way, size_t capacity);
 
 // A drawing of the map: a coordinate over the mapped one, one colour for each circuit, that of the start thick, events

@@ -40,11 +40,11 @@ typedef struct YkMove {
 // Moves a state that has a pose straight to goal[input_count], in all inputs at once; each ends exactly at its goal.
 // Turns are counted; where the motion repeats turn by turn, one turn is followed and the others are counted.
 // Returns YK_OK, YK_REDUNDANT, YK_CHANGE_POINT (the rates are limits of the motion that led there, to about 1e-10, and
-// are lost when the pose is solved anew), YK_SINGULAR (all arrived), YK_LIMIT, YK_STOPPED, YK_NO_MEMORY, YK_BAD_ARGUMENT
-// (no pose, or a goal that is not finite). If it does not arrive, the state is left at the last pose of the straight way,
-// and its report says why; stopped by its progress (yk_state_set_progress), it is where it was before. move: receives how
-// it went, may be NULL. options: NULL for the defaults. Cost: a solution every few degrees of the way, and of as many
-// ways as `detours` says; allocates.
+// are lost when the pose is solved anew), YK_SINGULAR (all arrived), YK_LIMIT, YK_STOPPED, YK_NO_MEMORY,
+// YK_BAD_ARGUMENT (no pose, or a goal that is not finite). If it does not arrive, the state is left at the last pose of
+// the straight way, and its report says why; stopped by its progress (yk_state_set_progress), it is where it was
+// before. move: receives how it went, may be NULL. options: NULL for the defaults. Cost: a solution every few degrees
+// of the way, and of as many ways as `detours` says; allocates.
 YK_API YkStatus yk_state_move_to(YkState *state, const YkMotion *goal, const YkMoveOptions *options, YkMove *move);
 // Moves along the drives from the state's time to `time`, s. Inputs that are held (yk_state_hold_input) or have no
 // drive keep their values. Also returns YK_BAD_MODEL if a drive has no value on the way.

@@ -40,8 +40,8 @@ typedef struct YkPolygonImage {
 } YkPolygonImage;
 
 typedef struct YkPolygon YkPolygon;
-// Constructs a polygon at the pose of a state that has rates (and, for accelerations, accelerations): those of the state
-// itself. Returns NULL with a problem added at a dead point, with `free` joints, or when out of memory.
+// Constructs a polygon at the pose of a state that has rates (and, for accelerations, accelerations): those of the
+// state itself. Returns NULL with a problem added at a dead point, with `free` joints, or when out of memory.
 // Cost: O((points + joints)^2).
 YK_API YkPolygon *yk_polygon_new(const YkState *state, YkPolygonKind kind, YkProblems *problems);
 YK_API void yk_polygon_free(YkPolygon *polygon);

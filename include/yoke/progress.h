@@ -19,9 +19,9 @@
 // own, which is called at every step.
 //
 // All other calls are short. Their cost is linear in the machine, at most some microseconds for each body (states,
-// dynamics, variants, new derivations, drawings of a pose, gear trains), or linear in what is requested at once (batches
-// of poses and of states, rows of a cam; request fewer at a time). If one solution of a huge machine takes longer than a
-// slice, or one group has more than 400 unknowns, that solution is the slice.
+// dynamics, variants, new derivations, drawings of a pose, gear trains), or linear in what is requested at once
+// (batches of poses and of states, rows of a cam; request fewer at a time). If one solution of a huge machine takes
+// longer than a slice, or one group has more than 400 unknowns, that solution is the slice.
 #ifndef YOKE_PROGRESS_H
 #define YOKE_PROGRESS_H
 

@@ -23,9 +23,9 @@ typedef struct YkTilePlane {
     bool has_curves;        // whether the curves are sought too
 } YkTilePlane;
 
-// Where a map gets its tiles (yk_tiles_new) if it does not compute them itself. `get` gives tile `tile` of the `count` that
-// a plane has, as yk_tiles_compute gives it: words that stay until its next call. It is called for the tiles of one plane
-// after the other, and of each in ascending order. It returns YK_OK, or an error, with which the map ends.
+// Where a map gets its tiles (yk_tiles_new) if it does not compute them itself. `get` gives tile `tile` of the `count`
+// that a plane has, as yk_tiles_compute gives it: words that stay until its next call. It is called for the tiles of
+// one plane after the other, and of each in ascending order. It returns YK_OK, or an error, with which the map ends.
 typedef struct YkTileSource {
     YkStatus (*get)(void *context, const YkTilePlane *plane, size_t tile, size_t count, const uint32_t **words,
                     size_t *word_count);
@@ -45,26 +45,27 @@ YK_API YkRegionsOptions yk_default_regions_options(void);
 // which the machine can close, as long as its loops limit them. Progress of the state watches it. options may be NULL.
 // Returns NULL with a problem if the machine has a part that cannot be mapped (the message names it), for two equal
 // coordinates or one that is not an input, or when out of memory or stopped.
-// Cost: some 20 squares for each tolerance's length of the curves, each a proof for every configuration; 3 bytes for each
-// square of the tolerance, so 0.8 GB at 1e-4, and what the curves take.
+// Cost: some 20 squares for each tolerance's length of the curves, each a proof for every configuration; 3 bytes for
+// each square of the tolerance, so 0.8 GB at 1e-4, and what the curves take.
 YK_API YkRegions *yk_regions_new(YkState *start, size_t first, size_t second, const YkRegionsOptions *options,
                                  YkProblems *problems);
 YK_API void yk_regions_free(YkRegions *regions);
 
-// The tiles of a map, for whoever distributes it over threads, processes or machines. A tile is a square of the plane, of
-// which there are some hundreds; it depends on the machine, the plane and its own number alone, so it does not matter who
-// computes it, or when.
+// The tiles of a map, for whoever distributes it over threads, processes or machines. A tile is a square of the plane,
+// of which there are some hundreds; it depends on the machine, the plane and its own number alone, so it does not
+// matter who computes it, or when.
 typedef struct YkTiles YkTiles;
-// Prepares to compute tiles; arguments and errors as for yk_regions_new. The state must outlive them; its progress watches.
+// Prepares to compute tiles, with arguments, progress and errors as for yk_regions_new. The state must outlive them.
 YK_API YkTiles *yk_tiles_new(YkState *start, size_t first, size_t second, YkProblems *problems);
 YK_API void yk_tiles_free(YkTiles *tiles);
 // Computes a tile of a plane: words that stay until the next call. Returns YK_OK, YK_STOPPED, YK_NO_MEMORY, or
-// YK_BAD_ARGUMENT for a tile or a plane that does not exist. Cost: some hundred squares; and for each new plane some thousand.
+// YK_BAD_ARGUMENT for a tile or a plane that does not exist. Cost: some hundred squares; and for each new plane some
+// thousand.
 YK_API YkStatus yk_tiles_compute(YkTiles *tiles, const YkTilePlane *plane, size_t tile, const uint32_t **words,
                                  size_t *word_count);
 
-// Returns whether all that is not proved lies along the curves that were found, and at single places where a dyad of equal
-// links turns freely, which the message names.
+// Returns whether all that is not proved lies along the curves that were found, and at single places where a dyad of
+// equal links turns freely, which the message names.
 YK_API bool yk_regions_are_complete(const YkRegions *regions);
 YK_API const char *yk_regions_message(const YkRegions *regions); // what is proved, or what is not, in one sentence
 YK_API size_t yk_regions_coordinate(const YkRegions *regions, int axis); // 0 or 1

@@ -25,9 +25,10 @@ YK_API YkReportOptions yk_default_report_options(void);
 
 typedef struct YkReportPage YkReportPage;
 // Gathers everything from a state whose inputs are set: its pose or, without one, the configuration nearest to the
-// guesses. Chooses a motion, goes through it and solves the forces. A machine that cannot be assembled also has a report
-// (see yk_report_status). The state's model and mechanism must outlive it. Returns NULL with a problem added when out
-// of memory, or if it was stopped: what watches the state (yk_state_set_progress) watches this call and yk_report_html.
+// guesses. Chooses a motion, goes through it and solves the forces. A machine that cannot be assembled also has a
+// report (see yk_report_status). The state's model and mechanism must outlive it. Returns NULL with a problem added
+// when out of memory, or if it was stopped: what watches the state (yk_state_set_progress) watches this call and
+// yk_report_html.
 // Cost: that of some hundred poses.
 YK_API YkReportPage *yk_report_new(YkState *state, const YkReportOptions *options, YkProblems *problems);
 YK_API void yk_report_free(YkReportPage *report);

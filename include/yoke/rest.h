@@ -21,15 +21,16 @@ YK_API YkRestOptions yk_default_rest_options(void);
 
 typedef struct YkRest YkRest;
 // Searches for equilibria: from `start:` by Newton's method; on all circuits of a machine with one freedom, where the
-// effort of the loads changes sign; and from seeded random poses of all configurations. Returns all that it finds: first
-// that of `start:`, if there is one, then the others by energy. None found is not an error.
+// effort of the loads changes sign; and from seeded random poses of all configurations. Returns all that it finds:
+// first that of `start:`, if there is one, then the others by energy. None found is not an error.
 // The model must outlive the answer. Returns NULL with problems added: no assembly, a freedom without inertia, stopped.
-// Cost: about starts * 20 * freedom^2 evaluations, and for one freedom the machine's map (yoke/map.h) of up to 8 blocks.
+// Cost: about starts * 20 * freedom^2 evaluations, and for one freedom the machine's map (yoke/map.h) of up to 8
+// blocks.
 YK_API YkRest *yk_rest_find(const YkModel *model, const YkRestOptions *options, YkProblems *problems);
 YK_API void yk_rest_free(YkRest *rest);
 YK_API size_t yk_rest_count(const YkRest *rest);
-// Returns whether all circuits were searched: only two equilibria of one circuit, less than about 0.05 rad apart, can then
-// have been missed. Otherwise there may be others.
+// Returns whether all circuits were searched: only two equilibria of one circuit, less than about 0.05 rad apart, can
+// then have been missed. Otherwise there may be others.
 YK_API bool yk_rest_is_complete(const YkRest *rest);
 YK_API const YkMechanism *yk_rest_mechanism(const YkRest *rest);
 YK_API size_t yk_rest_freedom(const YkRest *rest);         // f, the number of free inputs

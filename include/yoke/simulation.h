@@ -64,11 +64,11 @@ YK_API YkDynamics *yk_simulation_dynamics(YkSimulation *simulation); // forces a
 YK_API double yk_simulation_channel(YkSimulation *simulation, YkChannel channel);
 YK_API const YkReport *yk_simulation_report(const YkSimulation *simulation);
 
-// Lets a certifier (yoke/certificate.h) watch the motion from here on: the poses at the ends of steps, at events and wherever
-// the simulation is advanced to. It may have been made for any mechanism of the model, and may have watched the motion of
-// options.pose before; it must outlive the simulation, or the next call. A step that is proved to have gone over to another
-// configuration is taken back and repeated with shorter ones; if that does not help, the motion ends with
-// YK_NOT_CONVERGED. Otherwise the motion has the same bits as without. Clones have none. NULL ends this.
+// Lets a certifier (yoke/certificate.h) watch the motion from here on: the poses at the ends of steps, at events and
+// wherever the simulation is advanced to. It may have been made for any mechanism of the model, and may have watched
+// the motion of options.pose before; it must outlive the simulation, or the next call. A step that is proved to have
+// gone over to another configuration is taken back and repeated with shorter ones; if that does not help, the motion
+// ends with YK_NOT_CONVERGED. Otherwise the motion has the same bits as without. Clones have none. NULL ends this.
 typedef struct YkCertifier YkCertifier;
 YK_API void yk_simulation_set_certifier(YkSimulation *simulation, YkCertifier *certifier);
 
@@ -101,8 +101,8 @@ YK_API YkStatus yk_simulation_act_pull(YkSimulation *simulation, size_t index, c
 
 // Calls `control` now and after every further `period`, s, exactly at these times: the integrator ends a step there,
 // and the state is at that time. What the control sets is held until the next sample. If it returns false, the advance
-// ends there, as with options.goes_on. The control must not advance, reset, restore or free the simulation. There is one
-// control at a time; NULL removes it. Returns YK_BAD_ARGUMENT for a period that is not positive.
+// ends there, as with options.goes_on. The control must not advance, reset, restore or free the simulation. There is
+// one control at a time; NULL removes it. Returns YK_BAD_ARGUMENT for a period that is not positive.
 typedef bool (*YkControl)(void *context, YkSimulation *simulation, double time);
 YK_API YkStatus yk_simulation_set_control(YkSimulation *simulation, double period, YkControl control, void *context);
 // The number of calls of the present control, and the time of call `index`.
@@ -157,8 +157,8 @@ typedef struct YkSimulationSummary {
     double energy_start, energy_end;
 } YkSimulationSummary;
 YK_API YkSimulationSummary yk_simulation_summary(const YkSimulation *simulation);
-// Work done so far by every load without a potential (efforts, forces, dampers, friction, drives, pulls, stops and landings on cams): the
-// name of the load, and the work in J.
+// Work done so far by every load without a potential (efforts, forces, dampers, friction, drives, pulls, stops and
+// landings on cams): the name of the load, and the work in J.
 YK_API size_t yk_simulation_work_count(const YkSimulation *simulation);
 YK_API const char *yk_simulation_work_name(const YkSimulation *simulation, size_t index);
 YK_API double yk_simulation_work(const YkSimulation *simulation, size_t index);

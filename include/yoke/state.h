@@ -27,8 +27,8 @@ YK_API const YkMechanism *yk_state_mechanism(const YkState *state);
 YK_API YkStatus yk_state_copy(YkState *to, const YkState *from); // both of the same mechanism; allocates nothing
 // Lets `progress` watch the long calls on this state from now on (<yoke/progress.h>): assembling, visiting all
 // configurations, moves, carrying, sweeps, closing ranges, dragging, reports. One that is stopped returns YK_STOPPED
-// and leaves the state as it was before the call. A single solution (yk_state_solve) is short and is not watched. A copy
-// of the state is not watched. Returns YK_OK, or YK_NO_MEMORY.
+// and leaves the state as it was before the call. A single solution (yk_state_solve) is short and is not watched. A
+// copy of the state is not watched. Returns YK_OK, or YK_NO_MEMORY.
 YK_API YkStatus yk_state_set_progress(YkState *state, YkProgress progress);
 
 // Sets the inputs at `time`, s: evaluates all drives and gives held coordinates their start values and rates.
@@ -53,9 +53,9 @@ YK_API YkStatus yk_state_assemble(YkState *state);
 // Cost: linear; allocates nothing.
 YK_API YkStatus yk_state_solve(YkState *state);
 // Visits every configuration at the present inputs, each as the state's pose, in a fixed order ("+" before "-").
-// visit returns false to stop. complete (may be NULL): false if a GROUP was searched instead of enumerated, or the limit
-// of 4096 was reached. The state returns to the configuration it had. Returns YK_OK or YK_NO_ASSEMBLY. yk_configurations_each
-// (<yoke/configurations.h>) enumerates groups too, with proof.
+// visit returns false to stop. complete (may be NULL): false if a GROUP was searched instead of enumerated, or the
+// limit of 4096 was reached. The state returns to the configuration it had. Returns YK_OK or YK_NO_ASSEMBLY.
+// yk_configurations_each (<yoke/configurations.h>) enumerates groups too, with proof.
 YK_API YkStatus yk_state_each(YkState *state, bool (*visit)(void *context, YkState *state), void *context,
                               bool *complete);
 
@@ -81,8 +81,8 @@ YK_API double yk_state_channel(const YkState *state, YkChannel channel);
 // is closed. Its sine is the block's determinant over the product of its column lengths. 0 at a dead point.
 YK_API double yk_state_transmission(const YkState *state, size_t block);
 
-// The largest residuals: of the loop equations, over the machine's size; of J q' + Phi_t and of J q'' + gamma, over their
-// largest term. They are measured in the loops of the tree, not in the steps that solved them.
+// The largest residuals: of the loop equations, over the machine's size; of J q' + Phi_t and of J q'' + gamma, over
+// their largest term. They are measured in the loops of the tree, not in the steps that solved them.
 typedef struct YkResiduals {
     double position, velocity, acceleration;
 } YkResiduals;

@@ -22,8 +22,8 @@ typedef struct YkStudyOptions {
     // compiled with them, at whose inputs each design starts. NULL: the state itself. Its mechanism must outlive the
     // study.
     const YkState *start;
-    // Watches yk_study_new and every later call on the study; {NULL}: not watched. It is called on the thread that makes
-    // the call, whatever the number of threads, with the part of the designs (or parameters) that is done.
+    // Watches yk_study_new and every later call on the study; {NULL}: not watched. It is called on the thread that
+    // makes the call, whatever the number of threads, with the part of the designs (or parameters) that is done.
     YkProgress progress;
     // Moves every design along its drives in time, from t = 0, instead of straight from pose to pose: needed where a
     // drive turns back at a limit between two poses. The poses of a request are then those at its `times`, where the
@@ -75,10 +75,10 @@ YK_API YkStatus yk_study_reduce(YkStudy *study, const YkStudyCase *asked, YkExte
 // Finds derivatives at the file's values and one pose, inputs[3 * input + k] (a NULL array, or NULL: the state's), to
 // which the machine moves as in yk_study_run. Both results are [channel * parameters + parameter].
 // by_derivative: by the implicit function theorem on the loops of the tree (only positions, of machines with at most
-// 300 unknowns and without gears, belts and cams; otherwise NaN). by_difference: from the solved pose, extrapolated from
-// central differences (Richardson 1911). The two share only the pose. Designs that are machines of their own are only
-// differenced. A rate or force that the pose leaves undefined is NaN. Returns YK_OK, or the status of a neighbouring
-// pose that is not valid: half a tooth makes no machine.
+// 300 unknowns and without gears, belts and cams; otherwise NaN). by_difference: from the solved pose, extrapolated
+// from central differences (Richardson 1911). The two share only the pose. Designs that are machines of their own are
+// only differenced. A rate or force that the pose leaves undefined is NaN. Returns YK_OK, or the status of a
+// neighbouring pose that is not valid: half a tooth makes no machine.
 YK_API YkStatus yk_study_sensitivities(YkStudy *study, const double *const *inputs, double *by_derivative,
                                        double *by_difference);
 

@@ -1,9 +1,9 @@
 // Synthesis: from what a machine must do to machines that do it.
 //
-// A task says what is wanted: points of a path, positions of a body, a function between two angles, a stroke. Every machine that the
-// methods find is written as a model file, and the file is judged by the ordinary engine: assembled once, driven through
-// the whole task without changing branch or circuit, in order. Only what passes is a candidate; what does not is
-// counted by its reason, and kept.
+// A task says what is wanted: points of a path, positions of a body, a function between two angles, a stroke. Every
+// machine that the methods find is written as a model file, and the file is judged by the ordinary engine: assembled
+// once, driven through the whole task without changing branch or circuit, in order. Only what passes is a candidate;
+// what does not is counted by its reason, and kept.
 #ifndef YOKE_SYNTHESIS_H
 #define YOKE_SYNTHESIS_H
 
@@ -26,22 +26,22 @@ YK_API const char *yk_task_kind(const YkTask *task); // "path", "motion", "funct
 // Returns the unit in which the file gives lengths or angles: its name ("mm"), and its size in SI.
 YK_API const char *yk_task_unit(const YkTask *task, YkQuantity quantity, double *size);
 
-// Returns the unit in which the machine of a task gives a free parameter: its name ("mm"), and its size in SI; NULL where
-// the task has no machine, past the last parameter, and for plain numbers (of size 1).
+// Returns the unit in which the machine of a task gives a free parameter: its name ("mm"), and its size in SI; NULL
+// where the task has no machine, past the last parameter, and for plain numbers (of size 1).
 YK_API const char *yk_task_parameter_unit(const YkTask *task, size_t index, double *size);
 
-// Where a search gets its pieces (yk_pieces_new) if it does not compute them itself. `get` fills numbers[yk_pieces_width] of
-// a piece and returns YK_OK; or YK_STOPPED or YK_NO_MEMORY, which end the search. It is asked in ascending order, and not for
-// all pieces.
+// Where a search gets its pieces (yk_pieces_new) if it does not compute them itself. `get` fills
+// numbers[yk_pieces_width] of a piece and returns YK_OK; or YK_STOPPED or YK_NO_MEMORY, which end the search. It is
+// asked in ascending order, and not for all pieces.
 typedef struct YkPieceSource {
     YkStatus (*get)(void *context, size_t piece, double *numbers);
     void *context;
 } YkPieceSource;
 
 typedef struct YkCandidate YkCandidate;
-// Hears of machines while a search runs. `tell` takes a machine that passed and is among the best so far, unlike all better
-// ones, and its place among those that were told: 0, the best, to `best` - 1. Its texts are valid during the call; it has no
-// `file` yet. The parameters of a task's own machine are not told.
+// Hears of machines while a search runs. `tell` takes a machine that passed and is among the best so far, unlike all
+// better ones, and its place among those that were told: 0, the best, to `best` - 1. Its texts are valid during the
+// call; it has no `file` yet. The parameters of a task's own machine are not told.
 typedef struct YkFindings {
     void (*tell)(void *context, const YkCandidate *candidate, size_t place, size_t best);
     void *context;
@@ -65,18 +65,18 @@ typedef struct YkSynthesis YkSynthesis;
 YK_API YkSynthesis *yk_synthesis_run(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
 YK_API void yk_synthesis_free(YkSynthesis *synthesis);
 YK_API bool yk_synthesis_was_stopped(const YkSynthesis *synthesis);
-// Returns whether every solution was sought: false where a task leaves a choice, which is sampled, and for all paths but
-// those through exactly nine points.
+// Returns whether every solution was sought: false where a task leaves a choice, which is sampled, and for all paths
+// but those through exactly nine points.
 YK_API bool yk_synthesis_is_complete(const YkSynthesis *synthesis);
 // Finds how many solutions the task's equations have. Returns false if that number is not finite.
 YK_API bool yk_synthesis_solutions(const YkSynthesis *synthesis, size_t *complex_count, size_t *real_count);
 
-// The pieces of a search, for whoever distributes it over threads, processes or machines. A piece is a start of the search,
-// improved to its end, as numbers. It depends on the task, the seed and its own number alone, so it does not matter who
-// computes it, or when. Paths and machines are sought in pieces.
+// The pieces of a search, for whoever distributes it over threads, processes or machines. A piece is a start of the
+// search, improved to its end, as numbers. It depends on the task, the seed and its own number alone, so it does not
+// matter who computes it, or when. Paths and machines are sought in pieces.
 typedef struct YkPieces YkPieces;
-// Prepares to compute pieces of a task, which must outlive them. `progress` and `seed` of the options count. Returns NULL
-// with problems added when out of memory or when the task's machine cannot be assembled.
+// Prepares to compute pieces of a task, which must outlive them. `progress` and `seed` of the options count. Returns
+// NULL with problems added when out of memory or when the task's machine cannot be assembled.
 YK_API YkPieces *yk_pieces_new(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
 YK_API void yk_pieces_free(YkPieces *pieces);
 // Returns how many numbers a piece has; 0 where the task is not sought in pieces.
@@ -146,14 +146,14 @@ YK_API size_t yk_synthesis_defect_count(const YkSynthesis *synthesis);
 YK_API YkCandidate yk_synthesis_defect(const YkSynthesis *synthesis, size_t index);
 // Parameters of a candidate's file by name and SI value; NULL past the last.
 YK_API const char *yk_synthesis_parameter(const YkSynthesis *synthesis, size_t candidate, size_t index, double *value);
-// Returns the input's absolute angles at the points of a path, rad, and their number in `count`; NULL and 0 for other tasks.
-// The array belongs to the synthesis.
+// Returns the input's absolute angles at the points of a path, rad, and their number in `count`; NULL and 0 for other
+// tasks. The array belongs to the synthesis.
 YK_API const double *yk_synthesis_angles(const YkSynthesis *synthesis, size_t candidate, size_t *count);
-// Returns the largest error of the function generator that meets five points, from which the candidate was evened out, rad;
-// NaN for a candidate that was not.
+// Returns the largest error of the function generator that meets five points, from which the candidate was evened out,
+// rad; NaN for a candidate that was not.
 YK_API double yk_synthesis_interpolating(const YkSynthesis *synthesis, size_t candidate);
-// Returns whether a function generator's input, or output, begins its range half a turn from the angle that the task fixes.
-// A textbook writes its length as negative.
+// Returns whether a function generator's input, or output, begins its range half a turn from the angle that the task
+// fixes. A textbook writes its length as negative.
 YK_API bool yk_synthesis_is_reversed(const YkSynthesis *synthesis, size_t candidate, bool output);
 // The path of the coupler point over the motion, xy[2 * count] in m; functions: input angle and error, rad. Returns
 // the count; the array belongs to the synthesis.
@@ -161,9 +161,9 @@ YK_API size_t yk_synthesis_curve(const YkSynthesis *synthesis, size_t candidate,
 // All candidates side by side with the task and their curves, as SVG. The text belongs to the synthesis. NULL when out
 // of memory.
 YK_API const char *yk_synthesis_picture(YkSynthesis *synthesis);
-// Further pictures, as SVG: Burmester's curves of a motion through four or five positions, with the pivots of the dyads to choose from;
-// the errors of function generators over the range, evened out and before. The text belongs to the synthesis. NULL where the task
-// has none, or when out of memory: *ran_out (may be NULL) tells.
+// Further pictures, as SVG: Burmester's curves of a motion through four or five positions, with the pivots of the dyads
+// to choose from; the errors of function generators over the range, evened out and before. The text belongs to the
+// synthesis. NULL where the task has none, or when out of memory: *ran_out (may be NULL) tells.
 typedef enum YkSynthesisSheet { YK_SHEET_BURMESTER, YK_SHEET_ERRORS } YkSynthesisSheet;
 YK_API const char *yk_synthesis_sheet(YkSynthesis *synthesis, YkSynthesisSheet sheet, bool *ran_out);
 
@@ -171,7 +171,8 @@ YK_API const char *yk_synthesis_sheet(YkSynthesis *synthesis, YkSynthesisSheet s
 // 1875; Hartenberg & Denavit 1964, ch. 6.
 typedef struct YkCognates YkCognates;
 // Finds the cognates for a point of the coupler (YK_NOT_FOUND: its first point that is not a joint's). The state is
-// assembled. Returns NULL with a problem if the machine has no four-bar or slider-crank on the ground with such a point.
+// assembled. Returns NULL with a problem if the machine has no four-bar or slider-crank on the ground with such a
+// point.
 YK_API YkCognates *yk_cognates_new(const YkState *state, size_t point, YkProblems *problems);
 YK_API void yk_cognates_free(YkCognates *cognates);
 YK_API size_t yk_cognates_count(const YkCognates *cognates); // without the machine itself

@@ -14,9 +14,9 @@ typedef struct YkVariant YkVariant;
 // States, batches and dynamics are made from yk_variant_mechanism, and follow every yk_variant_set
 // at once (YkDynamics makes its equations anew at the next pose, and keeps the efforts and the choice of
 // free inputs that were set); simulations must be made after it. The copy has the inputs, blocks and
-// branches of `mech`, in the same order; `mech` must outlive it. Points, directions of slides, masses, gravity, springs,
-// dampers, stops and friction can follow. A parameter is refused if it enters gears, racks, belts, cams, laws or
-// `turned`, or their phase by `start:` or drives. Returns NULL with problems added. Cost: that of compiling.
+// branches of `mech`, in the same order; `mech` must outlive it. Points, directions of slides, masses, gravity,
+// springs, dampers, stops and friction can follow. A parameter is refused if it enters gears, racks, belts, cams, laws
+// or `turned`, or their phase by `start:` or drives. Returns NULL with problems added. Cost: that of compiling.
 YK_API YkVariant *yk_variant_new(const YkMechanism *mech, const char *const *names, size_t count, YkProblems *problems);
 YK_API void yk_variant_free(YkVariant *variant);
 YK_API const YkMechanism *yk_variant_mechanism(const YkVariant *variant);

@@ -12,10 +12,11 @@
 //   state's report (yk_state_report), not among the problems.
 // - Indices are size_t and count from 0. A search by name returns YK_NOT_FOUND if the name is unknown. A member of a
 //   struct that may have no index is an int; it is -1 if there is none.
-// - Any index is safe to pass. For one past the last, such as YK_NOT_FOUND, a function returns NaN for a number, NULL for
-//   a pointer, YK_NOT_FOUND for an index, 0 for a count or a truth value, and a struct of these; a setter does nothing.
-// - Options come from yk_default_x_options() and are changed from there; NULL in their place means the defaults. Options
-//   and requests without such a function start from {0}, which leaves out all that may be left out.
+// - Any index is safe to pass. For one past the last, such as YK_NOT_FOUND, a function returns NaN for a number, NULL
+//   for a pointer, YK_NOT_FOUND for an index, 0 for a count or a truth value, and a struct of these; a setter does
+//   nothing.
+// - Options come from yk_default_x_options() and are changed from there; NULL in their place means the defaults.
+//   Options and requests without such a function start from {0}, which leaves out all that may be left out.
 // - Enumerators begin with the name of their type; only the statuses (YK_OK, YK_LIMIT, ...) stand alone.
 // - Constant objects (models, mechanisms) may be shared between threads; all others belong to one thread at a time.
 #ifndef YOKE_YOKE_H

@@ -1,8 +1,8 @@
 // Paces long work: counts it, and asks the caller after every slice whether to go on (<yoke/progress.h>).
 //
-// The public call creates the pace, on its stack or in the object it works on. Everything that runs on its behalf counts
-// in it through a pointer, which is NULL if the caller is not watching. A stopped pace stays stopped: code that is told
-// false gives up, and the public call returns YK_STOPPED whatever its parts returned.
+// The public call creates the pace, on its stack or in the object it works on. Everything that runs on its behalf
+// counts in it through a pointer, which is NULL if the caller is not watching. A stopped pace stays stopped: code that
+// is told false gives up, and the public call returns YK_STOPPED whatever its parts returned.
 #ifndef BASE_PACE_H
 #define BASE_PACE_H
 #include <stdbool.h>

@@ -59,8 +59,8 @@ static inline void yk_text_join(YkText *text, const YkText *other)
 {
     yk_text_add(text, yk_text_get(other), other->length);
 }
-// Moves the content into a buffer of this size, cut short where it does not fit, and frees the text. A failed text leaves
-// the buffer empty.
+// Moves the content into a buffer of this size, cut short where it does not fit, and frees the text. A failed text
+// leaves the buffer empty.
 void yk_text_move(YkText *text, char *to, size_t size);
 void yk_text_repeat(YkText *text, char character, size_t count);
 // Formats: %s string, %q string in `backquotes` with bytes outside printable UTF-8 escaped and cut at 80 columns,

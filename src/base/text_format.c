@@ -1,6 +1,5 @@
 // Formatting without stdio: a handful of conversions, the same in every locale.
 #include "base/text.h"
-#include <stdint.h>
 #include <string.h>
 #include "base/escape.h"
 #include "base/number.h"

@@ -53,12 +53,13 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
     b->channels = calloc(channel_count + 1, sizeof *b->channels);
     b->turns = calloc(channel_count + 1, sizeof *b->turns);
     b->row = calloc(channel_count + 1, sizeof *b->row);
+    b->number = calloc(channel_count + 1, sizeof *b->number);
     b->plain = calloc(channel_count + 1, sizeof *b->plain);
     b->constant = aligned_alloc(64, ((inputs + 1) * b->lanes * sizeof(double) + 63) & ~(size_t)63);
     b->lanes_of = calloc(inputs + 1, sizeof *b->lanes_of);
     b->point_lanes = aligned_alloc(64, (6 * b->lanes * sizeof(double) + 63) & ~(size_t)63);
-    if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->plain || !b->constant || !b->lanes_of ||
-        !b->point_lanes || !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, is_along) ||
+    if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->number || !b->plain || !b->constant ||
+        !b->lanes_of || !b->point_lanes || !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, is_along) ||
         !yk_space_start(&b->single, b->mech, 1, false)) {
         yk_batch_free(b);
         return NULL;
@@ -83,6 +84,7 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         b->channels[k] = channels[k];
         yk_batch_prepare_angle(b, k);
         b->row[k] = yk_batch_free_row_of(b, k);
+        b->number[k] = yk_batch_number_of(b, k);
         if (!yk_channel_needs_forces(channels[k])) b->plain[b->plain_count++] = k;
     }
     b->needs_state = needs_state(b);
@@ -123,6 +125,7 @@ void yk_batch_free(YkBatch *b)
     free(b->channels);
     free(b->turns);
     free(b->row);
+    free(b->number);
     free(b->plain);
     free(b->rates_alone);
     free(b->idle);
@@ -240,12 +243,18 @@ static bool run_alone(YkBatch *b, const double *const *inputs, double *const *ou
     yk_run_single(run, 0, b->mech->step_count);
     bool is_well =
         *space->margin > yk_state_close_margin(b->state) && *space->gap <= b->mech->size * YK_CLOSING_TOLERANCE;
-    for (size_t k = 0; is_well && k < b->plain_count; k++)
-        yk_batch_write_channel(b, b->plain[k], false, outputs[b->plain[k]]);
+    for (size_t i = 0; is_well && i < b->plain_count; i++) {
+        size_t k = b->plain[i];
+        if (b->number[k])
+            *outputs[k] = *b->number[k];
+        else
+            yk_batch_write_channel(b, k, false, outputs[k]);
+    }
     return is_well && (!b->forces || yk_batch_run_forces_alone(b, outputs, 0));
 }
 
-// Returns how many numbers stand in a cache line before the first one of an output, if they are as many for all outputs.
+// Returns how many numbers stand in a cache line before the first one of an output, if they are as many for all
+// outputs.
 static size_t lanes_before(const YkBatch *b, double *const *outputs)
 {
     size_t beyond = YK_KNOWS_BLOCKS && b->channel_count > 0 ? (uintptr_t)outputs[0] % 64 : 0;

@@ -18,20 +18,20 @@ void yk_batch_prepare_angle(YkBatch *b, size_t k)
     b->turns[k][1] = angle.b;
 }
 
-// Returns the pointer to the lanes that already hold a channel as requested: a distance, a rate relative to the ground.
-// NULL if it has to be computed.
-static double **row_of(YkBatch *b, size_t k)
+// Returns the pointer to the lanes of a space that already hold a channel as requested: a distance, a rate relative to
+// the ground. NULL if it has to be computed.
+static double **row_of(const YkBatch *b, const YkSpace *space, size_t k)
 {
     const YkMechanism *mech = b->mech;
     YkChannel c = b->channels[k];
     const YkTreeCoordinate *q = c.kind == YK_CHANNEL_COORDINATE ? &mech->coordinates[c.index] : NULL;
     if (q && q->input != YK_NONE) return NULL;
     if (c.kind == YK_CHANNEL_JOINT_DISTANCE || (q && q->is_distance)) {
-        YkSlide *d = &b->space.slide[q ? q->distance : mech->joint_distance[c.index]];
+        YkSlide *d = &space->slide[q ? q->distance : mech->joint_distance[c.index]];
         return c.order == 0 ? &d->d : c.order == 1 ? &d->v : &d->a;
     }
     if (c.order > 0 && b->turns[k][0] == 0 && b->turns[k][1] != 0) {
-        YkTurn *t = &b->space.turn[b->turns[k][1]];
+        YkTurn *t = &space->turn[b->turns[k][1]];
         return c.order == 1 ? &t->w : &t->a;
     }
     return NULL;
@@ -40,10 +40,16 @@ static double **row_of(YkBatch *b, size_t k)
 // Returns a row that is still free: it can be redirected to one channel only; further channels get a copy.
 double **yk_batch_free_row_of(YkBatch *b, size_t k)
 {
-    double **row = row_of(b, k);
+    double **row = row_of(b, &b->space, k);
     for (size_t j = 0; row && j < k; j++)
         if (b->row[j] == row) return NULL;
     return row;
+}
+
+const double *yk_batch_number_of(const YkBatch *b, size_t k)
+{
+    double *const *row = row_of(b, &b->single, k);
+    return row ? *row : NULL;
 }
 
 // --- writing

@@ -113,8 +113,8 @@ static bool is_zero(const YkProgram *p, YkRef value)
     return yk_graph_is_number(&p->graph, value, 0);
 }
 
-// Returns an orientation that is read and turns at a fixed ratio to this input alone; 0 if there is none. by[input]: the
-// rates for rate 1 of one input.
+// Returns an orientation that is read and turns at a fixed ratio to this input alone; 0 if there is none. by[input]:
+// the rates for rate 1 of one input.
 static size_t find_base(const YkProgram *p, const YkRates *by, size_t input)
 {
     for (size_t k = p->mech->term_count; k-- > 0;) {
@@ -134,8 +134,8 @@ static YkRef rate_by(YkProgram *p, const YkRates *by, size_t input, size_t base,
     return yk_graph_multiply(&p->graph, yk_graph_number(&p->graph, 1 / ratio), rates->turn[base]);
 }
 
-// What turns at a fixed ratio to an input has rates that are multiples of one rate, so that terms of all of it join. In a
-// variant the ratios may vary.
+// What turns at a fixed ratio to an input has rates that are multiples of one rate, so that terms of all of it join. In
+// a variant the ratios may vary.
 static void place_linear_rates(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
 {
     size_t n = p->mech->input_count;

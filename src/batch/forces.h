@@ -34,12 +34,12 @@ bool yk_lane_forces_need_direction(const YkLaneForces *forces, int32_t slot);
 bool yk_lane_forces_need_rates(const YkLaneForces *forces, int32_t slot);
 // Computes out[channel][0 .. n) for n lanes of a pose. Forces of poses at dead points are not finite, or meaningless.
 void yk_lane_forces_run(YkLaneForces *forces, const YkLanePose *pose, double *const *out, size_t n);
-// Does the same for one pose in a space of one lane, with the same bits. Returns where the channels' numbers stand until
-// the next run.
+// Does the same for one pose in a space of one lane, with the same bits. Returns where the channels' numbers stand
+// until the next run.
 const double *const *yk_lane_forces_run_one(YkLaneForces *forces, const YkLanePose *pose);
 
-// Makes the derivatives of a weighted sum of such channels by all that they are made of, backwards: at a few times the cost of
-// the forces, whatever the number of parameters. Not for machines with laws either: *fits is then false.
+// Makes the derivatives of a weighted sum of such channels by all that they are made of, backwards: at a few times the
+// cost of the forces, whatever the number of parameters. Not for machines with laws either: *fits is then false.
 typedef struct YkGradient YkGradient;
 YkLaneForces *yk_force_slopes_new(const YkMechanism *mech, const YkChannel *channels, size_t channel_count, bool *fits);
 typedef struct YkSlopesAt {
@@ -47,8 +47,8 @@ typedef struct YkSlopesAt {
     double time;
     const double *weights; // [channel]
 } YkSlopesAt;
-// Takes the shares of the sum into a gradient that has its pose and was started. by[yk_force_slopes_count]: scratch. Returns false
-// if one of them is not finite. Allocates nothing. force_slopes.c
+// Takes the shares of the sum into a gradient that has its pose and was started. by[yk_force_slopes_count]: scratch.
+// Returns false if one of them is not finite. Allocates nothing. force_slopes.c
 size_t yk_force_slopes_count(const YkLaneForces *slopes);
 bool yk_force_slopes_take(YkLaneForces *slopes, YkGradient *gradient, const YkSlopesAt *at, double *by);
 

@@ -16,8 +16,9 @@ struct YkBatch {
     YkSpace space, single; // for blocks of lanes; for one pose
     YkRun run;             // its steps; of the present block: which space, how many lanes
     YkChannel *channels;
-    int32_t (*turns)[2]; // per channel: the orientations of its angle (a, b)
-    double ***row;       // per channel: the lanes in which it is made, redirected to its output; or NULL
+    int32_t (*turns)[2];   // per channel: the orientations of its angle (a, b)
+    double ***row;         // per channel: the lanes in which it is made, redirected to its output; or NULL
+    const double **number; // per channel: where a pose alone holds it as requested; or NULL
     size_t channel_count, lanes;
     size_t *plain; // the channels that need no forces
     size_t plain_count;
@@ -37,12 +38,14 @@ struct YkBatch {
     YkPoseForces *forces; // of the channels that need them; NULL if none does
 };
 
-// needed.c: finds the orientations whose direction is never read, and those that are not read at all. Returns false when out
-// of memory.
+// needed.c: finds the orientations whose direction is never read, and those that are not read at all. Returns false
+// when out of memory.
 bool yk_batch_find_rates_alone(YkBatch *batch);
 // channels.c: prepares the angles of a channel, and finds the lanes that already hold it.
 void yk_batch_prepare_angle(YkBatch *batch, size_t channel);
 double **yk_batch_free_row_of(YkBatch *batch, size_t channel);
+const double *yk_batch_number_of(const YkBatch *batch,
+                                 size_t channel); // the same in the space of one pose, always free
 // Writes the positions of a coordinate that is an angle.
 void yk_batch_write_angle(const YkBatch *batch, size_t coordinate, double *out, size_t n);
 // Writes a channel that is none of forces. masks: some lanes may not close, or are at a dead point.

@@ -11,8 +11,8 @@ YkStatus yk_batch_solve_lane(YkBatch *b, size_t lane)
     return yk_state_solve(b->state);
 }
 
-// The margin of a lane whose answers are the state's, until they are written: the state settles angles that no loop determines, and
-// closes all loops where those that are kept are singular; a lane cannot.
+// The margin of a lane whose answers are the state's, until they are written: the state settles angles that no loop
+// determines, and closes all loops where those that are kept are singular; a lane cannot.
 #define SETTLED_MARGIN (-2.0)
 
 // Judges a lane that may be singular as the state does.

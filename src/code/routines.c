@@ -188,7 +188,7 @@ static bool has_bearing(const YkModel *model)
     return model->joint_count > 2 * model->carriage_count || model->follow_count > 0;
 }
 
-// What drives that follow a law exert. Where constraints repeat others the engine knows this of some alone.
+// Writes what drives that follow a law exert. If constraints repeat others, the engine knows this of some alone.
 static void add_law_efforts(YkFile *file, YkRoutine *routine)
 {
     YkProgram *p = &file->program;
@@ -214,7 +214,8 @@ static const char *about_reactions(YkFile *file)
                          contacts, laws);
 }
 
-// What gears, racks, belts and cams transmit: a force on the second body, or the couple on it where no force is known.
+// Writes what gears, racks, belts and cams transmit: a force on the second body, or the couple on it where no force is
+// known.
 static void add_contacts(YkFile *file, YkRoutine *routine)
 {
     YkProgram *p = &file->program;
@@ -304,7 +305,8 @@ static void add_drives(YkFile *file)
 
 // --- racks
 
-// Returns how far a rack's line passes from its pinion's centre, positive on the side of the file (model/transmissions).
+// Returns how far a rack's line passes from its pinion's centre, positive on the side of the file
+// (model/transmissions).
 static YkRef side_of(YkProgram *p, const YkRack *rack)
 {
     YkGraph *g = &p->graph;

@@ -90,8 +90,8 @@ static bool wanted_at(YkFile *file, YkState *state, YkDynamics *dynamics, const 
     return true;
 }
 
-// Finds the results again with the inputs moved by their last digit. Close to a dead point they are others: there two ways
-// to the same numbers differ by more than the test allows. Returns false if there is no answer.
+// Finds the results again with the inputs moved by their last digit. Close to a dead point they are others: there two
+// ways to the same numbers differ by more than the test allows. Returns false if there is no answer.
 static bool wanted_beside(YkFile *file, YkState *state, YkDynamics *dynamics, const YkRoutine *r, double *moved)
 {
     const YkMechanism *mech = file->program.mech;
@@ -116,8 +116,8 @@ static double scale_of(const YkRoutine *r, const double *wanted, size_t poses, s
     return largest;
 }
 
-// Returns the first pose at which the last digit of the inputs matters to a tenth of the test's tolerance; `poses` if there
-// is none.
+// Returns the first pose at which the last digit of the inputs matters to a tenth of the test's tolerance; `poses` if
+// there is none.
 static size_t unsteady_pose(const YkFile *file, const YkRoutine *r, const double *wanted, const double *moved,
                             size_t poses)
 {

@@ -185,7 +185,7 @@ static bool suggest_name(const YkMechanism *mech, const char *asked, char *name,
     return true;
 }
 
-// Suggests the ending that says here what `asked` says: `theta.torque` is `theta.effort`. The rest of the name is known.
+// Suggests the ending that means here what `asked` says: `theta.effort` for `theta.torque`. The rest is known.
 static bool suggest_ending(const YkMechanism *mech, const char *asked, YkProblems *problems)
 {
     static const char *const endings[][2] = {

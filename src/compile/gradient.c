@@ -181,7 +181,7 @@ void yk_gradient_start(YkGradient *g)
     memset(g->at_parameter, 0, g->model->parameter_count * sizeof *g->at_parameter);
 }
 
-// Takes the shares that an answer has by the loops: with their derivative of this order it depends on what all lower ones do.
+// Takes the shares that an answer has by the loops, whose derivative of this order depends on what all lower ones do.
 static void solve_order(YkGradient *g, size_t order)
 {
     const YkMechanism *mech = g->mech;
@@ -223,11 +223,4 @@ void yk_gradient_finish(YkGradient *g, double *slope)
     }
     for (size_t i = 0; i < g->model->parameter_count; i++)
         add_slopes(g, g->at_parameter[i], g->by_parameter + i * n, slope);
-}
-
-void yk_gradient_add(YkGradient *g, const YkWeighted *sum, size_t count, double *slope)
-{
-    yk_gradient_start(g);
-    for (size_t k = 0; k < count; k++) yk_gradient_take(g, sum[k]);
-    yk_gradient_finish(g, slope);
 }

@@ -1,11 +1,11 @@
 // Derivatives of answers by the parameters of a variant, exact, and at a few transposed solutions of the loops for each
 // answer, whatever the number of parameters.
 //
-// With the inputs given the loops R(x, p) = 0 hold over time, and so do their first and second derivatives R', R'' along it,
-// which are linear in x' and x'' with the same Jacobian J. An answer y(x, x', x'', p) has the derivatives
-// y_p - l2^T R''_p - l1^T R'_p - l0^T R_p: J^T l2 = y_x'', then J^T l1 = what y and l2^T R'' have by x', then J^T l0 = what
-// y, R' and R'' have by x. All are sums of turned vectors, each with its derivatives by time (a jet), whose shares are handed
-// backwards to angles, distances and the vectors, and by the recipe to points and lines of the model.
+// With the inputs given the loops R(x, p) = 0 hold over time, and so do their first and second derivatives R', R''
+// along it, which are linear in x' and x'' with the same Jacobian J. An answer y(x, x', x'', p) has the derivatives y_p
+// - l2^T R''_p - l1^T R'_p - l0^T R_p: J^T l2 = y_x'', then J^T l1 = what y and l2^T R'' have by x', then J^T l0 = what
+// y, R' and R'' have by x. All are sums of turned vectors, each with its derivatives by time (a jet), whose shares are
+// handed backwards to angles, distances and the vectors, and by the recipe to points and lines of the model.
 // Source: Giles & Pierce 2000, Flow, Turbulence and Combustion 65; Griewank & Walther 2008, Evaluating Derivatives.
 #ifndef COMPILE_GRADIENT_H
 #define COMPILE_GRADIENT_H
@@ -27,14 +27,13 @@ void yk_gradient_free(YkGradient *gradient);
 // Takes the design that the variant has now. Returns false if an expression has no derivative there.
 // Cost: that of the expressions, once for each parameter on which they depend; allocates nothing.
 bool yk_gradient_design(YkGradient *gradient);
-// Linearises the loops at a pose: x[yk_variable_count], as yk_closure takes them, and their rates and accelerations, or NULL
-// where no answer depends on any. Returns false if the loops do not determine the pose: at a dead point. Cost O(variables^3).
+// Linearises the loops at a pose: x[yk_variable_count], as yk_closure takes them, and their rates and accelerations, or
+// NULL where no answer depends on any. Returns false if the loops do not determine the pose: at a dead point. Cost
+// O(variables^3).
 bool yk_gradient_pose(YkGradient *gradient, const double *x, const double *rates, const double *accelerations);
-// Adds the derivatives of the sum of weighted channels to slope[parameters of the variant].
+// Adds the derivatives of an answer to slope[parameters of the variant]: start, take the share of each weighted channel
+// or other value of the pose, and finish, which adds.
 // Cost O(variables^2 + vectors that vary + points that vary * parameters).
-void yk_gradient_add(YkGradient *gradient, const YkWeighted *sum, size_t count, double *slope);
-
-// The same for an answer that is made of other values of the pose: start, take the share of each, and finish, which adds.
 void yk_gradient_start(YkGradient *gradient);
 void yk_gradient_take(YkGradient *gradient, YkWeighted part);
 void yk_gradient_finish(YkGradient *gradient, double *slope);

@@ -1,5 +1,4 @@
 // Hands the shares of an answer backwards: from sums of turned vectors to angles, distances, and points of the model.
-#include <math.h>
 #include "compile/closure.h"
 #include "compile/gradient_inside.h"
 #include "law/law.h"
@@ -177,8 +176,8 @@ static size_t variable_of(const YkGradient *g, YkRelationTerm term)
     return term.is_distance ? yk_gradient_variable(g, term.index) : (size_t)term.index - 1;
 }
 
-// Their first and second derivatives, -L' a' and -L'' a'^2 - L' a'', have shares of the argument a by those of the law L. What is
-// linear is settled already.
+// Their first and second derivatives, -L' a' and -L'' a'^2 - L' a'', have shares of the argument a by those of the law
+// L. What is linear is settled already.
 void yk_gradient_take_relation(YkGradient *g, size_t relation, size_t order, double by)
 {
     const YkRelation *r = &g->mech->relations[relation];
@@ -222,7 +221,7 @@ static void take_point(YkGradient *g, YkChannel c, double weight)
     yk_gradient_take_sum(g, &g->mech->bodies[p->body].origin, &by);
 }
 
-// Takes the share of the direction of an arm, a sum in the axes of the unknown angle. Returns its direction in the world.
+// Takes the share of an arm's direction, a sum in the axes of the unknown angle. Returns the direction in the world.
 static YkVec arm_of(YkGradient *g, const YkBlock *b, size_t k)
 {
     YkVec arm = sum_of(g, &b->aside->arm[k]).v[0];
@@ -237,7 +236,7 @@ static void take_arm(YkGradient *g, const YkBlock *b, size_t k, double by)
     yk_gradient_take_sum(g, &b->aside->arm[k], &share);
 }
 
-// The columns of a dyad's loop stand across its arms, and along its line; the angle between them, folded to a right one.
+// Takes the share of the angle, folded to a right one, between the columns of a dyad's loop: across arms, along a line.
 static void take_transmission(YkGradient *g, size_t block, double weight)
 {
     const YkBlock *b = &g->mech->blocks[block];

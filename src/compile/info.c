@@ -144,7 +144,7 @@ static bool is_carriage(const YkMechanism *mech, int32_t body)
     return mech->model->bodies[body].is_carriage;
 }
 
-// Lists the bodies, without carriages, from the joint's first body up to where both ends' paths meet, and down to its second body.
+// Lists the bodies, without carriages, from the joint's first one up to where the paths meet, and down to its second.
 size_t yk_loop_bodies(const YkMechanism *mech, size_t loop, size_t *bodies, size_t capacity)
 {
     if (loop >= mech->loop_count) return 0;

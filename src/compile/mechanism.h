@@ -143,7 +143,7 @@ typedef enum YkBlockForm {
     YK_FORM_RPR_AXIAL // the line points along x and passes through the pin
 } YkBlockForm;
 
-// What most poses do not read, in memory of its own.
+// Data that most poses do not read, in memory of its own.
 typedef struct YkBlockAside {
     YkSum arm[2]; // RRR: U, W; RRP: W; RPR: C; LINK: U
     int32_t assur_class;
@@ -175,7 +175,7 @@ typedef struct YkBlock {
     uint32_t first_relation, relation_count; // in group_relations: one equation each, after those of the loops
 } YkBlock;
 
-// Computes the block's form, `pair` or `circle`, and `per_size2`: call it after every change of its vectors or of its size.
+// Computes the block's form, `pair` or `circle`, and `per_size2`. Call it after every change of its vectors or size.
 void yk_block_measure(YkBlock *block, double size);
 
 // Returns the number of equations of a group.
@@ -249,11 +249,12 @@ size_t yk_contact_count(const YkMechanism *mech);
 const char *yk_contact_name(const YkMechanism *mech, size_t contact);
 int32_t yk_contact_relation(const YkMechanism *mech, size_t contact); // YK_NONE: an open cam
 size_t yk_contact_of_cam(const YkMechanism *mech, size_t cam);
-// Returns the machine's size, unless its links are much smaller than that: a linkage of centimetres turns far while a rack in a
-// model of hundreds of metres moves by a small part of its size. Then a hundred times the shortest arm of a dyad or pinion.
+// Returns the machine's size, unless its links are much smaller than that: a linkage of centimetres turns far while a
+// rack in a model of hundreds of metres moves by a small part of its size. Then a hundred times the shortest arm of a
+// dyad or pinion.
 double yk_distance_unit(const YkMechanism *mech);
-// Returns the size by which a block judges what vanishes: the machine's, unless all vectors of the dyad's loop together are less
-// than a thousandth of it. Then theirs.
+// Returns the size by which a block judges what vanishes: the machine's, unless all vectors of the dyad's loop together
+// are less than a thousandth of it. Then theirs.
 double yk_block_size(const YkMechanism *mech, const YkBlock *block);
 // Returns the unit in which an input's way compares with turns: 1 rad, or that length.
 static inline double yk_input_unit(const YkMechanism *mech, size_t input)

@@ -1,79 +1,10 @@
 // Relations in the plan: once all but one of its angles and distances are known, a relation gives the last.
 //
-// What is a sum of inputs is kept as such a sum (a *form*), so that trains of gears and racks stay exact over any number
-// of turns; an angle that loops place is taken nearest to a reference that follows the motion.
+// What is a sum of inputs is kept as such a sum (a *form*), so that trains of gears and racks stay exact over any
+// number of turns; an angle that loops place is taken nearest to a reference that follows the motion.
 #include "base/memory.h"
 #include "compile/plan.h"
 #include "compile/relations.h"
-
-typedef struct YkInputSum {
-    bool is_known;
-    double constant;
-    YkRelationSource *sources; // inputs
-    size_t count;
-} YkInputSum;
-
-static YkInputSum *forms_of(YkPlan *plan)
-{
-    if (!plan->forms) {
-        size_t slots = plan->mech->slot_count + plan->mech->orientation_count + 1;
-        plan->forms = YK_NEW(plan->arena, YkInputSum, slots + plan->mech->distance_count);
-        plan->distance_forms = yk_from(plan->forms, slots);
-        if (plan->forms) plan->forms[0].is_known = true; // the ground
-    }
-    if (!plan->forms) plan->failed = true;
-    return plan->forms;
-}
-
-static YkInputSum *form_of(const YkPlan *plan, YkRelationTerm term)
-{
-    return (term.is_distance ? plan->distance_forms : plan->forms) + term.index;
-}
-
-// Returns x + y, or 0 where that is but rounding: over hundreds of turns of an input, rounding would be a miss.
-static double sum_of(double x, double y)
-{
-    return fabs(x + y) < 1e-12 * (fabs(x) + fabs(y)) ? 0 : x + y;
-}
-
-// Adds target += factor * form.
-static void add_form(YkPlan *plan, YkInputSum *target, const YkInputSum *form, double factor)
-{
-    YkRelationSource *sources = YK_NEW(plan->arena, YkRelationSource, target->count + form->count + 1);
-    if (!sources) {
-        plan->failed = true;
-        return;
-    }
-    size_t count = 0;
-    for (size_t k = 0; k < target->count; k++) sources[count++] = target->sources[k];
-    for (size_t k = 0; k < form->count; k++) {
-        size_t at = 0;
-        while (at < count && sources[at].index != form->sources[k].index) at++;
-        if (at == count) sources[count++] = (YkRelationSource){YK_SOURCE_INPUT, form->sources[k].index, YK_NONE, 0};
-        sources[at].factor = sum_of(sources[at].factor, factor * form->sources[k].factor);
-    }
-    target->sources = sources;
-    target->count = count;
-    target->constant += factor * form->constant;
-}
-
-// Adds two forms: the parent's, which is the ground's for a distance, and an input or what turns with the parent.
-static void note_step(YkPlan *plan, const YkStep *step)
-{
-    bool is_composed = step->kind == YK_STEP_COMPOSE;
-    YkInputSum input = {true, step->offset, &(YkRelationSource){YK_SOURCE_INPUT, step->input, YK_NONE, 1}, 1};
-    const YkInputSum *parent = &plan->forms[step->parent], *other = is_composed ? &plan->forms[step->other] : &input;
-    if (!parent->is_known || !other->is_known) return;
-    YkInputSum *form = form_of(plan, (YkRelationTerm){step->kind == YK_STEP_DISTANCE, step->target, 0});
-    add_form(plan, form, parent, 1);
-    add_form(plan, form, other, is_composed ? 1 : step->sign);
-    form->is_known = true;
-}
-
-void yk_plan_note_step(YkPlan *plan, const YkStep *step)
-{
-    if (plan->mech->relation_count > 0 && forms_of(plan)) note_step(plan, step);
-}
 
 static bool is_known(const YkPlan *plan, YkRelationTerm term)
 {
@@ -128,7 +59,7 @@ static void add_source(YkPlan *plan, YkRelationSource source, uint32_t first)
     YkMechanism *mech = plan->mech;
     for (size_t k = first; k < mech->source_count; k++) {
         if (mech->sources[k].kind != source.kind || mech->sources[k].index != source.index) continue;
-        mech->sources[k].factor = sum_of(mech->sources[k].factor, source.factor);
+        mech->sources[k].factor = yk_plan_add(mech->sources[k].factor, source.factor);
         return;
     }
     if (!YK_ROOM(mech->sources, mech->source_count, mech->source_capacity)) {
@@ -147,7 +78,7 @@ static double add_term(YkPlan *plan, YkRelationTerm term, double factor, uint32_
     // Takes only the part beyond the target's group.
     if (!term.is_distance && skip_root >= 0 && mech->group_root[term.index] == skip_root)
         term.index = mech->relative_slot[term.index];
-    const YkInputSum *form = form_of(plan, term);
+    const YkInputSum *form = yk_plan_sum_of(plan, term);
     if (!form->is_known) {
         YkSourceKind kind = term.is_distance ? YK_SOURCE_DISTANCE : YK_SOURCE_SLOT;
         add_source(plan, (YkRelationSource){kind, term.index, YK_NONE, factor}, first);
@@ -168,8 +99,8 @@ static void note_form(YkPlan *plan, const YkRelation *r)
     YkInputSum form = {true, r->offset, yk_from(plan->mech->sources, r->first_source), r->source_count};
     for (uint32_t k = 0; k < r->source_count; k++)
         if (form.sources[k].kind != YK_SOURCE_INPUT) return;
-    YkInputSum *target = form_of(plan, r->target);
-    add_form(plan, target, &form, 1);
+    YkInputSum *target = yk_plan_sum_of(plan, r->target);
+    yk_plan_add_sum(plan, target, &form, 1);
     target->is_known = true;
 }
 
@@ -195,8 +126,8 @@ static double add_any_term(YkPlan *plan, YkRelationTerm term, double factor, uin
     return term.is_distance ? 0 : add_term(plan, term, factor, first, root.index);
 }
 
-// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant), with the terms
-// of `from`: the relation itself, or its sum with others.
+// Writes sources such that offset + sources + gain law(argument) = times (terms - law(argument) - constant), with the
+// terms of `from`: the relation itself, or its sum with others.
 static void write_sources(YkPlan *plan, YkRelation *r, const YkRelation *from, double times, const Columns *columns)
 {
     YkMechanism *mech = plan->mech;
@@ -228,8 +159,8 @@ static void solve(YkPlan *plan, size_t index, YkRelationTerm unknown)
     yk_plan_learn(plan, (YkColumn){unknown.is_distance, unknown.index});
 }
 
-// Makes a check of a relation that repeats others: the pose has to fit it, or its sum with them. Factors that are rounding
-// would turn hundreds of turns of an input into a miss.
+// Makes a check of a relation that repeats others: the pose has to fit it, or its sum with them. Factors that are
+// rounding would turn hundreds of turns of an input into a miss.
 static void check(YkPlan *plan, size_t index, const YkRelation *from)
 {
     YkRelation *r = &plan->mech->relations[index];
@@ -347,7 +278,7 @@ static bool gather(YkPlan *plan, Rows *rows)
 static void subtract_row(Rows *rows, size_t i, size_t from, double times)
 {
     double *x = shares_of(rows, i), *y = shares_of(rows, from);
-    for (size_t k = 0; k < rows->count + rows->columns; k++) x[k] = sum_of(x[k], -times * y[k]);
+    for (size_t k = 0; k < rows->count + rows->columns; k++) x[k] = yk_plan_add(x[k], -times * y[k]);
 }
 
 static void swap_rows(Rows *rows, size_t i, size_t j)
@@ -405,8 +336,8 @@ static size_t derive(YkPlan *plan, const Rows *rows, size_t row)
     return index;
 }
 
-// Handles a row without unknowns: the relation that it was at first repeats others. In their sum all that they tie cancels,
-// so that it does not matter how often a wheel has turned.
+// Handles a row without unknowns: the relation that it was at first repeats others. In their sum all that they tie
+// cancels, so that it does not matter how often a wheel has turned.
 static void check_row(YkPlan *plan, const Rows *rows, size_t row)
 {
     size_t sum = derive(plan, rows, row);
@@ -448,7 +379,7 @@ bool yk_plan_relations(YkPlan *plan)
 {
     YkMechanism *mech = plan->mech;
     bool solved = false;
-    if (mech->relation_count == 0 || !forms_of(plan)) return false;
+    if (mech->relation_count == 0 || !yk_plan_sums(plan)) return false;
     for (size_t k = 0; k < mech->relation_count && !plan->failed; k++) {
         YkRelation *r = &mech->relations[k];
         YkRelationTerm unknown = {0};

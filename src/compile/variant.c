@@ -2,7 +2,6 @@
 // values slightly beside the file's, so that a vector which is 0 or cancels there by chance is kept.
 #include "compile/variant.h"
 #include "compile/relations.h"
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"

@@ -1,6 +1,5 @@
 // Krawczyk's operator in complex discs.
 #include "configurations/certify.h"
-#include <string.h>
 #include "configurations/ball.h"
 
 enum { N_MAX = 2 * YK_SYSTEM_LOOPS_MAX };

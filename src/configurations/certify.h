@@ -22,12 +22,12 @@ typedef struct YkCertificate {
 // then its own conjugate. Returns false if no radius succeeds. Cost 2 factorisations.
 bool yk_certify(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkCertificate *certificate);
 // Proves the same for all coefficients within discs, given by their centres and radii, [2][loops][unknowns + 1]. Absent
-// coefficients have centre and radius 0. The solution is then a continuous function of the coefficients. Tries radii that are
-// small multiples of what the discs let x miss by, and neither moves x nor judges whether it is real.
+// coefficients have centre and radius 0. The solution is then a continuous function of the coefficients. Tries radii
+// that are small multiples of what the discs let x miss by, and neither moves x nor judges whether it is real.
 bool yk_enclose(const YkShape *shape, const YkVec *coefficients, const double *radii, const YkVec *x,
                 YkCertificate *certificate);
-// A path of coefficients over an interval of a parameter t about its middle: discs of them in the middle, over the whole
-// interval, and of their derivatives over it.
+// A path of coefficients over an interval of a parameter t about its middle: discs of them in the middle, over the
+// whole interval, and of their derivatives over it.
 typedef struct YkPathDiscs {
     const YkVec *middle, *whole, *rate;
     const double *middle_radius, *whole_radius, *rate_radius;
@@ -38,9 +38,9 @@ typedef struct YkPathCertificate {
     YkVec rate[2 * YK_SYSTEM_LOOPS_MAX]; // of x
     double rate_within; // bound of the distance from `rate` to the solution's derivative, over the size of x
 } YkPathCertificate;
-// Proves that for every t of the interval exactly one solution lies in a polydisc that moves along a line through x: the
-// solution is a smooth function of t. Krawczyk's operator on the moving polydisc; how far the line misses is bounded by
-// the mean value theorem, so that intervals may be as long as the Jacobian allows.
+// Proves that for every t of the interval exactly one solution lies in a polydisc that moves along a line through x:
+// the solution is a smooth function of t. Krawczyk's operator on the moving polydisc; how far the line misses is
+// bounded by the mean value theorem, so that intervals may be as long as the Jacobian allows.
 bool yk_enclose_path(const YkShape *shape, const YkPathDiscs *path, const YkVec *x, YkPathCertificate *certificate);
 // Returns whether two certified solutions of the same system are certainly different.
 bool yk_are_distinct(const YkShape *shape, const YkVec *x, const YkCertificate *of_x, const YkVec *y,

@@ -145,8 +145,8 @@ static size_t add_options(YkConfigurations *all, Member *m, const YkBlock *block
     return count;
 }
 
-// Keeps one of several poses that a search found around one dead point, to half the digits. Those that are proved are none.
-// Returns how many are left.
+// Keeps one of several poses that a search found around one dead point, to half the digits. Those that are proved are
+// none. Returns how many are left.
 static size_t drop_twins(const YkConfigurations *all, const Member *m, const YkBlock *block, double *found,
                          size_t count)
 {
@@ -196,8 +196,8 @@ static void note(YkConfigurations *all, size_t index, const Member *m, YkGroupSt
     r->expected = s->is_counted ? s->expected : 0;
 }
 
-// Finds all configurations of a group by exclusion. Returns false if that does not succeed. Where it succeeds but for boxes
-// beside singular poses, these are counted, and the group is not complete.
+// Finds all configurations of a group by exclusion. Returns false if that does not succeed. Where it succeeds but for
+// boxes beside singular poses, these are counted, and the group is not complete.
 static bool exclude(YkConfigurations *all, const YkRun *run, size_t index, YkPace *pace)
 {
     YkGeared geared;

@@ -5,7 +5,6 @@
 #include "base/mix.h"
 #include "compile/closure.h"
 #include "configurations/continuum_inside.h"
-#include "num/dense.h"
 
 enum { UNKNOWNS_MAX = 100, TRIES = 24 };
 #define STEP 0.02 // rad or sizes
@@ -50,8 +49,8 @@ void yk_continua_end(YkContinua *c)
 
 // --- the dimension
 
-// Takes a short step from x along a direction, in place of which the pose comes that it leads to. Returns whether that is a
-// pose, about as far away as the step was long.
+// Takes a short step from x along a direction, which becomes the pose that the step leads to. Returns whether that
+// is a pose, about as far away as the step was long.
 static bool take_step(YkContinua *c, const double *x, double *way, double *miss)
 {
     for (size_t k = 0; k < c->columns; k++) way[k] = x[k] + STEP * yk_continuum_unit(c, k) * way[k];
@@ -101,8 +100,8 @@ static bool step_aside(YkContinua *c, size_t dimension, uint64_t *seed, double *
     return take_step(c, c->x0, way, &miss);
 }
 
-// Finds the largest dimension of a continuum through x0, or beside it if several cross there. *x: a pose on the continuum
-// whose kernel has exactly that dimension.
+// Finds the largest dimension of a continuum through x0, or beside it if several cross there. *x: a pose on the
+// continuum whose kernel has exactly that dimension.
 static void find_dimension(YkContinua *c, double *x, YkContinuum *found)
 {
     double way[UNKNOWNS_MAX];

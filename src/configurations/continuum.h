@@ -1,10 +1,11 @@
-// Whether a pose is one of a continuum of poses with the same inputs, and of which dimension.
+// Tells whether a pose belongs to a continuum of poses with the same inputs, and its dimension.
 //
-// The equations of a machine are its loops, its gears and its inputs. Where the rank of their Jacobian is below the number of
-// unknowns a pose is a dead point, or the machine can move: short steps along the kernel, closed again by Gauss and Newton's
-// method, tell. The rank bounds the dimension from above, and is proved with an approximate left inverse. It is bounded from
-// below, with proof, where bodies that keep their angle to each other make loops repeat each other, as those of parallelograms
-// do: what is left of the equations has full rank, and the implicit function theorem holds.
+// The equations of a machine are its loops, its gears and its inputs. Where the rank of their Jacobian is below the
+// number of unknowns a pose is a dead point, or the machine can move: short steps along the kernel, closed again by
+// Gauss and Newton's method, tell. The rank bounds the dimension from above, and is proved with an approximate left
+// inverse. It is bounded from below, with proof, where bodies that keep their angle to each other make loops repeat
+// each other, as those of parallelograms do: what is left of the equations has full rank, and the implicit function
+// theorem holds.
 #ifndef CONFIGURATIONS_CONTINUUM_H
 #define CONFIGURATIONS_CONTINUUM_H
 #include <yoke/configurations.h>
@@ -21,12 +22,12 @@ typedef struct YkContinua {
     size_t *dimension;
 } YkContinua;
 
-// Makes the room. Returns false when out of memory. No machine with laws among its relations, or of more than 100 unknowns, has
-// any: its continua are not looked for.
+// Makes the room. Returns false when out of memory. No machine with laws among its relations, or of more than 100
+// unknowns, has any: its continua are not looked for.
 bool yk_continua_start(YkContinua *continua, const YkMechanism *mech);
 void yk_continua_end(YkContinua *continua);
-// Tells the continuum of a state's pose; of dimension 0 where none is found. *is_new: no pose of the same continuum was asked
-// for since it was cleared (kept = 0). Returns false when out of memory.
+// Tells the continuum of a state's pose; of dimension 0 where none is found. *is_new: no pose of the same continuum was
+// asked for since it was cleared (kept = 0). Returns false when out of memory.
 // Cost: some hundred factorisations of all equations at a singular pose, one at any other.
 bool yk_continuum_at(YkContinua *continua, const YkState *state, YkContinuum *continuum, bool *is_new);
 

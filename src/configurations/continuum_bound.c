@@ -1,14 +1,13 @@
 // Bounds the dimension of a continuum from both sides, with proof.
 #include <math.h>
 #include <stdlib.h>
-#include "base/memory.h"
 #include "compile/closure.h"
 #include "configurations/continuum_inside.h"
 #include "num/complex.h"
 #include "num/dense.h"
 
-// Proves that A[m][n] has a rank of at least r, at all poses within 1e-10 of this one: some r columns have a left inverse Y,
-// with |I - Y A| < 1 in every row. Returns r, or 0 where that is not proved.
+// Proves that A[m][n] has a rank of at least r, at all poses within 1e-10 of this one: some r columns have a left
+// inverse Y, with |I - Y A| < 1 in every row. Returns r, or 0 where that is not proved.
 static size_t prove_rank(YkContinua *c, size_t m, size_t n, const double *A)
 {
     size_t count = m * n + m + 2 * n + m * n;
@@ -67,8 +66,8 @@ static size_t find_classes(YkContinua *c)
     return classes;
 }
 
-// Returns how many of the loops are left, as complex rows, where orientations of one class turn together; SIZE_MAX where that
-// is not clear or memory ran out.
+// Returns how many of the loops are left, as complex rows, where orientations of one class turn together; SIZE_MAX
+// where that is not clear or memory ran out.
 static size_t count_loops(YkContinua *c, const double *x, size_t classes)
 {
     const YkMechanism *mech = c->mech;
@@ -114,8 +113,9 @@ static void reduce_columns(const YkContinua *c, size_t classes, double *B)
         }
 }
 
-// Bounds the dimension from below. With the classes held together, e equations are left in n' unknowns; where their Jacobian is
-// proved to have rank e, their solutions are a manifold of dimension n' - e, by the implicit function theorem.
+// Bounds the dimension from below. With the classes held together, e equations are left in n' unknowns; where their
+// Jacobian is proved to have rank e, their solutions are a manifold of dimension n' - e, by the implicit function
+// theorem.
 static size_t bound_below(YkContinua *c, const double *x)
 {
     size_t o = c->mech->orientation_count - 1, loops = 2 * c->mech->loop_count;

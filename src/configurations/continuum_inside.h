@@ -1,4 +1,4 @@
-// What the files of a continuum share.
+// Shared by the files of a continuum.
 #ifndef CONFIGURATIONS_CONTINUUM_INSIDE_H
 #define CONFIGURATIONS_CONTINUUM_INSIDE_H
 #include "configurations/continuum.h"
@@ -7,7 +7,7 @@ enum { YK_CONTINUUM_SAMPLES = 16 }; // poses by which bodies are told that keep 
 
 // --- continuum_equations.c
 double yk_continuum_unit(const YkContinua *continua, size_t column); // of an unknown: 1 rad, or the size
-// Evaluates all equations at x, over the size: c->F, and c->A with distances over the size. Returns by how much they miss.
+// Evaluates all equations at x, over the size: c->F, and c->A with distances over the size. Returns their miss.
 double yk_continuum_evaluate(YkContinua *continua, const double *x);
 // Moves x to a pose, by Gauss and Newton's method. Returns whether it closes.
 bool yk_continuum_close(YkContinua *continua, double *x, double *miss);

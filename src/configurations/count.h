@@ -17,8 +17,8 @@ typedef enum YkCountStatus { YK_COUNTED, YK_COUNT_TOO_LARGE, YK_COUNT_STOPPED, Y
 // themselves instead of the bars of their triangles; docs/configurations.md has the proof.
 // Cost at most 4^(unknowns), usually far less.
 YkCountStatus yk_count_angles(const YkMatroid *matroid, YkPace *pace, size_t *count);
-// Counts those of any group by intersecting the cones of the two tropical spaces one by one. TOO_LARGE beyond 10,000 cones:
-// groups of six loops mostly have fewer.
+// Counts those of any group by intersecting the cones of the two tropical spaces one by one. TOO_LARGE beyond 10,000
+// cones: groups of six loops mostly have fewer.
 YkCountStatus yk_count_cones(const YkMatroid *matroid, const YkShape *shape, YkPace *pace, size_t *count);
 
 #endif

@@ -1,11 +1,11 @@
 // Counts solutions by intersecting the cones of two tropical linear spaces.
 //
-// A tropical linear space is a fan. Its cones belong to nested sets of connected flats of the matroid: {F_1 .. F_L} stands
-// for all sums of a_i 1_(F_i) with a_i >= 0, where no two or more incomparable ones have a connected flat as their join
-// (Feichtner & Sturmfels 2005). These are far fewer than the chains of all flats (Ardila & Klivans 2006), which divide
-// them further. Every constraint x_j y_j = c becomes X_j + Y_j = v_j, a distance that both conjugates share
-// X_m - X_j = Y_m - Y_j + v_m. At generic v, two cones meet in a point or not at all, and count |det| times (Osserman &
-// Payne 2013).
+// A tropical linear space is a fan. Its cones belong to nested sets of connected flats of the matroid: {F_1 .. F_L}
+// stands for all sums of a_i 1_(F_i) with a_i >= 0, where no two or more incomparable ones have a connected flat as
+// their join (Feichtner & Sturmfels 2005). These are far fewer than the chains of all flats (Ardila & Klivans 2006),
+// which divide them further. Every constraint x_j y_j = c becomes X_j + Y_j = v_j, a distance that both conjugates
+// share X_m - X_j = Y_m - Y_j + v_m. At generic v, two cones meet in a point or not at all, and count |det| times
+// (Osserman & Payne 2013).
 #include "configurations/count.h"
 #include <math.h>
 #include <stdlib.h>
@@ -124,7 +124,7 @@ static void write_column(const YkShape *shape, size_t flat, int side, double *co
     }
 }
 
-// What eliminates the columns of the first cone, one pivot row each.
+// Pivot rows that eliminate the columns of the first cone, one each.
 typedef struct Steps {
     size_t pivot[L_MAX];
     double column[L_MAX][N_MAX], det; // each as it was when its turn came

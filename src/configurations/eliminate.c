@@ -20,8 +20,8 @@ typedef struct Work {
     int pivot[MOST];
 } Work;
 
-// Computes the eigenvalues of M_0 + h M_1 by those of 1 / (shift - h). Returns false if they are not found: the matrix is
-// singular for every h.
+// Computes the eigenvalues of M_0 + h M_1 by those of 1 / (shift - h). Returns false if they are not found: the matrix
+// is singular for every h.
 static bool solve_pencil(Work *w)
 {
     size_t n = w->pencil.count;
@@ -62,9 +62,9 @@ static bool read_solution(const Work *w, YkVec value, const YkVec *vector, YkVec
 
 // --- solutions with equal h
 
-// Adds, times a random number, the matrix by which an angle multiplies the vectors of the cluster: with their rows of all
-// monomials in `low` and of the same times the angle in `high`, low Z = high by least squares. Returns false if the rows
-// do not determine it.
+// Adds, times a random number, the matrix by which an angle multiplies the vectors of the cluster: with their rows of
+// all monomials in `low` and of the same times the angle in `high`, low Z = high by least squares. Returns false if the
+// rows do not determine it.
 static bool add_angle(Work *w, size_t angle, YkVec share)
 {
     const YkPencil *p = &w->pencil;

@@ -8,15 +8,15 @@
 #include "num/dense.h"
 
 enum { N = YK_GEARED_MAX, ROWS = YK_GEARED_ROWS, BOXES_MAX = 400000 };
-#define SMALLEST 1e-7 // half a side, rad: poses that are not told apart then meet
-#define NEAR 0.01     // half a side: smaller boxes are left where a singular pose is as close
-#define WIDER 1.5     // a pose on the side of a box is inside of the box in which it is sought
+#define SMALLEST 1e-7                // half a side, rad: poses that are not told apart then meet
+#define NEAR (0.5 * YK_EXCLUDE_NEAR) // half a side: smaller boxes are left where a singular pose is as close
+#define WIDER 1.5                    // a pose on the side of a box is inside of the box in which it is sought
 
 typedef struct Box {
     double at[N], half[N];
 } Box;
 
-// What is known of the equations over a box: F in its middle, in the middle of the interval, and the Jacobian over it, each with a radius.
+// The bounds of an equation over a box: F in the middles of box and interval, and the Jacobian over it, with radii.
 typedef struct Row {
     double miss, miss_radius, slope[N], slope_radius[N];
     double rate, rate_radius; // its derivative by the interval's parameter
@@ -32,7 +32,7 @@ typedef struct Search {
     double shift[N], shift_radius[N], rest[N * N]; // Y F; bounds of |I - Y J|
 } Search;
 
-// Selects coefficients: those of the whole interval or of the pose; in the interval's middle; their derivatives over it.
+// Coefficients: over the whole interval or at the pose; in the interval's middle; their derivatives over it.
 typedef enum Which { WHOLE, MIDDLE, RATE } Which;
 
 static YkBall coefficient(const Search *s, size_t loop, size_t k, Which which)
@@ -101,8 +101,8 @@ static bool read_loop(Search *s, size_t loop, const Box *box)
     return fmax(fabs(over.at.x), fabs(over.at.y)) > over.radius;
 }
 
-// Adds a law to a relation over the box, by the mean value theorem; *size: the scale of what is rounded. Returns how far
-// it can move.
+// Adds a law to a relation over the box, by the mean value theorem; *size: the scale of what is rounded. Returns how
+// far it can move.
 static double read_law(const Search *s, const YkGearedLaw *law, double share, const Box *box, Row *row, double *size)
 {
     double x = law->offset, radius = 1e-15 * fabs(x), d[YK_LAW_ORDER + 1], gain = share * law->gain;
@@ -123,8 +123,8 @@ static double read_law(const Search *s, const YkGearedLaw *law, double share, co
     return YK_BALL_OUT(fabs(gain) * law->bound.slope * radius);
 }
 
-// Reads a relation. Returns how far its sum can move over the box; *nearest: how far it is from a multiple of 2 pi, or from
-// 0 if it is met exactly.
+// Reads a relation. Returns how far its sum can move over the box; *nearest: how far it is from a multiple of 2 pi, or
+// from 0 if it is met exactly.
 static double read_relation(Search *s, size_t relation, const Box *box, double *nearest)
 {
     Row *row = &s->rows[2 * s->g->shape.loops + relation];
@@ -254,8 +254,8 @@ static void read_at(Search *s, const double *x)
     for (size_t r = 0; r < s->g->relations; r++) read_relation(s, r, &point, &nearest);
 }
 
-// Finds the pose that is alone in a box, by Newton's method for the equations that prove that. Tells by how much these miss
-// there, and by how much all do if there are more.
+// Finds the pose that is alone in a box, by Newton's method for the equations that prove that. Tells by how much these
+// miss there, and by how much all do if there are more.
 static void polish(Search *s, const Box *box, double *x, double *miss, double *all)
 {
     Box point = {.half = {0}};
@@ -353,8 +353,8 @@ static Box half_of(const Box *box, size_t side, double sign)
     return part;
 }
 
-// Closes the equations from the middle of a box by least squares. Returns whether that leads to a singular pose beside it:
-// a dead point, or one of a continuum.
+// Closes the equations from the middle of a box by least squares. Returns whether that leads to a singular pose beside
+// it: a dead point, or one of a continuum.
 static bool is_beside_singular(Search *s, const Box *box)
 {
     const double rounding = 1e-7, closed = 1e-12;

@@ -1,5 +1,5 @@
-// Finds all poses of a geared group by exclusion: the space of its angles is halved until every box is proved to hold no
-// pose, or not more than the one that is found in it.
+// Finds all poses of a geared group by exclusion: the space of its angles is halved until every box is proved to hold
+// no pose, or not more than the one that is found in it.
 #ifndef CONFIGURATIONS_EXCLUDE_H
 #define CONFIGURATIONS_EXCLUDE_H
 #include "configurations/geared.h"
@@ -14,20 +14,20 @@ typedef struct YkExcluded { // the array is kept and reused
     bool is_complete; // every pose is listed here or lies in one of the boxes that were left
 } YkExcluded;
 
-// Returns false when out of memory. Being stopped by `pace` leaves it incomplete, as do poses that meet and cannot be told apart.
+// Returns false when out of memory. It is incomplete if `pace` stops it, or if poses that meet cannot be told apart.
 bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out);
-// Coefficients along an interval of a parameter: discs of them in its middle, and of their derivatives all over it; those of
-// the loops, then of the phases at [loops (unknowns + 1) 2 + relation (unknowns + 1) + unknowns].
+// Coefficients along an interval of a parameter: discs of them in its middle, and of their derivatives all over it;
+// those of the loops, then of the phases at [loops (unknowns + 1) 2 + relation (unknowns + 1) + unknowns].
 typedef struct YkExclusionPath {
     const YkVec *middle, *rate;
     const double *middle_radius, *rate_radius;
     double half; // of the interval's length
 } YkExclusionPath;
 
-// Divides boxes, or the space of all unknowns, over the whole interval; `geared` has the coefficients all over it. A box
-// is handed over by its middle and half widths. `judge` gets each box that is proved to hold exactly one pose at every
-// parameter of the interval, and returns whether it knows that pose. `keep` gets each box that has become as small as
-// `smallest` without being settled: nothing is proved of it, or `judge` did not know its pose.
+// Divides boxes, or the space of all unknowns, over the whole interval; `geared` has the coefficients all over it. A
+// box is handed over by its middle and half widths. `judge` gets each box that is proved to hold exactly one pose at
+// every parameter of the interval, and returns whether it knows that pose. `keep` gets each box that has become as
+// small as `smallest` without being settled: nothing is proved of it, or `judge` did not know its pose.
 // Returns false after `most` boxes, when stopped, or when `keep` returns false.
 typedef struct YkExclusion {
     bool (*judge)(void *context, const double *at, const double *half);

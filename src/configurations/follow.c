@@ -1,6 +1,5 @@
 // Predicts and corrects along a path of coefficients.
 #include "configurations/follow.h"
-#include <string.h>
 #include "num/complex.h"
 #include "num/homotopy.h"
 

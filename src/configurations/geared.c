@@ -14,7 +14,7 @@ static bool is_whole(double x)
     return fabs(x - rint(x)) < 1e-9;
 }
 
-// Finds what makes the factors of all angles, not all 0, whole, without a common divisor. Returns false if nothing does.
+// Finds what makes the angles' factors, not all 0, whole without a common divisor. Returns false if nothing does.
 static bool find_times(const YkShape *shape, const double *factor, double *times)
 {
     double least = INFINITY;
@@ -105,8 +105,8 @@ static void swap_columns(double A[R][N], size_t relations, size_t i, size_t j)
     }
 }
 
-// Finds a basis of all combinations that whole turns of the angles give: the first columns of Hermite's form, by Euclid's
-// algorithm on the columns. Returns false if the relations depend on each other.
+// Finds a basis of all combinations that whole turns of the angles give: the first columns of Hermite's form, by
+// Euclid's algorithm on the columns. Returns false if the relations depend on each other.
 static bool find_lattice(const YkGeared *g, double A[R][N])
 {
     size_t n = g->shape.angles;

@@ -1,9 +1,10 @@
 // A group of loops with gears, belts, racks, cams or laws between its links, or with none, at a pose.
 //
-// Each relation says that sum p_j Phi_j + sum q_m d_m + law + C = 0 for angles that count their turns; whole turns do not
-// change what a law gives. With whole p_j it can be met by adding turns exactly where the sum is a multiple of 2 pi, if
-// adding turns to all angles gives every combination of whole numbers for the relations: they are combined until it does.
-// So poses are looked for modulo 2 pi. A relation without p_j, such as that of a follower that slides, is met exactly.
+// Each relation says that sum p_j Phi_j + sum q_m d_m + law + C = 0 for angles that count their turns; whole turns do
+// not change what a law gives. With whole p_j it can be met by adding turns exactly where the sum is a multiple of 2
+// pi, if adding turns to all angles gives every combination of whole numbers for the relations: they are combined until
+// it does. So poses are looked for modulo 2 pi. A relation without p_j, such as that of a follower that slides, is met
+// exactly.
 #ifndef CONFIGURATIONS_GEARED_H
 #define CONFIGURATIONS_GEARED_H
 #include "configurations/system.h"
@@ -39,8 +40,8 @@ typedef struct YkGeared {
 bool yk_geared_read(YkGeared *geared, const YkRun *run, size_t index);
 // Bounds the distances by the loops, at the coefficients. Returns false if they do not bound all.
 bool yk_geared_bound(YkGeared *geared);
-// Adds whole turns to the angles of a pose until all relations are met, as few as possible. Returns false if it takes too
-// many.
+// Adds whole turns to the angles of a pose until all relations are met, as few as possible. Returns false if it takes
+// too many.
 bool yk_geared_turn(const YkGeared *geared, double *x);
 
 #endif

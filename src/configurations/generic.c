@@ -87,7 +87,7 @@ static bool keep(YkGeneric *generic, const YkShape *shape, const YkVec *x)
     return true;
 }
 
-// What one search works with.
+// The data of one search.
 typedef struct Search {
     const YkShape *shape;
     const YkVec *pose; // coefficients
@@ -100,7 +100,7 @@ typedef struct Search {
 } Search;
 
 // Invents a solution, and the right-hand sides for which it is one, as coefficients. Returns false if there is none:
-// the space has no vector of which no coordinate vanishes.
+// every vector of the space has a coordinate that vanishes.
 static bool invent_solution(Search *search, YkVec *coefficients, YkVec *solution)
 {
     YkVec x[N_MAX + 1], y[N_MAX + 1], scale[N_MAX];

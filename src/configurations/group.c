@@ -164,9 +164,9 @@ static YkGroupStatus follow_all(const YkGroupKept *kept, const YkVec *between, c
     return YK_GROUP_SOLVED;
 }
 
-// Returns a generic system on the way to a pose: its own, with other right-hand sides. Its loops and their conjugates are
-// multiplied by complex numbers, which changes no solution: on the straight way from a pose to one with a coefficient of
-// the opposite sign, that coefficient would vanish in both.
+// Returns a generic system on the way to a pose: its own, with other right-hand sides. Its loops and their conjugates
+// are multiplied by complex numbers, which changes no solution: on the straight way from a pose to one with a
+// coefficient of the opposite sign, that coefficient would vanish in both.
 static void make_detour(const YkShape *shape, const YkVec *pose, uint64_t *seed, YkVec *between)
 {
     size_t half = yk_coefficient_count(shape), width = shape->unknowns + 1;

@@ -6,7 +6,7 @@
 #include "configurations/matroid.h"
 #include "configurations/generic.h"
 
-// What is kept for a group from pose to pose.
+// Kept for a group from pose to pose.
 typedef struct YkGroupKept {
     YkOutside outside;
     YkGroupSolver solver;
@@ -45,8 +45,8 @@ bool yk_group_solutions_copy(YkGroupSolutions *to, const YkGroupSolutions *from,
 // Solves the system with these coefficients; the second half must be the conjugates of the first. size: that of the
 // machine, m.
 YkGroupStatus yk_group_solve_at(YkGroupKept *kept, const YkVec *pose, double size, YkPace *pace, YkGroupSolutions *out);
-// Does the same from the solutions that `out` has of another pose nearby, by Newton's method, where that finds and proves
-// as many as the generic system has; follows the paths where it does not.
+// Does the same from the solutions that `out` has of another pose nearby, by Newton's method, where that finds and
+// proves as many as the generic system has; follows the paths where it does not.
 YkGroupStatus yk_group_solve_near(YkGroupKept *kept, const YkVec *pose, double size, YkPace *pace,
                                   YkGroupSolutions *out);
 // Solves block `index` at the pose of `run`, in which earlier blocks are solved. kept->outside and kept->shape must

@@ -1,9 +1,9 @@
 // A group's system with one unknown hidden, as elimination needs it: linear in the hidden h with constant coefficients.
 //
-// If there are slides the hidden unknown is the distance of one, along a line that is made known: where it turns with an
-// angle z_j, everything is seen from the body that carries it. All loops are divided by z_j, so that 1 / z_j and the
-// constants change places, and known lines turn with 1 / z_j. Otherwise, and where these do not lead to all solutions, it is
-// an angle with which no line turns, z_h in the loops and 1 / z_h in their conjugates.
+// If there are slides the hidden unknown is the distance of one, along a line that is made known: where it turns with
+// an angle z_j, everything is seen from the body that carries it. All loops are divided by z_j, so that 1 / z_j and the
+// constants change places, and known lines turn with 1 / z_j. Otherwise, and where these do not lead to all solutions,
+// it is an angle with which no line turns, z_h in the loops and 1 / z_h in their conjugates.
 #ifndef CONFIGURATIONS_HIDDEN_H
 #define CONFIGURATIONS_HIDDEN_H
 #include "configurations/system.h"
@@ -21,8 +21,8 @@ typedef struct YkHidden {
 
 // Hides the unknown with this number among those that can be hidden. Returns false if there are fewer.
 bool yk_hide(YkHidden *hidden, const YkShape *shape, const YkVec *coefficients, size_t number);
-// Writes the unknowns x of the shape from the values of h and of the other angles; finds the distances by least squares.
-// Returns false if they are not determined.
+// Writes the unknowns x of the shape from the values of h and of the other angles; finds the distances by least
+// squares. Returns false if they are not determined.
 bool yk_hidden_restore(const YkHidden *hidden, YkVec h, const YkVec *angles, YkVec *x);
 
 #endif

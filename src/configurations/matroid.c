@@ -54,7 +54,7 @@ YkMatroidStatus yk_matroid_make(YkMatroid *matroid, const YkShape *shape, const 
 {
     size_t elements = shape->unknowns + 1, width = shape->loops + 1, order[ELEMENTS_MAX];
     YkVec A[YK_SYSTEM_LOOPS_MAX * ELEMENTS_MAX], rows[ELEMENTS_MAX * ELEMENTS_MAX];
-    *matroid = (YkMatroid){elements, width, calloc((size_t)1 << elements, 1)};
+    *matroid = (YkMatroid){elements, calloc((size_t)1 << elements, 1)};
     if (!matroid->rank) return YK_MATROID_NO_MEMORY;
     memcpy(A, coefficients, yk_coefficient_count(shape) * sizeof *A);
     if (yk_complex_kernel(shape->loops, elements, A, order, clear, rows) < shape->loops) return YK_MATROID_UNCLEAR;

@@ -6,8 +6,8 @@
 // Its elements are the unknowns z_j and y_m = d_m z_j and, last, the constant 1; its bases are those of the linear
 // space of all vectors that satisfy the loops. rank[S] is the rank of a set of elements S, one bit for each.
 typedef struct YkMatroid {
-    size_t elements, rank_of_all; // unknowns + 1; loops + 1
-    unsigned char *rank;          // [2^elements]
+    size_t elements;     // unknowns + 1
+    unsigned char *rank; // [2^elements]
 } YkMatroid;
 
 typedef enum YkMatroidStatus { YK_MATROID_MADE, YK_MATROID_UNCLEAR, YK_MATROID_NO_MEMORY } YkMatroidStatus;

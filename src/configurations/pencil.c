@@ -4,7 +4,7 @@
 #include "base/mix.h"
 #include "num/complex.h"
 
-enum { MOST = YK_ELIMINATION_MOST, SET_MAX = 4096, HALF_MAX = 128 };
+enum { MOST = YK_ELIMINATION_MOST, SET_MAX = 4096 };
 
 typedef struct Set {
     YkMonomial of[SET_MAX];

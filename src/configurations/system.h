@@ -6,8 +6,9 @@
 // member of a family in which paths can be followed. Lengths are over the machine's size.
 // Source: Wampler 1999, "Solving the kinematics of planar mechanisms" (isotropic coordinates).
 //
-// With relations between the unknowns (gears, belts, racks) the system is one in real unknowns: Phi_j, rad, in place of z_j. Its
-// rows are every loop in x and in y, then the relations sum p_j Phi_j + sum q_m d_m + C, modulo 2 pi where they count turns.
+// With relations between the unknowns (gears, belts, racks) the system is one in real unknowns: Phi_j, rad, in place of
+// z_j. Its rows are every loop in x and in y, then the relations sum p_j Phi_j + sum q_m d_m + C, modulo 2 pi where
+// they count turns.
 #ifndef CONFIGURATIONS_SYSTEM_H
 #define CONFIGURATIONS_SYSTEM_H
 #include <stdbool.h>
@@ -25,8 +26,8 @@ typedef struct YkShape {
     size_t column[2 * YK_SYSTEM_LOOPS_MAX]; // of an unknown: the group's column
 } YkShape;
 
-// The coefficients of the loops, then of their conjugates: [2][loops][unknowns + 1], the constants last. In real unknowns those
-// of the relations follow, [relations][unknowns + 1].
+// The coefficients of the loops, then of their conjugates: [2][loops][unknowns + 1], the constants last. In real
+// unknowns those of the relations follow, [relations][unknowns + 1].
 
 typedef enum YkOutside { // why a group is not such a system
     YK_OUTSIDE_NOT,
@@ -38,8 +39,8 @@ typedef enum YkOutside { // why a group is not such a system
 
 // Reads the structure of block `index`, a group.
 YkOutside yk_shape_read(YkShape *shape, const YkMechanism *mech, size_t index);
-// Reads the columns of the block and the lines of its slides alone, whatever its relations are and however many equations
-// it has. Returns false if there are too many, or a distance along more than one line.
+// Reads the columns of the block and the lines of its slides alone, whatever its relations are and however many
+// equations it has. Returns false if there are too many, or a distance along more than one line.
 bool yk_shape_read_columns(YkShape *shape, const YkMechanism *mech, size_t index);
 // Reads the coefficients at the pose of `run`: [2][loops][unknowns + 1]. Earlier blocks must be solved.
 void yk_coefficients_read(const YkShape *shape, const YkRun *run, size_t index, YkVec *coefficients);
@@ -48,7 +49,7 @@ static inline size_t yk_coefficient_count(const YkShape *shape) // of one of the
     return shape->loops * (shape->unknowns + 1);
 }
 
-// Returns the size that measures changes of an unknown: of z its own, of an angle 1, of a distance its own or the machine's.
+// Returns the size that measures changes of an unknown: 1 for an angle, its own for z, or the machine's for a distance.
 double yk_unknown_size(const YkShape *shape, const YkVec *x, size_t unknown);
 
 // Evaluates F[unknowns] (loops, then conjugates) at x, and the Jacobian J[unknowns][unknowns] if it is not NULL.

@@ -1,5 +1,5 @@
-// Section: instant centres. P_ij moves alike on bodies i and j; the order and the lines by Kennedy's theorem are those of
-// design/centers.c at the pose in which the file starts.
+// Section: instant centres. P_ij moves alike on bodies i and j; the order and the lines by Kennedy's theorem are those
+// of design/centers.c at the pose in which the file starts.
 #include <yoke/centers.h>
 #include <math.h>
 #include "derive/forces/free_bodies.h"
@@ -130,7 +130,8 @@ static bool has_symbol(const YkCenter *center)
            (center->kind == YK_CENTER_AT_INFINITY && center->source == YK_CENTER_JOINT);
 }
 
-// Writes that a centre lies on the line through two others: (P - Q) x (R - Q) = 0, or (P - Q) x e = 0 to one at infinity.
+// Writes that a centre lies on the line through two others: (P - Q) x (R - Q) = 0, or (P - Q) x e = 0 to one at
+// infinity.
 static void put_line(Centers *c, const YkCenter *center, size_t by)
 {
     const YkCenter *q = c->of[center->body[0] * c->bodies + by], *r = c->of[by * c->bodies + center->body[1]];

@@ -141,8 +141,8 @@ static const char *unit_of(const YkDerivation *d, const YkDeriveConstant *c)
     return kind == YK_RING_MASS ? " kg" : kind == YK_RING_INERTIA ? " kg*m^2" : "";
 }
 
-// Returns the double nearest to the exact value: products with units in floating point (90 * 1e-6) may be the one beside
-// it, which is a number of 17 digits that no check can read.
+// Returns the double nearest to the exact value: products with units in floating point (90 * 1e-6) may be the one
+// beside it, which is a number of 17 digits that no check can read.
 static double shown(const YkDeriveConstant *c)
 {
     const int64_t most = INT64_C(1) << 53;

@@ -193,6 +193,7 @@ const YkPoisson *yk_derive_definition(YkDerivation *d, size_t parameter);
 // Join three texts, and a text with a number in decimals; "" with d->failed when out of memory (text.c).
 const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third);
 const char *yk_derive_numbered(YkDerivation *d, const char *stem, size_t number);
+char *yk_derive_digits(char *end, size_t number); // writes a number before `end`; returns its first digit
 
 // --- The machine (geometry.c, path.c)
 const YkPoisson *yk_derive_at(YkDerivation *d, int32_t body, int32_t point); // in the body's axes; YK_NONE: the origin

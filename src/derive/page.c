@@ -1,12 +1,31 @@
 // Builds pages of mathematics.
 #include "derive/page.h"
+#include <assert.h>
 #include <string.h>
+#include "base/text.h"
 
 enum { PIECE = 500 }; // work of one
 
 static YkArena *memory_of(const YkPage *page)
 {
     return page->passing ? page->passing : page->arena;
+}
+
+enum { PARTS_MAX = 4 };
+
+const char *yk_page_join(YkArena *arena, const char *const parts[], size_t count)
+{
+    size_t lengths[PARTS_MAX], length = 0;
+    assert(count <= PARTS_MAX);
+    for (size_t k = 0; k < count; length += lengths[k++]) {
+        if (parts[k] == yk_text_lost) return NULL;
+        lengths[k] = strlen(parts[k]);
+    }
+    char *text = yk_arena_take(arena, length + 1), *end = text;
+    if (!text) return NULL;
+    for (size_t k = 0; k < count; end += lengths[k++]) memcpy(end, parts[k], lengths[k]);
+    *end = '\0';
+    return text;
 }
 
 static const char *copy(YkPage *page, const char *text)
@@ -17,6 +36,7 @@ static const char *copy(YkPage *page, const char *text)
     return made;
 }
 
+// Adds a line with a text of its own.
 static YkLine *add_line(YkPage *page, YkLineKind kind, const char *text)
 {
     YkLine *line = yk_arena_take(memory_of(page), sizeof *line);
@@ -24,7 +44,7 @@ static YkLine *add_line(YkPage *page, YkLineKind kind, const char *text)
         page->failed = true;
         return NULL;
     }
-    *line = (YkLine){.kind = kind, .text = copy(page, text), .section = page->section, .solved = -1};
+    *line = (YkLine){.kind = kind, .text = text, .section = page->section, .solved = -1};
     if (page->last) page->last->next = line;
     if (!page->first) page->first = line;
     page->last = line;
@@ -40,7 +60,7 @@ void yk_page_forget(YkPage *page)
 void yk_page_heading(YkPage *page, int level, const char *text)
 {
     if (page->part_ends && page->first) page->part_ends(page->context, page);
-    YkLine *line = add_line(page, YK_LINE_HEADING, text);
+    YkLine *line = add_line(page, YK_LINE_HEADING, copy(page, text));
     if (line) line->level = level;
 }
 
@@ -52,13 +72,20 @@ void yk_page_words(YkPage *page, const char *format, ...)
     yk_text_vformat(&text, format, arguments);
     va_end(arguments);
     page->failed |= text.failed;
-    add_line(page, YK_LINE_WORDS, yk_text_get(&text));
+    add_line(page, YK_LINE_WORDS, copy(page, yk_text_get(&text)));
     yk_text_free(&text);
 }
 
 YkLine *yk_page_formula(YkPage *page, const char *remark)
 {
-    return add_line(page, YK_LINE_FORMULA, remark);
+    return add_line(page, YK_LINE_FORMULA, copy(page, remark));
+}
+
+YkLine *yk_page_formula_of(YkPage *page, const char *const remark[], size_t count)
+{
+    const char *text = yk_page_join(memory_of(page), remark, count);
+    page->failed |= !text;
+    return add_line(page, YK_LINE_FORMULA, text);
 }
 
 static YkPagePiece *add_piece(YkPage *page, YkLine *line, YkPagePieceKind kind)

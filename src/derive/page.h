@@ -105,6 +105,10 @@ void yk_page_forget(YkPage *page);
 void yk_page_heading(YkPage *page, int level, const char *text);
 void yk_page_words(YkPage *page, const char *format, ...); // yk_text_format's
 YkLine *yk_page_formula(YkPage *page, const char *remark); // an empty formula; remark may be NULL
+// Does the same with a remark that is put together of up to four parts.
+YkLine *yk_page_formula_of(YkPage *page, const char *const remark[], size_t count);
+// Puts up to four texts together in an arena. Returns NULL when out of memory, now or where a part was made.
+const char *yk_page_join(YkArena *arena, const char *const parts[], size_t count);
 
 void yk_line_element(YkPage *page, YkLine *line, const YkPoisson *a, YkRingStyle style);
 // Does the same with what it becomes by changes, which is worked out where it is needed, and gives the line this value.

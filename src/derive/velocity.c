@@ -6,8 +6,8 @@
 
 enum { BLOCK_SHOWN_MAX = 40 };
 
-// Returns row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates. Added
-// up at once: sums on the way there would be kept, and in a long loop come to the square of what is wanted.
+// Returns row r of a block without its unknowns: - sum of J * (rate or acceleration) over all earlier coordinates.
+// Added up at once: sums on the way there would be kept, and in a long loop come to the square of what is wanted.
 static const YkPoisson *known_side(YkDerivation *d, const YkDeriveBlock *block, const YkDeriveRow *row,
                                    bool accelerations)
 {

@@ -34,7 +34,7 @@ YkStatus yk_cycle_find(const YkState *state, size_t steps, YkCycle *cycle);
 YkStatus yk_cycle_repeat(const YkState *state, YkCycle *cycle);
 // Moves a state to pose k of the cycle, at its rate. Returns its status.
 YkStatus yk_cycle_pose(const YkCycle *cycle, YkState *state, size_t k);
-// Measures shaking over the cycle; torques[count] (or NULL) receives the input's effort, forces[count] (or NULL) the force.
+// Measures shaking over the cycle. torques[count], forces[count] (or NULL) receive the input's effort and the force.
 YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPeaks *peaks, double *torques,
                         YkVec *forces);
 // Finds the parts of the force by order.

@@ -1,7 +1,7 @@
 // Counterweights that compromise between shaking force, shaking moment and the input's effort.
 //
-// A counterweight of product p, as a vector in the axes of a body that turns about a pin P of the ground with w and a, has
-// the inertia force -(i a - w^2) e p at radius rho from P, and |p| rho a about P. Misses are linear in p and |p|.
+// A counterweight of product p, as a vector in the axes of a body that turns about a pin P of the ground with w and a,
+// has the inertia force -(i a - w^2) e p at radius rho from P, and |p| rho a about P. Misses are linear in p and |p|.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,7 +75,7 @@ static YkStatus gather(Compromise *c, const YkState *state, const double *torque
     return status;
 }
 
-// Weighs the rows: each kind over its mean square before. One that there is none of does not count.
+// Weighs the rows: each kind over its mean square before. A kind that is absent does not count.
 static void weigh(Compromise *c, const double weight[3])
 {
     static const int kind[PER_POSE] = {0, 0, 1, 2};

@@ -68,7 +68,7 @@ static YkStatus find_range(const YkState *state, YkRange *found)
     return YK_BAD_ARGUMENT;
 }
 
-// What must repeat: effort, shaking force and moment.
+// Values that must repeat: effort, shaking force and moment.
 enum { SAMPLES = 8, VALUES = 4 };
 typedef struct Repeating {
     double value[YK_TURNS_MAX + 1][SAMPLES][VALUES], size[VALUES];
@@ -179,8 +179,8 @@ static YkStatus measure(Measure *m, double steps)
     return status == YK_SINGULAR ? YK_BAD_ARGUMENT : status;
 }
 
-// Goes to the top of a parabola through three values, which are taken ever closer. Returns the largest value met, or 0 where
-// the machine does not get there.
+// Goes to the top of a parabola through three values, which are taken ever closer. Returns the largest value met, or 0
+// where the machine does not get there.
 static double refine(Measure *m, size_t i, double at, double before, double here, double after)
 {
     double h = 1;
@@ -198,8 +198,8 @@ static double refine(Measure *m, size_t i, double at, double before, double here
     return here;
 }
 
-// Takes the peaks about the middle one of three poses that follow each other: none exceeds the middle by more than it exceeds
-// the lower neighbour. What is constant but for rounding has none.
+// Takes the peaks about the middle one of three poses that follow each other: none exceeds the middle by more than it
+// exceeds the lower neighbour. What is constant but for rounding has none.
 static void take_peaks(Measure *m, double at, double size[3][PEAKS], double *peak)
 {
     for (size_t i = 0; i < PEAKS; i++) {
@@ -254,8 +254,8 @@ YkStatus yk_cycle_peaks(const YkCycle *cycle, const YkState *state, YkShakingPea
     return status;
 }
 
-// Returns what the integral over a step has gained where its integrand, `here` at the start, `next` at the end and `gain` / step
-// on average, passes through zero within the step: the parabola through these three gives the place.
+// Returns what the integral over a step has gained where its integrand, `here` at the start, `next` at the end and
+// `gain` / step on average, passes through zero within the step: the parabola through these three gives the place.
 static double gain_at_turn(double here, double next, double gain, double step)
 {
     double mean = gain / step, b = 6 * mean - 4 * here - 2 * next, c = 3 * (here + next) - 6 * mean;
@@ -263,8 +263,8 @@ static double gain_at_turn(double here, double next, double gain, double step)
     return step * s * (here + s * (b / 2 + s * c / 3));
 }
 
-// Returns the integral from at[1] to at[2], a step apart between at[0] and at[3]: of fourth order where the integrand bends
-// alike at both ends, else the trapezoid, which is right beside a jump or a corner of a drawn torque.
+// Returns the integral from at[1] to at[2], a step apart between at[0] and at[3]: of fourth order where the integrand
+// bends alike at both ends, else the trapezoid, which is right beside a jump or a corner of a drawn torque.
 static double gain_over_step(const double at[4], double step)
 {
     double bend = at[0] - 2 * at[1] + at[2], next = at[1] - 2 * at[2] + at[3];
@@ -294,8 +294,8 @@ double yk_cycle_swing(const YkCycle *cycle, const double *torques)
     return high - low;
 }
 
-// The mean of F e^(-i n theta) is the part that turns with the input at n times its rate; that of F e^(i n theta) turns against
-// it.
+// The mean of F e^(-i n theta) is the part that turns with the input at n times its rate; that of F e^(i n theta) turns
+// against it.
 void yk_cycle_orders(const YkCycle *cycle, const YkVec *forces, YkShakingOrder order[YK_SHAKING_ORDERS])
 {
     double part = 1 / (double)cycle->count;

@@ -1,10 +1,10 @@
 // Counterweights by least squares over a cycle.
 //
 // The frame is shaken by no force if the centre of mass stands still: the sum of m r over the bodies, and of the
-// counterweights p e^(i phi) in the axes of their bodies, is constant. Each pose gives two equations, linear in p. Bodies
-// pinned to the ground come first; the pin of any other body moves, and with it the counterweight's mass, which is then
-// found by repetition. If the unit vectors of the bodies are linearly independent and suffice, the residual vanishes:
-// these are the counterweights of Berkof and Lowen (1969) and of Tepper and Lowen (1972).
+// counterweights p e^(i phi) in the axes of their bodies, is constant. Each pose gives two equations, linear in p.
+// Bodies pinned to the ground come first; the pin of any other body moves, and with it the counterweight's mass, which
+// is then found by repetition. If the unit vectors of the bodies are linearly independent and suffice, the residual
+// vanishes: these are the counterweights of Berkof and Lowen (1969) and of Tepper and Lowen (1972).
 #include "design/balancing.h"
 #include <math.h>
 #include <stdlib.h>
@@ -142,7 +142,7 @@ static double right_side(Weighing *w)
     return sqrt(square / (double)count);
 }
 
-// Solves for the chosen bodies' products with their present masses. Returns the rest that moves, kg m (root mean square).
+// Solves for the chosen bodies' products with their present masses. Returns the rest that moves, kg m (RMS).
 static double solve_once(Weighing *w)
 {
     size_t count = w->cycle.count, n = 2 * w->count, m = 2 * count;

@@ -1,8 +1,8 @@
 // Instant centres by Kennedy's theorem, checked against the velocities and completed from them.
 //
 // In homogeneous coordinates (x, y, w) a centre at infinity is a point like any other: the line through two points and
-// the point where two lines meet are cross products. The centres of three bodies lie on one line (Aronhold 1872, Kennedy
-// 1886), so that of i and j lies on the lines through the centres ik and kj, for every k whose two are known.
+// the point where two lines meet are cross products. The centres of three bodies lie on one line (Aronhold 1872,
+// Kennedy 1886), so that of i and j lies on the lines through the centres ik and kj, for every k whose two are known.
 #include <yoke/centers.h>
 #include <math.h>
 #include <stdlib.h>
@@ -107,8 +107,7 @@ static void find_fields(Search *s, const YkState *state)
     double fastest = 0;
     for (size_t b = 0; b < s->bodies; b++) {
         double x[6];
-        YkSpace view = state->space;
-        YkRun run = {.mech = state->mech, .space = &view, .lanes = 1};
+        YkRun run = {.mech = state->mech, .space = &state->space, .lanes = 1};
         yk_run_sum(&run, &state->mech->bodies[b].origin, (YkPlane){x, x + 1, x + 2, x + 3, x + 4, x + 5});
         double w = yk_state_body(state, b).velocity;
         YkVec at = yk_scale(1 / s->size, yk_vec(x[0], x[1])), v = yk_scale(1 / s->size, yk_vec(x[2], x[3]));
@@ -127,8 +126,7 @@ static void find_fields(Search *s, const YkState *state)
 static YkVec joint_place(const Search *s, const YkJoint *joint, YkVec *turn)
 {
     double x[6];
-    YkSpace view = s->state->space;
-    YkRun run = {.mech = s->state->mech, .space = &view, .lanes = 1};
+    YkRun run = {.mech = s->state->mech, .space = &s->state->space, .lanes = 1};
     const YkPlacing *placing = &s->state->mech->bodies[joint->body[0]];
     yk_run_sum(&run, &placing->origin, (YkPlane){x, x + 1, x + 2, x + 3, x + 4, x + 5});
     *turn = placing->turn_unit;

@@ -1,5 +1,4 @@
 // Finds a function of two arguments inside `{...}` or `[...]`: in YAML its comma ends the value.
-#include <string.h>
 #include "base/text.h"
 #include "doc/reader.h"
 

@@ -1,4 +1,4 @@
-// What the files of this room share; no other room includes it.
+// Shared by the files of this room; no other room includes it.
 #ifndef DOC_READER_H
 #define DOC_READER_H
 #include <stdint.h>

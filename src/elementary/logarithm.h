@@ -1,7 +1,7 @@
 // log x in parts: the exponent, an entry of a table, a short polynomial.
 //
-// Source: Tang 1990, "Table-driven implementation of the logarithm function in IEEE floating-point arithmetic", ACM TOMS
-// 16. The reciprocals 1/c of the table have 11 bits (Wong & Goto 1994), so that z/c - 1 is known without loss.
+// Source: Tang 1990, "Table-driven implementation of the logarithm function in IEEE floating-point arithmetic", ACM
+// TOMS 16. The reciprocals 1/c of the table have 11 bits (Wong & Goto 1994), so that z/c - 1 is known without loss.
 #ifndef ELEMENTARY_LOGARITHM_H
 #define ELEMENTARY_LOGARITHM_H
 #include "elementary/coefficients.h"

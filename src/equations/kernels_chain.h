@@ -29,7 +29,7 @@ YK_INLINE YkVec chain_turned(YkVec e, YkVec v, YkAxis axis)
     return axis == YK_AXIS_Y ? yk_vec(-e.y * v.y, e.x * v.y) : yk_mul(e, v);
 }
 
-// What one lane has of a link. behind: moments of inertia of it and of the masses that its end carries.
+// A link in one lane. behind: moments of inertia of it and of the masses that its end carries.
 typedef struct ChainLink {
     YkVec e, moment, end; // world axes: direction, first moment of it and of what it carries, vector to the next pin
     double square, mass_out, behind, effort, row[YK_CHAIN_MOST], over, alpha;
@@ -139,8 +139,8 @@ YK_INLINE bool chain_solve(ChainLink *link, size_t links, const YkTreeRows *rows
     return is_finite;
 }
 
-// Computes the accelerations of n states; ok: as yk_lanes_tree has it. *bad: whether one is not 1. Returns the bits that
-// tell whether an angle is far: then all must be repeated with is_far.
+// Computes the accelerations of n states; ok: as yk_lanes_tree has it. *bad: whether one is not 1. Returns the bits
+// that tell whether an angle is far: then all must be repeated with is_far.
 YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axis, bool is_far, double *ok, bool *bad,
                                size_t n)
 {

@@ -5,7 +5,7 @@
 #include "equations/kernels_tree.h"
 #include "equations/tree_links.h"
 
-// What is found for a link; the ground's rows are set once, by yk_link_lanes_start.
+// Results for a link; the ground's rows are set once, by yk_link_lanes_start.
 typedef struct YkLinkFound {
     YkFew c, s, w;                                       // absolute
     YkFew shift_x, shift_y;                              // the link's point, in its own axes
@@ -17,7 +17,7 @@ typedef struct YkLinkFound {
     YkFew a_x, a_y, alpha; // accelerations: of its point, of its turning
 } YkLinkFound;
 
-// What acts along an input besides the lanes' own efforts: constant - stiffness q - damping v.
+// The effort along an input besides the lanes' own: constant - stiffness q - damping v.
 typedef struct YkLinkLoad {
     double constant, stiffness, damping;
 } YkLinkLoad;

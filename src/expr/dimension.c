@@ -80,7 +80,8 @@ static int32_t *slot_of(const YkDimensions *dims, const char *name)
     return &dims->slots[i];
 }
 
-int32_t yk_dim_find(const YkDimensions *dims, const char *name)
+// Returns the index of a name, or -1.
+static int32_t find(const YkDimensions *dims, const char *name)
 {
     return dims->slot_count > 0 ? *slot_of(dims, name) - 1 : -1;
 }
@@ -116,7 +117,7 @@ static bool add_parameters(YkDimensions *dims)
 static void resolve(void *context, const YkExpr *name)
 {
     YkDimensions *dims = context;
-    int32_t index = yk_dim_find(dims, name->name);
+    int32_t index = find(dims, name->name);
     ((YkExpr *)name)->parameter = index;
     if (index >= 0) dims->first_dependent[index + 1]++;
 }
@@ -148,38 +149,6 @@ static bool index_dependents(YkDimensions *dims)
     for (size_t i = names; i > 0; i--) dims->first_dependent[i] = dims->first_dependent[i - 1]; // filling advanced them
     dims->first_dependent[0] = 0;
     return true;
-}
-
-static void enqueue(YkDimensions *dims, int32_t index)
-{
-    YkConstraint *constraint = &dims->constraints[index];
-    if (constraint->is_queued || (dims->phase == YK_PHASE_OWN && constraint->parameter < 0)) return;
-    constraint->is_queued = true;
-    dims->queue[(dims->queue_first + dims->queue_count++) % dims->constraint_count] = index;
-}
-
-void yk_dim_set(YkDimensions *dims, int32_t name, YkDimension dimension, const YkConstraint *origin, YkPlace place)
-{
-    YkDimName *entry = &dims->names[name];
-    entry->is_known = true;
-    entry->dimension = dimension;
-    entry->origin = origin;
-    entry->origin_place = place;
-    for (size_t i = dims->first_dependent[name]; i < dims->first_dependent[name + 1]; i++)
-        enqueue(dims, dims->dependents[i]);
-    // Its own expression may have bare parts that can take the dimension now.
-    for (size_t low = 0, high = dims->constraint_count; low < high;) {
-        size_t middle = low + (high - low) / 2; // parameters' constraints are in the order of their names
-        int32_t parameter = dims->constraints[middle].parameter;
-        if (parameter == name) {
-            enqueue(dims, (int32_t)middle);
-            break;
-        }
-        if (parameter < 0 || parameter > name)
-            high = middle;
-        else
-            low = middle + 1;
-    }
 }
 
 // Visits a constraint once under the rules of the phase.
@@ -217,7 +186,7 @@ static void drain(YkDimensions *dims)
 static void run_phase(YkDimensions *dims, YkDimPhase phase)
 {
     dims->phase = phase;
-    for (size_t i = 0; i < dims->constraint_count; i++) enqueue(dims, (int32_t)i);
+    for (size_t i = 0; i < dims->constraint_count; i++) yk_dim_queue(dims, (int32_t)i);
     drain(dims);
 }
 
@@ -259,7 +228,7 @@ bool yk_dimensions_run(YkDimensions *dims, YkProblems *problems)
 
 bool yk_dimensions_of(const YkDimensions *dims, const char *name, YkDimension *dimension)
 {
-    int32_t index = dims ? yk_dim_find(dims, name) : -1;
+    int32_t index = dims ? find(dims, name) : -1;
     *dimension = YK_DIM_NONE;
     if (index < 0 || !dims->names[index].is_known || dims->names[index].is_default) return false;
     *dimension = dims->names[index].dimension;

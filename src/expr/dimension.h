@@ -3,7 +3,7 @@
 #define EXPR_DIMENSION_H
 #include "expr/expr.h"
 
-// What is known about a node of an expression; kept in its `state`.
+// The knowledge about a node of an expression, kept in its `state`.
 typedef enum YkDimState {
     YK_DIM_SKIP,    // not judged: it contains an unknown name, or a mistake that is reported elsewhere
     YK_DIM_OPEN,    // depends on parameters whose dimension has not been found yet
@@ -60,8 +60,8 @@ struct YkDimensions {
     bool failed, has_errors, has_warned;
 };
 
-// Returns the index of a name, or -1.
-int32_t yk_dim_find(const YkDimensions *dims, const char *name);
+// Queues a constraint, unless it is queued or the phase leaves it out.
+void yk_dim_queue(YkDimensions *dims, int32_t index);
 // Sets the dimension of an open name and queues the constraints that depend on it. origin NULL: from its own
 // expression.
 void yk_dim_set(YkDimensions *dims, int32_t name, YkDimension dimension, const YkConstraint *origin, YkPlace place);

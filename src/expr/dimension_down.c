@@ -1,5 +1,4 @@
 // Determines what an expression must be in its place: from the root down, after yk_dim_up.
-#include <math.h>
 #include "elementary/elementary.h"
 #include "expr/dimension.h"
 

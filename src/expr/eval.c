@@ -1,5 +1,4 @@
 // Evaluates an expression in SI, with its derivatives in time.
-#include <math.h>
 #include <string.h>
 #include "base/vec.h"
 #include "expr/jet.h"

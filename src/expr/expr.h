@@ -48,13 +48,6 @@ struct YkExpr {
     int32_t parameter;
 };
 
-// The meaning of a name in an expression.
-typedef struct YkSymbol {
-    const char *name;
-    YkDimension dimension;
-    bool dimension_known;
-} YkSymbol;
-
 // Limits on the nesting of parentheses, signs and powers; and on the height of the tree, which grows with the number of
 // terms in a sum.
 enum { YK_EXPR_DEPTH_MAX = 200, YK_EXPR_HEIGHT_MAX = 1000 };

@@ -10,8 +10,8 @@ typedef struct YkFormula YkFormula;
 // Returns -2 if it does not know the name.
 typedef int (*YkResolve)(void *context, const YkExpr *name, double *value);
 
-// Compiles an expression. Returns NULL when out of memory, and then the arena has failed, or if a name is unknown. The formula
-// lives in the arena.
+// Compiles an expression. Returns NULL when out of memory, and then the arena has failed, or if a name is unknown. The
+// formula lives in the arena.
 YkFormula *yk_formula_compile(const YkExpr *expr, YkResolve resolve, void *context, YkArena *arena);
 bool yk_formula_is_constant(const YkFormula *formula); // eval then accepts NULL variables
 // Returns the index of the variable that the formula is, by itself or (*sign -1) negated; or -1.

@@ -1,4 +1,4 @@
-// What the parser says when something else stands in place of a piece of an expression.
+// Messages of the parser when something else stands in place of a piece of an expression.
 #include <string.h>
 #include "base/utf8.h"
 #include "expr/parser.h"

@@ -1,4 +1,4 @@
-// What the grammar, the literals and the messages of the parser all use: characters, places, nodes.
+// Shared by the grammar, the literals and the messages of the parser: characters, places, nodes.
 #include "expr/parser.h"
 
 char yk_parser_peek(const YkParser *parser, size_t at)

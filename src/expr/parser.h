@@ -1,4 +1,4 @@
-// What the parser's files share; no other room includes it.
+// Shared by the parser's files; no other room includes it.
 #ifndef EXPR_PARSER_H
 #define EXPR_PARSER_H
 #include "expr/expr.h"

@@ -77,8 +77,8 @@ static void find_inertia(YkFreeBodies *f, const YkBodyPart *part)
     }
 }
 
-// The bodies of a part are solved together, so a value in the balance of one that is not a number makes all shares of the
-// part not a number.
+// The bodies of a part are solved together, so a value in the balance of one that is not a number makes all shares of
+// the part not a number.
 static bool is_finite(const YkFreeBodies *f, const YkBodyPart *part)
 {
     double sum = 0;

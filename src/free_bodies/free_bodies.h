@@ -36,11 +36,11 @@ typedef struct YkJointForce {
 } YkJointForce;
 YkJointForce yk_free_bodies_joint(const YkFreeBodies *bodies, size_t joint);
 double yk_free_bodies_effort(const YkFreeBodies *bodies, size_t input);
-// Adds to load[body], times sign, the forces that follow from those found and turn nothing: along the lines of centres, by
-// the pressure angles of gears; and the difference that it makes which of a cam's two rollers bears. Returns false if
-// there are none. Solving again with them changes the reactions alone.
+// Adds to load[body], times sign, the forces that follow from those found and turn nothing: along the lines of centres,
+// by the pressure angles of gears; and the difference that it makes which of a cam's two rollers bears. Returns false
+// if there are none. Solving again with them changes the reactions alone.
 bool yk_free_bodies_radial(const YkFreeBodies *bodies, YkLoad *load, double sign);
-// What a relation of the mechanism - gears, a rack, a belt, a cam, a law - exerts on its second body.
+// The force or couple that a relation - gears, a rack, a belt, a cam, a law - exerts on its second body.
 typedef struct YkMeshForce {
     YkVec force;      // N, world axes, including the separating force of gears' flanks; 0 if only couples are known
     double moment;    // about the body's reference point without that separating force, N m

@@ -1,5 +1,4 @@
 // Finds parts: bodies that joints connect other than through the ground.
-#include <string.h>
 #include "free_bodies/inside.h"
 
 static int32_t find(int32_t *above, int32_t body)

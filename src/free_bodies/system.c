@@ -1,6 +1,5 @@
 // Assembles sparse systems entry by entry.
 #include <stdlib.h>
-#include <string.h>
 #include "free_bodies/inside.h"
 
 bool yk_body_system_start(YkBodySystem *s, size_t n, size_t most)

@@ -46,8 +46,7 @@ bool yk_wrenches_build(YkFreeBodies *f)
 typedef struct JointPose {
     YkVec u;        // its line, world axes
     YkVec arm[2];   // from the reference point of each body to the joint's point
-    double w[2];    // angular velocities
-    double sliding; // speed along the line
+    YkVec by_rates; // relative acceleration of its two material points without the coordinate's own
 } JointPose;
 
 static YkVec axis_of(const YkFreeBodies *f, const YkSpace *space, int32_t body, double *w)
@@ -64,18 +63,22 @@ static YkVec axis_of(const YkFreeBodies *f, const YkSpace *space, int32_t body, 
 static JointPose pose_of(const YkFreeBodies *f, const YkSpace *space, int32_t joint)
 {
     const YkJoint *j = &f->mech->model->joints[joint];
-    JointPose p = {.sliding = 0};
+    JointPose p = {.u = {0, 0}};
+    double w[2], sliding = 0;
     YkVec e[2];
     for (int k = 0; k < 2; k++) {
-        e[k] = axis_of(f, space, j->body[k], &p.w[k]);
+        e[k] = axis_of(f, space, j->body[k], &w[k]);
         p.arm[k] = yk_mul(e[k], yk_sub(j->at[k], f->reference[j->body[k]]));
     }
     int32_t distance = f->mech->joint_distance[joint];
-    if (distance == YK_NONE) return p;
-    YkSlide slide = yk_space_slide(space, distance);
-    p.u = yk_mul(e[0], j->along);
-    p.arm[0] = yk_add(p.arm[0], yk_scale(slide.d[0], p.u));
-    p.sliding = slide.v[0];
+    if (distance != YK_NONE) {
+        YkSlide slide = yk_space_slide(space, distance);
+        p.u = yk_mul(e[0], j->along);
+        p.arm[0] = yk_add(p.arm[0], yk_scale(slide.d[0], p.u));
+        sliding = slide.v[0];
+    }
+    YkVec inward = yk_sub(yk_scale(w[1] * w[1], p.arm[1]), yk_scale(w[0] * w[0], p.arm[0]));
+    p.by_rates = yk_add(inward, yk_scale(2 * w[0] * sliding, yk_quarter(p.u)));
     return p;
 }
 
@@ -97,16 +100,11 @@ static YkVec direction_of(YkWrenchKind kind, YkVec u)
     return yk_vec(0, 0);
 }
 
-// Returns the bias. The two material points at the joint have a relative acceleration: the coordinate's own and the
-// Coriolis one. The bias is the part due to the rates, along the force:
-static double bias_of(YkVec force, const JointPose *p)
-{
-    YkVec inward = yk_sub(yk_scale(p->w[1] * p->w[1], p->arm[1]), yk_scale(p->w[0] * p->w[0], p->arm[0]));
-    return yk_dot(force, yk_add(inward, yk_scale(2 * p->w[0] * p->sliding, yk_quarter(p->u))));
-}
-
+// The columns of a joint stand together; those of the inputs follow.
 void yk_wrenches_pose(YkFreeBodies *f, const YkSpace *space)
 {
+    JointPose p = {.u = {0, 0}};
+    int32_t placed = YK_NONE;
     for (size_t k = 0; k < f->column_count; k++) {
         YkWrenchColumn *c = &f->columns[k];
         c->share = c->freeness = 0;
@@ -114,12 +112,12 @@ void yk_wrenches_pose(YkFreeBodies *f, const YkSpace *space)
             yk_mesh_pose(f, space, c);
             continue;
         }
-        JointPose p = pose_of(f, space, c->joint);
+        if (c->joint != placed) p = pose_of(f, space, placed = c->joint);
         double couple = c->kind == YK_WRENCH_COUPLE;
         c->force = direction_of(c->kind, p.u);
         c->moment[0] = -yk_cross(p.arm[0], c->force) / f->size - couple;
         c->moment[1] = yk_cross(p.arm[1], c->force) / f->size + couple;
-        c->bias = bias_of(c->force, &p) / f->size;
+        c->bias = yk_dot(c->force, p.by_rates) / f->size;
     }
 }
 

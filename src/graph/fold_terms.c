@@ -1,6 +1,6 @@
 // Sums of products that are less than they seem: multiples of the same factors, and the squares of a unit vector's two
-// parts. What turns with one body is full of them: a gear's teeth, its arms and its accelerations all have the direction
-// of the line of centres, so that products of the two fold to numbers.
+// parts. What turns with one body is full of them: a gear's teeth, its arms and its accelerations all have the
+// direction of the line of centres, so that products of the two fold to numbers.
 #include <float.h>
 #include <math.h>
 #include "graph/graph.h"

@@ -155,8 +155,9 @@ size_t yk_graph_cost(const YkGraph *graph, const YkRef *roots, size_t count);
 YkRef yk_graph_derivative(YkGraph *graph, YkRef value, YkRef leaf);
 // Returns its derivative by one of its operands, the others held.
 YkRef yk_graph_partial(YkGraph *graph, YkRef value, YkRef operand);
-// Makes the derivatives of a value by all leaves at once, by_leaf[count], backwards from it: a few times its operations,
-// whatever the number of leaves. Returns false if the value has a part that is not differentiated, or when out of memory.
+// Makes the derivatives of a value by all leaves at once, by_leaf[count], backwards from it: a few times its
+// operations, whatever the number of leaves. Returns false if the value has a part that is not differentiated, or when
+// out of memory.
 // Source: Griewank & Walther 2008, Evaluating Derivatives. adjoint.c
 bool yk_graph_adjoint(YkGraph *graph, YkRef value, const YkRef *leaves, size_t count, YkRef *by_leaf);
 

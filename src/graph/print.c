@@ -38,10 +38,10 @@ static void mark_call(YkPrinter *pr, int32_t index);
 
 static void mark(YkPrinter *pr, YkRef value)
 {
-    pr->count[value]++;
-    if (pr->marked[value] || yk_printer_is_given(pr, value)) return;
-    pr->marked[value] = true;
     const YkValue *v = value_of(pr, value);
+    pr->count[value]++;
+    if (yk_printer_is_given(pr, value) || (pr->marked[value] && v->op != YK_VALUE_MINUS)) return;
+    pr->marked[value] = true; // a sign is written wherever it is used, and so uses its operand each time
     if (v->op == YK_VALUE_RESULT) {
         mark_call(pr, v->a);
         return;

@@ -43,8 +43,8 @@ void yk_tape_run(YkTape *tape, double *const *out, size_t n);
 double *yk_tape_leaf_of_one(YkTape *tape, size_t leaf);
 // Makes a leaf one of the numbers of a pose: it is read from there when the tape runs from a pose.
 void yk_tape_read_number(YkTape *tape, size_t leaf, size_t number);
-// Computes the roots, from the numbers of a pose or, if NULL, from the leaves' own alone. Returns where the roots' numbers
-// stand until the next run: *result[root].
+// Computes the roots, from the numbers of a pose or, if NULL, from the leaves' own alone. Returns where the roots'
+// numbers stand until the next run: *result[root].
 const double *const *yk_tape_run_one(YkTape *tape, const double *pose);
 
 #endif

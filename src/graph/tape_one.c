@@ -1,10 +1,12 @@
-// One lane of a tape: the same operations on single numbers, in an order in which operations of one kind stand together.
+// One lane of a tape: the same operations on single numbers, in an order in which operations of one kind stand
+// together.
 //
-// Every value has a number of its own, so that operations may change places. Operations of one kind follow each other as
-// long as some are ready, that is, wait for no other; the next kind is then that of the operation from which most others
-// lead to a result, since the waiting for each other is half of the cost. A group of one kind costs one jump.
+// Every value has a number of its own, so that operations may change places. Operations of one kind follow each other
+// as long as some are ready, that is, wait for no other; the next kind is then that of the operation from which most
+// others lead to a result, since the waiting for each other is half of the cost. A group of one kind costs one jump.
 //
-// Leaves that are numbers of a pose are read where they stand: the operations are told anew when the pose stands elsewhere.
+// Leaves that are numbers of a pose are read where they stand: the operations are told anew when the pose stands
+// elsewhere.
 #include "graph/tape_one.h"
 
 typedef struct Maker {

@@ -2,8 +2,8 @@
 #include <math.h>
 #include "law/law.h"
 
-// Returns the lowest order at which a law is discontinuous: 0 for its value, 1 for its slope, 2 for its curvature; 3 if none of
-// them jumps. A law with too many jumps to read them all is taken to jump in its value.
+// Returns the lowest order at which a law is discontinuous: 0 for its value, 1 for its slope, 2 for its curvature; 3 if
+// none of them jumps. A law with too many jumps to read them all is taken to jump in its value.
 static int first_jump(const YkLaw *law)
 {
     enum { JUMPS_MAX = 64 };

@@ -59,9 +59,10 @@ YkLawFault yk_law_add_spline(YkLawBuilder *builder, const YkLawCondition *condit
 // Computes a value and its four derivatives at x, at a kink those just after it; returns false if it has none.
 typedef bool (*YkLawFunction)(const void *context, double x, double d[YK_LAW_ORDER + 1]);
 // Follows a function until `to`, by as many polynomial pieces as it takes to agree with it to rounding: relative to the
-// largest in the segment, 1e-13 in the value, 1e-12, 1e-11, 1e-10 and 1e-8 in the derivatives, or its own rounding, compared at 49 places of
-// each piece. Kinks and steps become joints of pieces, located to 4e-13 of the segment; something narrower than a 48th
-// of a piece may be missed. Cost about 120 evaluations a piece. Source: Trefethen 2013, ch. 3 and 19.
+// largest in the segment, 1e-13 in the value, 1e-12, 1e-11, 1e-10 and 1e-8 in the derivatives, or its own rounding,
+// compared at 49 places of each piece. Kinks and steps become joints of pieces, located to 4e-13 of the segment;
+// something narrower than a 48th of a piece may be missed. Cost about 120 evaluations a piece. Source: Trefethen 2013,
+// ch. 3 and 19.
 YkLawFault yk_law_add_function(YkLawBuilder *builder, double to, YkLawKind kind, YkLawFunction function,
                                const void *context);
 

@@ -1,5 +1,4 @@
 // Evaluates a law: finds the piece, sums its polynomial and its waves.
-#include <math.h>
 #include "elementary/elementary.h"
 #include "elementary/kernel.h"
 #include "law/inside.h"

@@ -1,4 +1,4 @@
-// What the files of this room share: a law is a row of pieces, each a polynomial plus waves in a variable u of its own.
+// Shared by the files of this room: a law is a row of pieces, each a polynomial plus waves in a variable u of its own.
 #ifndef LAW_INSIDE_H
 #define LAW_INSIDE_H
 #include <stdint.h>

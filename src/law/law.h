@@ -43,8 +43,8 @@ typedef struct YkLawPeak {
 } YkLawPeak;
 YkLawPeak yk_law_peak(const YkLaw *law, int order);
 
-// No slope and no curvature of the law is larger than these. A law without a period stands still outside of its range, so
-// that its slope may jump there; where it jumps, curvature is infinite.
+// No slope and no curvature of the law is larger than these. A law without a period stands still outside of its range,
+// so that its slope may jump there; where it jumps, curvature is infinite.
 typedef struct YkLawBound {
     bool is_continuous;
     double slope, curvature;

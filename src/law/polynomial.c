@@ -1,5 +1,4 @@
 // A polynomial from conditions, and its coefficients in powers of x.
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "elementary/elementary.h"

@@ -1,5 +1,4 @@
 // A spline from conditions, in B-splines; every span becomes a piece.
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "elementary/elementary.h"

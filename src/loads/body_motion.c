@@ -11,8 +11,7 @@ YkVec yk_reference_point(const YkModel *model, size_t body)
 YkBodyMotion yk_body_motion(const YkMechanism *mech, const YkSpace *space, size_t body)
 {
     double x[6];
-    YkSpace view = *space;
-    YkRun run = {.mech = mech, .space = &view, .lanes = 1};
+    YkRun run = {.mech = mech, .space = space, .lanes = 1};
     const YkPlacing *placing = &mech->bodies[body];
     YkBodyMotion m = {.e = placing->turn_unit};
     yk_run_sum(&run, &placing->origin, (YkPlane){x, x + 1, x + 2, x + 3, x + 4, x + 5});

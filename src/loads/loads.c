@@ -1,7 +1,6 @@
 // Prepares the loads of a machine once: their points, formulas, laws and variables.
 #include "loads/loads.h"
 #include <stdlib.h>
-#include <string.h>
 #include "loads/point.h"
 #include "model/formulas.h"
 

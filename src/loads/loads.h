@@ -113,8 +113,8 @@ bool yk_loads_add(YkLoads *loads, const YkState *state, const YkSpace *space, Yk
 // Adds an effort along a joint's freedom to both bodies.
 void yk_loads_add_effort(const YkMechanism *mech, const YkSpace *space, int32_t joint, bool is_distance, double effort,
                          YkLoad *load);
-// Finds, for open trees whose only items are one effort for each coordinate, effort[input], and their power at rate[input]. The
-// state's inputs and time count only where `varies` is set.
+// Finds, for open trees whose only items are one effort for each coordinate, effort[input], and their power at
+// rate[input]. The state's inputs and time count only where `varies` is set.
 bool yk_loads_efforts(YkLoads *loads, const YkState *state, const double *rate, double *effort, double *power,
                       size_t *culprit);
 // Returns the argument of the law that a number of an item follows (value[part]) at a pose; NaN if it follows none.

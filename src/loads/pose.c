@@ -117,7 +117,7 @@ static double push_force(const Pose *p, const YkLoadItem *item)
     return yk_dot(force, at.velocity) + moment * at.w;
 }
 
-// A share of the machine's size: between ends that a joint holds together only rounding is left, which has no direction.
+// A share of the machine's size. Between ends that a joint holds together only rounding is left, without a direction.
 static const double NO_LENGTH = 1e-14;
 
 static void set_own(YkLoads *loads, double length, double rate)

@@ -260,7 +260,7 @@ static double gap_between(const YkState *from, const YkState *to)
                            1); // they are angles between bodies, and so sums of coordinates, or distances
 }
 
-// Returns whether the last place stands for the pose of a state of this mechanism, and for all poses as far from it as `off`.
+// Returns whether the last place stands for the pose of a state of this mechanism and for all within `off` of it.
 static bool stands_for(YkCertifier *c, const YkState *s, double off)
 {
     read_place(c, s, &c->here);

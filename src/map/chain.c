@@ -181,8 +181,8 @@ bool yk_chain_is_other(const YkChain *t, const YkChainPose *pose, const YkChainP
 
 // --- tubes
 
-// Makes tubes from one place of the way to another, about the solution near `guess` in their middle. Returns false if they are
-// not proved to contain exactly one solution everywhere.
+// Makes tubes from one place of the way to another, about the solution near `guess` in their middle. Returns false if
+// they are not proved to contain exactly one solution everywhere.
 static bool make_tubes(YkChain *t, double from, double to, const YkVec *guess)
 {
     double middle = from + 0.5 * (to - from), half = YK_BALL_OUT(fmax(to - middle, middle - from));

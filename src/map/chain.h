@@ -1,7 +1,7 @@
 // A chain: the blocks of a machine up to its last group, along a straight way of the inputs.
 //
-// Tubes (tube.h) follow one configuration from the beginning of the way to its end, each with exactly one solution in it,
-// and each with the enclosed end of the one before.
+// Tubes (tube.h) follow one configuration from the beginning of the way to its end, each with exactly one solution in
+// it, and each with the enclosed end of the one before.
 #ifndef MAP_CHAIN_H
 #define MAP_CHAIN_H
 #include "map/tube.h"
@@ -32,8 +32,8 @@ typedef struct YkChain {
 
 typedef enum YkVerdict { YK_WAY_OPEN, YK_WAY_PROVED, YK_WAY_REFUTED } YkVerdict;
 
-// Reads the blocks of a mechanism, which must outlive the chain. Returns false when out of memory; yk_chain_end frees it in
-// any case.
+// Reads the blocks of a mechanism, which must outlive the chain. Returns false when out of memory; yk_chain_end frees
+// it in any case.
 bool yk_chain_start(YkChain *chain, const YkMechanism *mech);
 void yk_chain_end(YkChain *chain);
 // Returns the memory of a pose that x, [unknowns], and the rest, [2][pieces], need in all, in numbers.
@@ -42,11 +42,11 @@ YkChainPose yk_chain_pose_in(const YkChain *chain, double *memory); // of that s
 void yk_chain_copy(const YkChain *chain, const YkChainPose *to, const YkChainPose *from);
 // Reads the unknowns of a pose.
 void yk_chain_read(const YkChain *chain, const YkState *state, YkChainPose *pose);
-// Improves and encloses a pose at a place of the way. Returns false if there is no proof that one solution is there, no farther
-// away than `near`.
+// Improves and encloses a pose at a place of the way. Returns false if there is no proof that one solution is there, no
+// farther away than `near`.
 bool yk_chain_enclose(YkChain *chain, double at, YkChainPose *pose, double near);
-// Returns whether an enclosed pose is certainly the one that another one stands for at the same inputs, which are known to
-// `off` in every angle and distance.
+// Returns whether an enclosed pose is certainly the one that another one stands for at the same inputs, which are known
+// to `off` in every angle and distance.
 bool yk_chain_is_same(const YkChain *chain, const YkChainPose *pose, const YkChainPose *other, double off);
 // Returns whether two enclosed poses are certainly different.
 bool yk_chain_is_other(const YkChain *chain, const YkChainPose *pose, const YkChainPose *other);

@@ -81,7 +81,7 @@ YkDual yk_discs_input(const YkDiscs *d, int32_t input)
     return (YkDual){d->input, yk_real_disc(1, 0)};
 }
 
-// Returns gain times the law over its argument: by the mean value theorem no farther from its middle than its slope allows.
+// Returns gain times the law over its argument: by the mean value theorem, as far from its middle as its slope allows.
 YkDual yk_discs_law(const YkDiscs *d, const YkRelation *r)
 {
     YkLawBound bound = d->laws[r - d->mech->relations];

@@ -2,8 +2,6 @@
 #include "map/map.h"
 #include "map/meshed.h"
 #include <stdlib.h>
-#include <string.h>
-#include "base/memory.h"
 #include "base/problems.h"
 #include "solve/state.h"
 
@@ -53,7 +51,7 @@ static void trace_input(YkTracer *t)
 {
     YkStrand *root = yk_strand_new(t, 0, NULL);
     if (!root) return;
-    // Where nothing is followed on top of it, its own cells are the poses that are read.
+    // If nothing is followed on top of it, its own cells are the poses that are read.
     size_t cells = t->piece_count == 0 ? (size_t)((t->high - t->low) / (YK_TRACE_LONGEST * t->scale)) + 1 : 1;
     bool has_cells = true;
     for (size_t k = 0; k < cells && has_cells; k++) {

@@ -1,5 +1,5 @@
-// Pieces in real unknowns: groups with gears, belts or racks among their equations, and gears that take a fraction of an
-// angle that loops place. Angles count modulo 2 pi: over all turns of the wheels that their meshes allow.
+// Pieces in real unknowns: groups with gears, belts or racks among their equations, and gears that take a fraction of
+// an angle that loops place. Angles count modulo 2 pi: over all turns of the wheels that their meshes allow.
 #ifndef MAP_MESHED_H
 #define MAP_MESHED_H
 #include "configurations/exclude.h"
@@ -12,8 +12,8 @@ typedef struct YkMeshed {
     YkExcluded found;
 } YkMeshed;
 
-// Reads the group, or the gear, that a step of the piece's mechanism solves, at a state that stands. Returns false if it is
-// not of this kind, or when out of memory.
+// Reads the group, or the gear, that a step of the piece's mechanism solves, at a state that stands. Returns false if
+// it is not of this kind, or when out of memory.
 bool yk_meshed_read(YkPiece *piece, const YkState *start, size_t step, bool *out_of_memory);
 void yk_meshed_free(YkMeshed *meshed);
 // Computes a relation at what is known: its factors [unknowns], and the rest.

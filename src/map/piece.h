@@ -14,7 +14,7 @@ typedef struct YkPiece {
     int32_t relation; // of a gear that takes a fraction of an angle that loops place, which is no block; or YK_NONE
 } YkPiece;
 
-// What is known of a pose, or of all poses of an interval: [slot], [distance], [node].
+// Bounds of a pose, or of all poses of an interval: [slot], [distance], [node].
 typedef struct YkDiscs {
     const YkMechanism *mech;
     YkBall input;   // the mapped one, rad or m
@@ -49,9 +49,9 @@ void yk_discs_end(YkDiscs *discs);
 
 // Reads the structure of the block that a step solves.
 YkPieceStatus yk_piece_read(YkPiece *piece, const YkMechanism *mech, size_t step);
-// Returns whether a step other than a block's is one that discs can take: relations only if they turn nothing by a fraction
-// of an angle that loops place, set no distance from such an angle, and if their law, if they have one, depends on inputs
-// alone and has no jump.
+// Returns whether a step other than a block's is one that discs can take: relations only if they turn nothing by a
+// fraction of an angle that loops place, set no distance from such an angle, and if their law, if they have one,
+// depends on inputs alone and has no jump.
 bool yk_discs_can_take(const YkMechanism *mech, const YkStep *step);
 // Takes a step that is not a block's, or that of a block that repeats others: its unknown, if it has one, is what it is
 // where its loop closes.

@@ -1,7 +1,8 @@
 // Sifts the strands of a machine some of whose constraints repeat others.
 //
-// The blocks that repeat others were left out while strands were followed. The gap that they leave is an analytic function along a
-// strand: it is zero everywhere, or in single poses. It counts as zero everywhere if it is zero to rounding in every cell.
+// The blocks that repeat others were left out while strands were followed. The gap that they leave is an analytic
+// function along a strand: it is zero everywhere, or in single poses. It counts as zero everywhere if it is zero to
+// rounding in every cell.
 #include <stdlib.h>
 #include "map/strand.h"
 
@@ -20,8 +21,8 @@ static bool is_repeated(const YkTracer *t, size_t step)
     return kind == YK_BLOCK_LINK || kind == YK_BLOCK_CHECK;
 }
 
-// Returns whether some loop certainly misses at the pose placed, and as far as `half` from it, where poses are placed in
-// t->over. *is_sharp: all are known well.
+// Returns whether some loop certainly misses at the pose placed, and as far as `half` from it, where poses are placed
+// in t->over. *is_sharp: all are known well.
 static bool misses(const YkTracer *t, double half, bool *is_sharp)
 {
     bool does = false;
@@ -126,8 +127,8 @@ static void add_end(Knot *knot, const bool *is_kept, YkStrand *strand, int end)
     }
 }
 
-// Ties the remaining strands of an event anew if some are dropped. If one that arrives at a crossing and one that leaves
-// it remain, the branch passes.
+// Ties the remaining strands of an event anew if some are dropped. If one that arrives at a crossing and one that
+// leaves it remain, the branch passes.
 static void tie_anew(YkTracer *t, const bool *is_kept, size_t first, YkTies *kept)
 {
     const YkTies *ties = &t->ties[t->piece_count];

@@ -1,7 +1,6 @@
 // Reads poses of strands as rows of numbers.
 #include <stdlib.h>
 #include <string.h>
-#include "base/memory.h"
 #include "map/map.h"
 #include "solve/gap.h"
 

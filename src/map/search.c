@@ -1,7 +1,8 @@
 // Finds the strands of a piece in real unknowns: all its solutions at many inputs, followed from there.
 //
-// Complex solutions are not followed here. Between these inputs the space of all angles and distances is divided instead, for
-// whole intervals of the input: every box of it is proved to hold no solution, or exactly one, which is on a strand.
+// Complex solutions are not followed here. Between these inputs the space of all angles and distances is divided
+// instead, for whole intervals of the input: every box of it is proved to hold no solution, or exactly one, which is on
+// a strand.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,7 +42,7 @@ static bool follow(YkTracer *t, YkStrand *below, double at, const YkVec *x)
     return !t->out_of_memory;
 }
 
-// Finds all solutions at an input, and follows those that are not on strands. Returns false if that is not possible there.
+// Finds all solutions at an input, and follows those that are not on strands. Returns false if that is impossible.
 static bool search_at(YkTracer *t, YkStrand *below, double at, size_t first)
 {
     YkPiece *piece = &t->pieces[below->level];
@@ -176,8 +177,8 @@ static bool prove_halves(Between *b, double from, double to, const YkBoxes *boxe
     return prove_over(b, from, middle, boxes) && prove_over(b, middle, to, boxes);
 }
 
-// Returns whether nothing but known strands is in boxes (NULL: anywhere) over an interval. What one look at it does not tell is
-// left to its halves.
+// Returns whether nothing but known strands is in boxes (NULL: anywhere) over an interval. What one look at it does not
+// tell is left to its halves.
 static bool prove_over(Between *b, double from, double to, const YkBoxes *boxes)
 {
     enum { MOST = 400000, FEW = 100 };

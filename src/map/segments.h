@@ -15,7 +15,7 @@ typedef struct YkSegments { // ascending
     size_t count, capacity;
 } YkSegments;
 
-// The ends that meet in one zone.
+// The ends that meet in one zone (meeting.c).
 enum { YK_MEETING_MAX = 128 };
 typedef struct YkMeeting {
     YkStrand *strand[YK_MEETING_MAX];
@@ -24,7 +24,7 @@ typedef struct YkMeeting {
     double from, to; // the zone
 } YkMeeting;
 void yk_trace_meet(YkTracer *tracer, YkMeeting *meeting, YkStrand *strand, int end);
-void yk_trace_tie_all(YkTracer *tracer, const YkMeeting *meeting); // level.c
+void yk_trace_tie_all(YkTracer *tracer, const YkMeeting *meeting);
 
 // Covers the interval of a strand with segments, up to zones of YK_TRACE_ZONE in which solutions meet.
 void yk_segments_find(YkTracer *tracer, YkStrand *below, YkSegments *out);

@@ -52,7 +52,7 @@ typedef struct YkTies {
     size_t count, capacity;
 } YkTies;
 
-// What follows strands.
+// The data of following strands.
 typedef struct YkTracer {
     const YkMechanism *mech;
     YkPiece *pieces; // in their order
@@ -90,7 +90,8 @@ typedef struct YkTracer {
 #define YK_TRACE_LONGEST 0.05
 #define YK_TRACE_SHORTEST 1e-12
 // Solutions that meet are followed to within about the first of these; where rounding does not let them be told apart
-// there, to within the second: at change points, to the square root of rounding. Events that lie closer together are one.
+// there, to within the second: at change points, to the square root of rounding. Events that lie closer together are
+// one.
 #define YK_TRACE_ZONE 1e-10
 #define YK_TRACE_BLUR 1e-5
 #define YK_MAP_CLOSE 1e-9 // over the scale: inputs that are the same event
@@ -140,11 +141,11 @@ void yk_strand_reverse(YkStrand *strand); // the order of its cells
 
 // Takes the steps between two blocks: those before block `level` and after the one before it.
 void yk_trace_steps(YkTracer *tracer, YkDiscs *discs, size_t level);
-// Encloses the pose of a strand at one input in tracer->discs, and takes all steps up to the next block's. Returns false
-// if it has no cell there.
+// Encloses the pose of a strand at one input in tracer->discs, and takes all steps up to the next block's. Returns
+// false if it has no cell there.
 bool yk_trace_place(YkTracer *tracer, YkStrand *strand, double at);
-// Does the same in the middle of an interval, within one cell of the strand and of all below it, and in tracer->over for
-// all inputs of the interval, with derivatives. half: half its length.
+// Does the same in the middle of an interval, within one cell of the strand and of all below it, and in tracer->over
+// for all inputs of the interval, with derivatives. half: half its length.
 bool yk_trace_place_path(YkTracer *tracer, YkStrand *strand, double from, double to, double *half);
 // Places what lies at two ends that are tied, and all between: from a to b, and 1.5 times as wide.
 bool yk_trace_place_between(YkTracer *tracer, YkStrand *a, double at_a, YkStrand *b, double at_b);

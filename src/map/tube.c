@@ -8,7 +8,7 @@ enum { N = YK_PIECE_UNKNOWNS, LOOPS = YK_SYSTEM_LOOPS_MAX, NEWTON_MAX = 6 };
 static const double ROUNDING = 1e-14; // relative: more than products and sums of this size lose
 static const double STILL = 1e-8;     // after such a step the next one would be below rounding
 
-// What stands beside a coefficient: a unit vector, a distance along one, or 1. Over the interval it is at + t rate, no
+// The factor beside a coefficient: a unit vector, a distance along one, or 1. Over the interval it is at + t rate, no
 // farther off than `rest` on the line, and than `reach` more for each unit of the tube's radius.
 typedef struct Factor {
     YkVec at, rate;

@@ -1,7 +1,7 @@
 // A tube: where a block's real solution is over an interval, with proof that there is exactly one.
 //
-// What cells of strands do in discs for complex solutions (configurations/certify.h), tubes do for real ones in angles and
-// distances, at a tenth of the cost: motions take one for every few degrees.
+// What cells of strands do in discs for complex solutions (configurations/certify.h), tubes do for real ones in angles
+// and distances, at a tenth of the cost: motions take one for every few degrees.
 #ifndef MAP_TUBE_H
 #define MAP_TUBE_H
 #include "map/piece.h"
@@ -15,10 +15,10 @@ typedef struct YkTube {
     double rate_within;             // nor its derivative from `rate`
 } YkTube;
 
-// Finds the real solution near tube->x at the coefficients of the middle, and proves it over the interval. `over` has their
-// derivatives over it; NULL: the interval is a point. Krawczyk's operator for angles and distances: the Jacobian at the
-// line is its value in the middle and its slope along the line, whose effects may cancel, and bounds for the rest, which
-// cannot. Returns false if that is not proved. Cost 2 n^3 multiplications.
+// Finds the real solution near tube->x at the coefficients of the middle, and proves it over the interval. `over` has
+// their derivatives over it; NULL: the interval is a point. Krawczyk's operator for angles and distances: the Jacobian
+// at the line is its value in the middle and its slope along the line, whose effects may cancel, and bounds for the
+// rest, which cannot. Returns false if that is not proved. Cost 2 n^3 multiplications.
 bool yk_tube_make(const YkPiece *piece, const YkDiscCoefficients *middle, const YkDiscCoefficients *over, double half,
                   YkTube *tube);
 // Returns whether a pose within `within` lies in the tube at a place of the interval: only one solution does.

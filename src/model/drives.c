@@ -1,6 +1,5 @@
 // Reads `drives:`, coordinates whose motion is an expression of time, and `start:`, values at the start. Both sections
 // have the form COORDINATE: expression.
-#include <math.h>
 #include "model/load.h"
 
 static YkDimension dimension_of(const YkModel *model, int32_t coordinate)

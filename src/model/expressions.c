@@ -1,5 +1,4 @@
 // The second pass over expressions: checks the names in them, infers their dimensions, computes their values.
-#include <math.h>
 #include <string.h>
 #include "model/laws/laws.h"
 #include "model/load.h"

@@ -1,5 +1,4 @@
 // Finds where a joint sits on each of its two bodies.
-#include <string.h>
 #include "base/names.h"
 #include "model/load.h"
 

@@ -1,5 +1,4 @@
 // Reads `joints:`, which hold the bodies together, and the coordinates named there.
-#include <math.h>
 #include <string.h>
 #include "model/load.h"
 

@@ -94,9 +94,9 @@ static inline bool yk_load_goes_on(const YkLoader *loader)
 
 // source.c: keeps the text, with the values that overrides replaced.
 void yk_load_keep_source(YkLoader *loader, const char *source, size_t length);
-// Adds to `text` the source of a model with new values of a section of plain values: `parameters`, `start`. Comments and
-// layout stay. Returns false if the section has other entries, or a value that is folded over lines by `>`; text->failed
-// is set when out of memory.
+// Adds to `text` the source of a model with new values of a section of plain values: `parameters`, `start`. Comments
+// and layout stay. Returns false if the section has other entries, or a value that is folded over lines by `>`;
+// text->failed is set when out of memory.
 bool yk_source_replace(const char *source, const char *section, const YkOverride *values, size_t count, YkText *text);
 
 // A document that is not a machine but has units, parameters and values as a machine's file has them, such as a task.
@@ -122,8 +122,8 @@ YkExpr *yk_load_value(YkLoader *loader, const YkNode *node, const YkWant *want, 
 bool yk_load_pair(YkLoader *loader, const YkNode *node, const YkWant *want, YkExpr *expr[2], YkVec *target);
 // strengths.c: reads an expression, or {law: NAME, of: expression}; without `want->own` the scope is that of `want`.
 YkStrength yk_load_strength(YkLoader *loader, const YkNode *node, const YkWant *want);
-// Reports a value that cannot be, in the file's units. The message takes a noun, its owner, the amount and its unit: "the
-// %s of %q is %e %s; it must be positive".
+// Reports a value that cannot be, in the file's units. The message takes a noun, its owner, the amount and its unit:
+// "the %s of %q is %e %s; it must be positive".
 void yk_load_refuse_amount(YkLoader *loader, YkCode code, const YkExpr *expr, double value, YkDimension dimension,
                            const char *message, const char *noun, const char *owner);
 // Reports a value that is not finite or too large, and returns false for it.

@@ -1,6 +1,5 @@
 // Reads `locks:`, sets of bodies and coordinates that are held, and of bodies that are joined, each set by its name:
 // NAME: [body, coordinate, ...], or NAME: {hold: [...], join: [[a, b], ...]}.
-#include <string.h>
 #include "model/load.h"
 
 static bool read_hold(YkLoader *loader, const YkNode *node, YkHold *hold)

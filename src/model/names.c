@@ -100,7 +100,7 @@ bool yk_load_hint_nearest(YkProblems *problems, const char *name, const void *it
     return found;
 }
 
-// What textbooks and other programs call what a key says, and the keys that say it here.
+// Words of textbooks and other programs, each with the key that says the same here.
 static const char *const synonyms[][2] = {
     {"title", "name"},           {"links", "bodies"},
     {"loads", "forces"},         {"load", "forces"},

@@ -1,8 +1,6 @@
 // Evaluates parameters once each, after those they need: depth first, without recursion since a chain of definitions
 // may be as long as the file. Reports a cycle with the names along it. Cost linear in names mentioned.
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "model/load.h"
 
 enum { CYCLE_SHOWN = 12 };

@@ -23,7 +23,8 @@ void yk_redesign_hint(YkProblems *problems);      // adds a hint to a problem th
 YkModel *yk_redesign_model(YkRedesign *redesign); // the copy; valid until freed
 // Sets values[count], SI, in the copy. Returns YK_OK; YK_BAD_MODEL if the machine makes no sense with them: a value is
 // not finite or beyond 1e100, a mass is not positive, an inertia or a spring's free length negative, a rod without
-// length, a stop's range empty, a restitution or friction out of range, a rack's line on the other side of its pinion. Cost: that of the formulas; allocates nothing.
+// length, a stop's range empty, a restitution or friction out of range, a rack's line on the other side of its pinion.
+// Cost: that of the formulas; allocates nothing.
 YkStatus yk_redesign_set(YkRedesign *redesign, const double *values);
 double yk_redesign_value(const YkRedesign *redesign, size_t index); // the value of names[index], as last set
 
@@ -32,7 +33,7 @@ double yk_redesign_now(const YkRedesign *redesign, int32_t parameter);  // its v
 size_t yk_redesign_count(const YkRedesign *redesign);                   // of names[]
 const double *yk_redesign_values(const YkRedesign *redesign);           // [parameter]: all of them
 
-// What varies, for callers that keep numbers derived from the model.
+// The numbers that vary, for callers that keep others derived from the model.
 bool yk_redesign_point_varies(const YkRedesign *redesign, int32_t point); // YK_NONE: an origin, which does not vary
 bool yk_redesign_along_varies(const YkRedesign *redesign, int32_t joint);
 // Returns the formula for a value of the copy, over the parameters by their index in the model; NULL if it is constant.

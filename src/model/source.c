@@ -40,8 +40,8 @@ static size_t quoted_end(const char *text, size_t length, size_t at)
     return 0;
 }
 
-// Returns where the scalar ends that begins at a byte of the source; over several lines a blank stands for each break. 0
-// if it is written in another way (folded by `>`).
+// Returns where the scalar ends that begins at a byte of the source; over several lines a blank stands for each break.
+// 0 if it is written in another way (folded by `>`).
 static size_t scalar_end(const char *text, size_t length, size_t at, const YkNode *scalar)
 {
     if (at < length && (text[at] == '\'' || text[at] == '"')) return quoted_end(text, length, at);

@@ -1,7 +1,6 @@
 // Solves for contact forces within bounds: by sweeps, and by an active set where these converge slowly.
 #include "num/bounded.h"
 #include <math.h>
-#include <string.h>
 #include "num/dense.h"
 
 static const double ENOUGH = 1e-12, SETTLED = 1e-15;

@@ -16,9 +16,9 @@ bool yk_eigen_symmetric(size_t n, double *A, double *values, double *vectors);
 // double shift, Golub & Van Loan 2013, 7.4 and 7.5.
 bool yk_eigen_general(size_t n, double *A, double *real, double *imaginary);
 
-// Computes the eigenvalues and eigenvectors of any complex A[n][n] (overwritten), in the order of its Schur form. Column
-// k of vectors[n][n] belongs to values[k]; its length is any. Those of eigenvalues that are equal to rounding are nearly
-// parallel. Returns false if A is not finite or the iteration does not converge. Cost about 20 n^3 complex
+// Computes the eigenvalues and eigenvectors of any complex A[n][n] (overwritten), in the order of its Schur form.
+// Column k of vectors[n][n] belongs to values[k]; its length is any. Those of eigenvalues that are equal to rounding
+// are nearly parallel. Returns false if A is not finite or the iteration does not converge. Cost about 20 n^3 complex
 // multiplications. Source: Hessenberg form and the QR iteration with Wilkinson's shift, Golub & Van Loan 2013, 7.3 to
 // 7.6; all by Givens' rotations.
 bool yk_eigen_complex(size_t n, YkVec *A, YkVec *values, YkVec *vectors);

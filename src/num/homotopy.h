@@ -1,6 +1,6 @@
-// Follows a solution of complex equations while their coefficients change: Runge and Kutta's method of order 4 on Davidenko's
-// equation predicts, Newton's method corrects, and the step adapts to what the first correction finds. Source: Allgower &
-// Georg 1990, Numerical Continuation Methods, ch. 6.
+// Follows a solution of complex equations while their coefficients change: Runge and Kutta's method of order 4 on
+// Davidenko's equation predicts, Newton's method corrects, and the step adapts to what the first correction finds.
+// Source: Allgower & Georg 1990, Numerical Continuation Methods, ch. 6.
 #ifndef NUM_HOMOTOPY_H
 #define NUM_HOMOTOPY_H
 #include <stdbool.h>
@@ -23,12 +23,12 @@ typedef struct YkHomotopy {
     double enough, at_most; // sizes of corrections: none is needed after `enough`, and the last may be `at_most`
 } YkHomotopy;
 
-// Follows x from t = 0 to 1. Returns false if the step falls below `least_step`, after too many steps, or when told not to
-// go on; x is then somewhere on the way. Allocates nothing.
+// Follows x from t = 0 to 1. Returns false if the step falls below `least_step`, after too many steps, or when told not
+// to go on; x is then somewhere on the way. Allocates nothing.
 bool yk_homotopy_follow(const YkHomotopy *homotopy, YkVec *x);
 
-// Takes up to `most` steps of Newton's method, until one is below 1e-15 or not below the one before: rounding is reached then,
-// and x is as it was before that step. Returns the size of the last step that counts.
+// Takes up to `most` steps of Newton's method, until one is below 1e-15 or not below the one before: rounding is
+// reached then, and x is as it was before that step. Returns the size of the last step that counts.
 double yk_homotopy_polish(const YkHomotopy *homotopy, int most, YkVec *x);
 
 #endif

@@ -62,7 +62,7 @@ static double scatter(YkSparse *s, int32_t column, int32_t stamp, Reach *r)
         if (v == 0) continue;
         search(s, s->row[k], stamp, r);
         s->x[s->row[k]] = v;
-        largest = fmax(largest, fabs(v));
+        if (fabs(v) > largest) largest = fabs(v); // skips NaN
     }
     return largest;
 }

@@ -1,6 +1,5 @@
 // Natural numbers of up to a fixed size.
 #include "num/whole.h"
-#include <math.h>
 #include <string.h>
 
 static void trim(YkWhole *a)

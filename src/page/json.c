@@ -1,6 +1,5 @@
 // Prints pages as JSON: {"model", "sections": [{"name", "title", "items": [...]}]}; man/yoke-derive.1.scd gives the
 // shape.
-#include <math.h>
 #include "page/print.h"
 #include "write/json.h"
 

@@ -1,4 +1,4 @@
-// What all printers of pages share: elements, numbers, matrices.
+// Pieces that all printers of pages share: elements, numbers, matrices.
 #include <math.h>
 #include <string.h>
 #include "base/letters.h"
@@ -67,8 +67,8 @@ double yk_print_entry(const YkPrinting *printing, const YkRingView *entry)
     return a ? yk_ring_value(printing->ring, a, printing->values).x : 0;
 }
 
-// Returns whether a quotient is a number in spite of rounding. Where its denominator vanishes, as at a dead point or a change
-// point, the pose is known to rounding over the sine, its accelerations to the third power of that.
+// Returns whether a quotient is a number in spite of rounding. Where its denominator vanishes, as at a dead point or a
+// change point, the pose is known to rounding over the sine, its accelerations to the third power of that.
 static bool is_determined(const YkPrinting *printing, const YkLine *line, double value, double under)
 {
     const double rounding = 4e-16, most = 1e-6;

@@ -50,6 +50,8 @@ void yk_print_c(YkPrinting *printing, const YkPage *page);
 // Writes one formula without its value, on one line: matrices as [a, b; c, d].
 void yk_print_formula_text(YkPrinting *printing, const YkLine *line, YkText *text);
 void yk_print_formula_latex(YkPrinting *printing, const YkLine *line, YkText *text);
+// Writes a piece, unless it is a matrix, as text in one line; `before`: the piece that it follows, or NULL.
+void yk_print_text_piece(YkPrinting *printing, const YkPagePiece *piece, const YkPagePiece *before, YkText *text);
 void yk_print_element(YkPrinting *printing, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
 void yk_print_view(YkPrinting *printing, const YkRingView *view, YkRingFormat format, YkRingStyle style, YkText *text);
 YkRingView yk_print_piece(const YkPagePiece *piece); // what a piece that is an element shows

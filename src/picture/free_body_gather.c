@@ -1,6 +1,5 @@
 // Collects the action on every body and junction, as arrows with names, and the view of each picture.
 #include <stdlib.h>
-#include <string.h>
 #include "page/print.h"
 #include "picture/free_body_inside.h"
 

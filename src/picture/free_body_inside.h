@@ -1,4 +1,4 @@
-// What the files of free-body drawings share.
+// Shared by the files of free-body drawings.
 #ifndef PICTURE_FREE_BODY_INSIDE_H
 #define PICTURE_FREE_BODY_INSIDE_H
 #include "base/names.h"

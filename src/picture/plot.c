@@ -2,7 +2,6 @@
 #include "picture/plot.h"
 #include <math.h>
 #include <string.h>
-#include "base/number.h"
 #include "base/problems.h"
 #include "write/process.h"
 

@@ -1,4 +1,4 @@
-// What pictures of polygons share: the page, arrows, bars of a scale, lines of words.
+// Shared by pictures of polygons: the page, arrows, bars of a scale, lines of words.
 #ifndef PICTURE_POLYGON_SHEET_H
 #define PICTURE_POLYGON_SHEET_H
 #include "base/text.h"

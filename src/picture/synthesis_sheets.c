@@ -80,8 +80,8 @@ static void draw_turn(const Curves *c, const YkVec *pixel, const bool *is_drawn,
         draw_step(c, pixel[0], pixel[1]);
 }
 
-// Draws one of the curves: each point of a ray is joined to the nearest one of the ray before, unless that is far away; steps
-// too short to be seen are left out.
+// Draws one of the curves: each point of a ray is joined to the nearest one of the ray before, unless that is far away;
+// steps too short to be seen are left out.
 static void draw_curve(const Curves *c, const YkFourPoses *four, int which, const char *style)
 {
     YkVec before[2] = {{0, 0}, {0, 0}};
@@ -154,8 +154,8 @@ static void draw_dyad(const Curves *c, size_t index)
     yk_text_free(&number);
 }
 
-// Four positions have one pair of curves. Five have a pair of the first four and one in which the fifth takes the place of the fourth:
-// where both pairs meet are the dyads.
+// Four positions have one pair of curves. Five have a pair of the first four and one in which the fifth takes the place
+// of the fourth: where both pairs meet are the dyads.
 static void draw_burmester(YkSynthesis *s, YkText *svg)
 {
     const YkMotionTask *motion = &s->task->motion;

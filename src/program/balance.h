@@ -49,7 +49,7 @@ bool yk_balance_solve(YkBalanceSystem *balance);
 // other channel.
 YkRef yk_balance_channel(YkBalanceSystem *balance, YkChannel channel);
 
-// dry_friction.c: enters the right sides of dry friction: 1 N or N m along each joint, and what it accelerates.
+// dry_sides.c: enters the right sides of dry friction: 1 N or N m along each joint, and what it accelerates.
 void yk_dry_enter(YkBalanceSystem *balance);
 
 // balance_wrench.c: adds a wrench on a body, about its centre of mass, to a column or right side.

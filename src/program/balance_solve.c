@@ -1,6 +1,6 @@
 // Solves the balance in symbols. Entries that are plain numbers - the forces of pins, couples - are eliminated first:
-// that takes few operations and no division by a quantity that may vanish. The rest falls apart into small blocks, one for
-// every group of links, which are solved one after the other (Duff & Reid 1978, block triangular form).
+// that takes few operations and no division by a quantity that may vanish. The rest falls apart into small blocks, one
+// for every group of links, which are solved one after the other (Duff & Reid 1978, block triangular form).
 #include <math.h>
 #include "num/components.h"
 #include "num/matching.h"

@@ -1,5 +1,5 @@
-// The acceleration of a body's point, with few operations: arms that turn together are added before they turn, and share
-// what their turning does to a unit length.
+// The acceleration of a body's point, with few operations: arms that turn together are added before they turn, and
+// share what their turning does to a unit length.
 #include "program/program.h"
 
 // Arms of one orientation: their sum in its axes.

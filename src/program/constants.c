@@ -1,8 +1,6 @@
 // Numbers of the model as values: parameters by name, expressions, points, the turns of bodies, the vectors of terms.
-#include <math.h>
 #include <string.h>
 #include "program/program.h"
-#include "graph/function.h"
 #include "model/laws/laws.h"
 #include "model/transmissions/cam_arcs.h"
 #include "model/transmissions/cam_place.h"

@@ -83,7 +83,7 @@ bool yk_forces_equations(YkForces *forces);
 bool yk_forces_lumped(YkForces *forces, YkEquations *out);
 // accelerations.c: those of the free inputs.
 void yk_forces_accelerations(YkForces *forces);
-// Returns the accelerations of the free inputs that forces along the inputs add, 0 of the others; NULL when out of memory.
+// Returns the accelerations that forces along the inputs add to the free ones (0 elsewhere); NULL when out of memory.
 YkRef *yk_forces_response(YkForces *forces, const YkRef *along);
 // loads.c: makes the wrenches of an effort of 1 along a joint's freedom, into load[body].
 void yk_forces_unit_effort(YkForces *forces, int32_t joint, bool is_distance, YkWrenchRef *load);

@@ -1,5 +1,4 @@
 // Cams, and coordinates that follow others by a law: forces and couples from the slope of the law.
-#include "elementary/elementary.h"
 #include "program/balance.h"
 
 // Returns d value / d argument of the relation's law.
@@ -43,8 +42,9 @@ static YkRefVec turned_with(YkProgram *p, int32_t body, YkRefVec vector)
     return yk_graph_vec_multiply(g, unit, vector);
 }
 
-// Returns where a follower that turns touches its cam at lift 0, as yk_cam_touch does, from the places of the pins: d and f are the
-// pivot's distance along the direction, and its own, so that the direction is pivot (d -+ i sqrt(f^2 - d^2)) / f^2.
+// Returns where a follower that turns touches its cam at lift 0, as yk_cam_touch does, from the places of the pins: d
+// and f are the pivot's distance along the direction, and its own, so that the direction is pivot (d -+ i sqrt(f^2 -
+// d^2)) / f^2.
 static YkRefVec touch_of(YkProgram *p, const YkCam *cam)
 {
     YkGraph *g = &p->graph;
@@ -180,8 +180,8 @@ static void push_two(YkBalanceSystem *w, size_t column, const YkCam *cam, const 
     *yk_balance_force_of(w, column) = yk_graph_vec_add(&w->f->program->graph, force[0], force[1]);
 }
 
-// Pushes the bearing one of two rollers: half the forces of both that do the same work, and for each newton of magnitude
-// half their difference (free_bodies/meshes.c).
+// Pushes the bearing one of two rollers: half the forces of both that do the same work, and for each newton of
+// magnitude half their difference (free_bodies/meshes.c).
 static void roller_pair(YkBalanceSystem *w, size_t column, const YkCam *cam, const CamPose *pose, YkRefVec first,
                         YkRefVec normal)
 {

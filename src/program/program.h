@@ -1,6 +1,6 @@
 // The program: the compiled steps of a mechanism, run with values of a graph instead of numbers.
 //
-// What the engine does lane by lane (solve/run, solve/kernels*) is done here once, in symbols: the same steps in the
+// Does once, in symbols, what the engine does lane by lane (solve/run, solve/kernels*): the same steps in the
 // same order, the same closed forms. Rates come in sets: those of the motion, or those for rate 1 of one input and 0 of
 // all others, which give the columns of the Jacobian.
 #ifndef PROGRAM_PROGRAM_H
@@ -20,11 +20,7 @@ typedef struct YkMotionRef { // of a scalar
     YkRef position, velocity, acceleration;
 } YkMotionRef;
 
-typedef struct YkPlane2 { // a vector and its derivatives
-    YkRefVec place, rate, accel;
-} YkPlane2;
-
-// What a block's position keeps for its rates.
+// Kept from a block's position for its rates.
 typedef struct YkPlaced {
     YkRefVec known;  // K
     YkRefVec p, q;   // RRR: the present arms; RRP: q; LINK: p
@@ -165,7 +161,7 @@ YkRefVec yk_program_at(YkProgram *program, int32_t body, YkRefVec at);
 YkRefVec yk_program_at_rate(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities);
 YkRefVec yk_program_at_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                              const YkRates *accelerations);
-// body_accel.c: returns the acceleration of a point of a body with fewer operations, for poses that need no rates of it.
+// body_accel.c: returns a body point's acceleration in fewer operations, for poses that need no rates of the point.
 YkRefVec yk_program_body_accel(YkProgram *program, int32_t body, YkRefVec at, const YkRates *velocities,
                                const YkRates *accelerations);
 

@@ -1,4 +1,4 @@
-// What the files of --check share.
+// Shared by the files of --check.
 #ifndef PROVE_CHECK_INSIDE_H
 #define PROVE_CHECK_INSIDE_H
 #include "prove/check.h"
@@ -62,7 +62,8 @@ typedef struct YkCheckPoints {
     const YkLoopBonds *bonds; // NULL: none
 } YkCheckPoints;
 
-// What equations of one derivation share as long as they start at one state; the derivation owns it (check_shared.c).
+// Shared by the equations of one derivation as long as they start at one state; the derivation owns it
+// (check_shared.c).
 typedef struct YkCheckShared {
     YkState *start;
     const YkDynamics *dynamics;
@@ -100,7 +101,7 @@ typedef struct YkCheck {
 // Returns what equations from this state on share: known already, or new. Returns NULL when out of memory.
 YkCheckShared *yk_check_share(YkDerivation *d, const YkState *state, const YkDynamics *dynamics);
 
-// --- check.c
+// --- check_open.c
 // Reads the equation; d, state, text and length are set. Close it in any case.
 typedef enum YkCheckOpened { YK_CHECK_OPEN, YK_CHECK_NOT_READ, YK_CHECK_NO_ROOM } YkCheckOpened;
 // poses: shared ones, for an equation without segments.

@@ -1,5 +1,5 @@
-// What equations of one derivation share: poses of the machine and of others, points of the field. It is valid as long
-// as equations start at the same state; the derivation owns it.
+// Shared by the equations of one derivation: poses of the machine and of others, points of the field. It is valid as
+// long as equations start at the same state; the derivation owns it.
 #include <stdlib.h>
 #include <string.h>
 #include "prove/check_inside.h"

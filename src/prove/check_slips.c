@@ -11,8 +11,8 @@ static const char *keep(YkCheck *check, YkText *text)
     return kept;
 }
 
-// Tests for all dimensions or, if nothing can be proved, at poses of this machine: where a false equation seems true, too, a
-// slip would explain nothing.
+// Tests for all dimensions or, if nothing can be proved, at poses of this machine: where a false equation seems true,
+// too, a slip would explain nothing.
 static bool is_true(YkCheck *check, const YkForm *zero)
 {
     return yk_check_prove(check, zero) == YK_PROVED ||

@@ -61,7 +61,8 @@ static bool takes_power(YkEquationReader *reader)
     return true;
 }
 
-const YkForm *yk_equation_raised(YkEquationReader *reader, const YkForm *base)
+// Reads a power if ^ follows, otherwise returns base. NULL base: NULL.
+static const YkForm *raised(YkEquationReader *reader, const YkForm *base)
 {
     YkEquationSize size = reader->size;
     if (!base || !takes_power(reader)) return base;
@@ -81,7 +82,7 @@ const YkForm *yk_equation_raised(YkEquationReader *reader, const YkForm *base)
 
 static const YkForm *read_power(YkEquationReader *reader)
 {
-    return yk_equation_raised(reader, yk_equation_atom(reader));
+    return raised(reader, yk_equation_atom(reader));
 }
 
 static bool begins_atom(char c)

@@ -36,8 +36,6 @@ char yk_equation_peek(YkEquationReader *reader);
 // Reports a problem, but only the first. Returns NULL.
 const YkForm *yk_equation_refuse(YkEquationReader *reader, size_t start, const char *message, const char *hint);
 const YkForm *yk_equation_bracket(YkEquationReader *reader); // ( ... ) or [ ... ]
-// Reads a power if ^ follows, otherwise returns base. NULL base: NULL.
-const YkForm *yk_equation_raised(YkEquationReader *reader, const YkForm *base);
 // Reads a bracket, a function, a name, or a number with or without a unit.
 const YkForm *yk_equation_atom(YkEquationReader *reader);
 

@@ -1,4 +1,4 @@
-// What every part of a report hands on: findings, what ran out of memory, states that are watched.
+// Passed from part to part of a report: findings, lack of memory, states that are watched.
 #include "base/problems.h"
 #include "report/report.h"
 #include "solve/state.h"

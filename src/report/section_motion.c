@@ -1,5 +1,4 @@
 // Writes the machine at its start; with the script it moves, by the controls that are written here, hidden without it.
-#include <string.h>
 #include "report/html.h"
 #include "report/report.h"
 

@@ -1,5 +1,4 @@
 // Writes the parameters with their units, and the bodies with their points and masses.
-#include <math.h>
 #include "report/html.h"
 #include "report/report.h"
 #include "write/amount.h"

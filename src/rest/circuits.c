@@ -1,5 +1,5 @@
-// Finds the equilibria of a machine with one freedom: on each circuit of its map the effort of the loads changes sign there.
-// The map comes as near to a limit of the free coordinate as one likes, where random poses hardly ever lie.
+// Finds the equilibria of a machine with one freedom: on each circuit of its map the effort of the loads changes sign
+// there. The map comes as near to a limit of the free coordinate as one likes, where random poses hardly ever lie.
 #include "base/problems.h"
 #include "rest/rest.h"
 #include "solve/gap.h"
@@ -44,9 +44,10 @@ static YkStatus move_near(YkRest *rest, const double *row, double at)
     return status;
 }
 
-// Stands at a value of the free coordinate, in the configuration of a row near to it, and finds how the loads accelerate it.
-// Where a group is solved by iteration, the search for its assembly takes a hundred times as long as moving there from the
-// last value beside the same row. Returns false if the machine does not close there, or is singular.
+// Stands at a value of the free coordinate, in the configuration of a row near to it, and finds how the loads
+// accelerate it. Where a group is solved by iteration, the search for its assembly takes a hundred times as long as
+// moving there from the last value beside the same row. Returns false if the machine does not close there, or is
+// singular.
 static bool stand(YkRest *rest, const double *row, double at, double *accel)
 {
     YkStatus status = YK_NO_ASSEMBLY;
@@ -87,7 +88,7 @@ typedef struct Probe {
     double at, accel, slope;
 } Probe;
 
-// inward: +1 or -1, a direction in which the coordinate may go from there. Returns false if the machine does not stand there.
+// inward: +1 or -1, a direction in which the coordinate may go. Returns false if the machine cannot stand there.
 static bool probe(YkRest *rest, const double *row, double at, double inward, Probe *p)
 {
     double h = inward * 1e-6 * rest->scale[0], beyond;
@@ -98,8 +99,8 @@ static bool probe(YkRest *rest, const double *row, double at, double inward, Pro
     return stands;
 }
 
-// Returns whether the acceleration may come to zero between two places at which it has one sign: it may be as far from a straight
-// line as a cubic that has its slopes there.
+// Returns whether the acceleration may come to zero between two places at which it has one sign: it may be as far from
+// a straight line as a cubic that has its slopes there.
 static bool may_vanish(const Probe *p, const Probe *q)
 {
     double span = q->at - p->at, least = fmin(fabs(p->accel), fabs(q->accel)), most = 0;
@@ -114,8 +115,8 @@ static bool is_straight(const Probe *p, const Probe *q)
     return one > 0.7 && one < 1.5 && other > 0.7 && other < 1.5;
 }
 
-// Finds the equilibria between two places. Several may be close together, so intervals are halved until the acceleration is about
-// a straight line in them. Returns false when out of memory.
+// Finds the equilibria between two places. Several may be close together, so intervals are halved until the
+// acceleration is about a straight line in them. Returns false when out of memory.
 static bool search_between(YkRest *rest, const double *row, Probe p, Probe q, int depth, int *left)
 {
     const double NONE = 1e-12; // over the largest: what rounding leaves where the machine rests anywhere

@@ -19,8 +19,8 @@ bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, d
     return true;
 }
 
-// Returns the step of the differences in units of the inputs, with the state at their middle: beside a limit all changes with
-// the square root of the distance to it, which is in proportion to the margin.
+// Returns the step of the differences in units of the inputs, with the state at their middle: beside a limit all
+// changes with the square root of the distance to it, which is in proportion to the margin.
 static double step_here(const YkState *s)
 {
     return fmin(1e-3, fmax(1e-9, 0.01 * s->space.margin[0]));
@@ -46,8 +46,8 @@ static bool differences(YkRest *rest, const double *q, bool of_rates, double uni
     return true;
 }
 
-// The scale of an input is the machine's size, and a limit may be much nearer than that: then the step is shortened until
-// both of its ends close.
+// The scale of an input is the machine's size, and a limit may be much nearer than that: then the step is shortened
+// until both of its ends close.
 static bool differences_within(YkRest *rest, const double *q, double *unit, double *matrix)
 {
     for (int k = 0; k < 8; k++, *unit /= 8)
@@ -81,8 +81,8 @@ static double gap_of(const YkRest *rest, const double *A, const double *B)
     return size > 0 ? distance(rest, A, B) / size : 0;
 }
 
-// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts them
-// again; `finer` is room for another matrix.
+// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts
+// them again; `finer` is room for another matrix.
 static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
 {
     size_t f = rest->freedom;
@@ -98,16 +98,17 @@ static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
     return true;
 }
 
-// Differentiates by rates at rest->q, where accelerations are quadratic in them unless a load has a corner at rest, as a drag
-// by rate*abs(rate) has, or changes within small rates. Then takes ever shorter steps, removes what is in proportion to
-// the step, and keeps the matrix that agrees best with the one before. `size` is that of rates of change here.
+// Differentiates by rates at rest->q, where accelerations are quadratic in them unless a load has a corner at rest, as
+// a drag by rate*abs(rate) has, or changes within small rates. Then takes ever shorter steps, removes what is in
+// proportion to the step, and keeps the matrix that agrees best with the one before. `size` is that of rates of change
+// here.
 static bool differentiate_by_rates(YkRest *rest, double size, double *matrix)
 {
     enum { SHORTENED = 10 };
     size_t entries = rest->freedom * rest->freedom;
     double *coarse = YK_NEW(rest->arena, double, entries), *fine = YK_NEW(rest->arena, double, entries);
     double *limit = YK_NEW(rest->arena, double, entries), *last = YK_NEW(rest->arena, double, entries);
-    double unit = 1e-3, best = HUGE_VAL;
+    double unit = size > 0 ? 1e-3 * size : 1e-3, best = HUGE_VAL;
     if (!coarse || !fine || !limit || !last || !differences(rest, rest->q, true, unit, matrix)) return false;
     memcpy(coarse, matrix, entries * sizeof *coarse);
     for (int k = 0; k < SHORTENED && best > 1e-9; k++) {
@@ -122,29 +123,33 @@ static bool differentiate_by_rates(YkRest *rest, double size, double *matrix)
     return true;
 }
 
-// Finds M, the inverse of the accelerations caused by unit efforts along the free inputs.
+// Finds the kinetic energy at rest->q of the inputs i and j moving, each by its scale in a second.
+static bool find_energy(YkRest *rest, size_t i, size_t j, double *energy)
+{
+    YkState *s = rest->state;
+    if (!yk_pace_spend(rest->pace, REDUCE * (s->mech->step_count + 1))) return false;
+    for (size_t k = 0; k < rest->freedom; k++) {
+        double rate = k == i || k == j ? rest->scale[k] : 0;
+        yk_state_set_input(s, (size_t)rest->input[k], (YkMotion){rest->q[k], rate, 0});
+    }
+    if (yk_state_solve(s) < 0 || !yk_state_has_rates(s)) return false;
+    *energy = yk_dynamics_energy_at(rest->dynamics, s).kinetic;
+    return true;
+}
+
+// Finds M, whose form is twice the kinetic energy.
 static bool find_mass(YkRest *rest, double *mass)
 {
-    YkDynamics *d = rest->dynamics;
     size_t f = rest->freedom;
-    double *inverse = rest->jacobian, *a = rest->step, *base = rest->trial;
-    if (!yk_rest_accelerations(rest, rest->q, NULL, base)) return false;
-    for (size_t j = 0; j < f; j++) {
-        d->pushed = rest->input[j];
-        d->push = 1;
-        bool ok = yk_rest_accelerations(rest, rest->q, NULL, a);
-        d->push = 0;
-        if (!ok) return false;
-        for (size_t i = 0; i < f; i++) inverse[i * f + j] = a[i] - base[i];
+    double *own = rest->trial, both;
+    for (size_t i = 0; i < f; i++) {
+        if (!find_energy(rest, i, i, &own[i])) return false;
+        mass[i * f + i] = 2 * own[i] / (rest->scale[i] * rest->scale[i]);
+        for (size_t j = 0; j < i; j++) {
+            if (!find_energy(rest, i, j, &both)) return false;
+            mass[i * f + j] = mass[j * f + i] = (both - own[i] - own[j]) / (rest->scale[i] * rest->scale[j]);
+        }
     }
-    if (yk_lu_factor(f, inverse, rest->pivot, rest->trial) == 0) return false;
-    for (size_t j = 0; j < f; j++) {
-        for (size_t i = 0; i < f; i++) a[i] = i == j;
-        yk_lu_solve(f, inverse, rest->pivot, a);
-        for (size_t i = 0; i < f; i++) mass[i * f + j] = a[i];
-    }
-    for (size_t i = 0; i < f; i++) // symmetric by nature
-        for (size_t j = 0; j < i; j++) mass[i * f + j] = mass[j * f + i] = 0.5 * (mass[i * f + j] + mass[j * f + i]);
     return true;
 }
 

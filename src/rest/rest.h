@@ -48,16 +48,16 @@ static inline size_t yk_rest_free_coordinate(const YkRest *rest, size_t k)
 
 #define YK_REST_STARTED 0.05 // share of the whole: compiling, and standing at the start
 
-// search.c: looks for equilibria from the state's pose, along all circuits, and from that many random poses. Returns false
-// when out of memory or stopped.
+// search.c: looks for equilibria from the state's pose, along all circuits, and from that many random poses. Returns
+// false when out of memory or stopped.
 bool yk_rest_search(YkRest *rest, size_t starts);
 // descend.c: goes from the pose in rest->q to an equilibrium, whose inputs are then there. Returns false if it comes to
 // none.
 bool yk_rest_descend(YkRest *rest);
 // Keeps the pose in rest->q, an equilibrium, unless it is known. Returns false when out of memory.
 bool yk_rest_keep(YkRest *rest);
-// circuits.c: maps the motion of a machine with one freedom. Returns NULL for any other, or if it has too many branches or
-// cannot be mapped; yk_map_free frees the map.
+// circuits.c: maps the motion of a machine with one freedom. Returns NULL for any other, or if it has too many branches
+// or cannot be mapped; yk_map_free frees the map.
 YkMap *yk_rest_map(YkRest *rest);
 // Finds the equilibria on all circuits. Returns false when out of memory or stopped.
 bool yk_rest_search_circuits(YkRest *rest, const YkMap *map);
@@ -65,7 +65,7 @@ bool yk_rest_search_circuits(YkRest *rest, const YkMap *map);
 // Finds accelerations a[f] at rest (rates 0, or `rates`) in the pose with free inputs q. Returns false if it does not
 // close.
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a);
-// Differentiates the accelerations at q, where the state stands, by the free inputs, f x f: central differences of order 4.
+// Differentiates the accelerations at q, the state's pose, by the free inputs, f x f: central differences of order 4.
 bool yk_rest_differentiate(YkRest *rest, const double *q, double *matrix);
 // Finds M, C, K, modes and roots at a point whose inputs are in rest->q. False when out of memory or without inertia.
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *point);

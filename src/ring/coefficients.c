@@ -105,7 +105,8 @@ static const YkPoisson *without_root(YkRing *ring, const YkPoisson *a, int32_t s
 {
     int32_t lowest, highest;
     if (!yk_ring_powers(ring, a, symbol, &lowest, &highest) || (lowest >= 0 && highest <= 1)) return a;
-    const YkPoisson *sum = ring->zero, *square = ring->symbols[symbol].square, *root = yk_ring_of(ring, symbol);
+    const YkPoisson *sum = ring->zero, *square = ring->symbols[symbol].meaning->square,
+                    *root = yk_ring_of(ring, symbol);
     int32_t shift = lowest < 0 ? (-lowest + 1) / 2 * 2 : 0;
     for (int32_t power = lowest; power <= highest; power++) {
         const YkPoisson *part = yk_ring_coefficient(ring, a, symbol, power);
@@ -124,6 +125,6 @@ bool yk_ring_is_equal(YkRing *ring, const YkPoisson *a, const YkPoisson *b)
     const YkPoisson *difference = yk_ring_subtract(ring, a, b);
     // A square mentions only symbols older than its root: going down from the youngest root meets each once.
     for (size_t i = ring->symbol_count; i-- > 0 && difference && difference->count > 0;)
-        if (ring->symbols[i].square) difference = without_root(ring, difference, (int32_t)i);
+        if (ring->symbols[i].meaning->square) difference = without_root(ring, difference, (int32_t)i);
     return yk_ring_is_zero(difference);
 }

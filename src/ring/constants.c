@@ -133,7 +133,7 @@ const YkPoisson *yk_ring_exp_of(YkRing *ring, const YkPoisson *angle)
             return NULL;
         int32_t symbol = powers[0].symbol;
         int64_t factor = term.number / angle->denominator;
-        if (ring->symbols[symbol].pi_over == 1) {
+        if (ring->symbols[symbol].meaning->pi_over == 1) {
             unit = yk_ring_multiply(ring, unit, yk_ring_turn(ring, term.number, angle->denominator));
             continue;
         }

@@ -23,7 +23,7 @@ static const YkPoisson *chain(YkRing *ring, const YkPartial *partials, int32_t v
 
 static const YkPoisson *root_derivative(YkRing *ring, int32_t index, int32_t variable, int depth)
 {
-    const YkPoisson *inner = derivative(ring, ring->symbols[index].square, variable, depth + 1);
+    const YkPoisson *inner = derivative(ring, ring->symbols[index].meaning->square, variable, depth + 1);
     return yk_ring_divide(ring, inner, yk_ring_scale(ring, yk_ring_of(ring, index), 2, 1));
 }
 
@@ -33,14 +33,14 @@ static const YkPoisson *symbol_derivative(YkRing *ring, int32_t index, int32_t v
     const YkRingSymbol *symbol = &ring->symbols[index];
     if (index == variable) return ring->one;
     if (variable == TIME && symbol->rate) return symbol->rate;
-    if (!symbol->square && !symbol->partials) return ring->zero;
-    if (symbol->known && symbol->known_variable == variable && symbol->known_rules == ring->rule_count)
-        return symbol->known;
+    const YkRingMeaning *is = symbol->meaning;
+    if (!is->square && !is->partials) return ring->zero;
+    if (is->known && is->known_variable == variable && is->known_rules == ring->rule_count) return is->known;
     if (depth > DEPTH_MAX) return yk_ring_fail(ring, YK_RING_DERIVATIVE);
     const YkPoisson *known =
-        symbol->square ? root_derivative(ring, index, variable, depth) : chain(ring, symbol->partials, variable, depth);
-    YkRingSymbol *kept = &ring->symbols[index]; // symbols may have moved
-    kept->known = known, kept->known_variable = variable, kept->known_rules = ring->rule_count;
+        is->square ? root_derivative(ring, index, variable, depth) : chain(ring, is->partials, variable, depth);
+    YkRingMeaning *kept = yk_ring_meaning(ring, index);
+    if (kept) kept->known = known, kept->known_variable = variable, kept->known_rules = ring->rule_count;
     return known;
 }
 
@@ -91,7 +91,8 @@ static const YkPoisson *image_of(const Gathering *d, int32_t index)
     if (index == d->variable) return d->ring->one;
     if (!(yk_mark(index) & d->touched)) return d->ring->zero;
     if (d->variable == TIME && symbol->rate) return symbol->rate;
-    return symbol->square || symbol->partials ? symbol->known : d->ring->zero;
+    const YkRingMeaning *is = symbol->meaning;
+    return is->square || is->partials ? is->known : d->ring->zero;
 }
 
 // Gathers term * factor * image.

@@ -52,24 +52,33 @@ typedef struct YkPartial {
     const YkPoisson *derivative;
 } YkPartial;
 
-typedef struct YkRingSymbol {
-    const char *name;
-    size_t name_length;
-    YkRingClass kind;
-    bool is_angle, has_rates;
-    int32_t rate_symbol;      // of the symbols with rates: the first of the two; the other follows
-    const YkPoisson *element; // the symbol itself; made at first use
-    uint32_t monomial;        // the symbol as a monomial; 0: not made yet
-    const YkPoisson *rate;    // declared total time derivative, or NULL
+// What a symbol stands for; few symbols stand for anything.
+typedef struct YkRingMeaning {
     YkPartial *partials;
     const YkPoisson *square; // of a root symbol: its square
     const YkPoisson *number; // the number that the symbol names, or NULL
     const YkPoisson *known;  // its derivative by known_variable, made when the ring had known_rules rules
-    int32_t known_variable;
     size_t known_rules;
-    int64_t pi_over;                // the constant angle pi / pi_over; 1 for pi itself; 0 for other symbols
-    const char *latex, *c, *mathml; // its name when typeset
+    int32_t known_variable;
+    int64_t pi_over; // the constant angle pi / pi_over; 1 for pi itself; 0 for other symbols
+} YkRingMeaning;
+
+// A large machine has many symbols: they are kept small.
+typedef struct YkRingSymbol {
+    const char *name;
+    const YkPoisson *element;     // the symbol itself; made at first use
+    const YkPoisson *rate;        // declared total time derivative, or NULL
+    const YkRingMeaning *meaning; // never NULL
+    uint32_t monomial;            // the symbol as a monomial; 0: not made yet
+    int32_t rate_symbol;          // of the symbols with rates: the first of the two; the other follows; 0: none
+    uint8_t name_length, kind;    // kind: a YkRingClass
+    bool is_angle;
 } YkRingSymbol;
+
+// The names of a symbol when typeset.
+typedef struct YkTypesetName {
+    const char *latex, *c, *mathml;
+} YkTypesetName;
 
 // Collects terms by key. As long as keys ascend it neither searches nor sorts.
 typedef struct YkGather {
@@ -108,8 +117,9 @@ struct YkRing {
     YkArena *sheet; // memory for one printing
     YkRingSymbol *symbols;
     size_t symbol_count, symbol_capacity;
-    size_t typeset_count; // number of symbols, from the first, that have names in all formats
-    YkNames names;        // the names of symbols in text, aliases included
+    YkTypesetName *typeset; // of the first symbols, typeset_count
+    size_t typeset_count, typeset_capacity;
+    YkNames names; // the names of symbols in text, aliases included
     YkNames latex_names, c_names;
     YkPowers monomials, phases;
     YkGather gather;
@@ -138,6 +148,8 @@ enum {
 
 // --- symbols.c: returns the symbol of pi / pi_over, `pi_7`; enters it if it is new; -1 on failure.
 int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over);
+// Returns what a symbol stands for, to be changed; NULL when out of memory.
+YkRingMeaning *yk_ring_meaning(YkRing *ring, int32_t symbol);
 // Returns whether this is one of the ring's symbols, and makes the ring fail if not.
 bool yk_ring_has_symbol(YkRing *ring, int32_t symbol);
 

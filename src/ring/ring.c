@@ -29,6 +29,7 @@ void yk_ring_free(YkRing *ring)
     yk_names_free(&ring->latex_names);
     yk_names_free(&ring->c_names);
     free(ring->symbols);
+    free(ring->typeset);
     free(ring->patterns);
     free(ring->marks.items);
     yk_arena_free(ring->sheet);

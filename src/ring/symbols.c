@@ -35,7 +35,7 @@ static int32_t find_derivative(const YkRing *ring, const char *name)
     for (int k = 0; k < 2; k++)
         if (strcmp(dot, endings[k]) == 0) {
             int32_t of = yk_names_find(&ring->names, stem);
-            bool has_rates = of >= 0 && ring->symbols[of].has_rates && strcmp(ring->symbols[of].name, stem) == 0;
+            bool has_rates = of >= 0 && ring->symbols[of].rate_symbol > 0 && strcmp(ring->symbols[of].name, stem) == 0;
             return has_rates ? ring->symbols[of].rate_symbol + k : -1;
         }
     return -1;
@@ -53,6 +53,18 @@ static bool enter_name(YkRing *ring, const char *name, int32_t symbol)
     return existing == YK_NONE || yk_ring_fail(ring, YK_RING_NAME) != NULL;
 }
 
+static const YkRingMeaning no_meaning;
+
+YkRingMeaning *yk_ring_meaning(YkRing *ring, int32_t symbol)
+{
+    const YkRingMeaning **meaning = &ring->symbols[symbol].meaning;
+    if (*meaning != &no_meaning) return (YkRingMeaning *)*meaning;
+    YkRingMeaning *own = YK_NEW(ring->arena, YkRingMeaning, 1);
+    if (!own) yk_ring_fail(ring, YK_RING_MEMORY);
+    if (own) *meaning = own;
+    return own;
+}
+
 // Adds a symbol. `name`, the last memory taken from the ring's arena, is given back if no symbol is made.
 static int32_t add_symbol(YkRing *ring, char *name, YkRingSymbol symbol)
 {
@@ -62,7 +74,8 @@ static int32_t add_symbol(YkRing *ring, char *name, YkRingSymbol symbol)
         return -1;
     }
     symbol.name = name;
-    symbol.name_length = strlen(name);
+    symbol.name_length = (uint8_t)strlen(name);
+    symbol.meaning = &no_meaning;
     int32_t index = (int32_t)ring->symbol_count;
     if (ring->symbol_count >= SYMBOLS_MAX) yk_ring_fail(ring, YK_RING_SIZE);
     if (ring->symbol_count >= SYMBOLS_MAX || !enter_name(ring, name, index)) {
@@ -87,7 +100,7 @@ static int32_t refuse_name(YkRing *ring, const char *name)
 
 int32_t yk_ring_symbol(YkRing *ring, const char *name, YkRingClass kind)
 {
-    if (is_name(name)) return add_named(ring, name, (YkRingSymbol){.kind = kind});
+    if (is_name(name)) return add_named(ring, name, (YkRingSymbol){.kind = (uint8_t)kind});
     return refuse_name(ring, name);
 }
 
@@ -109,9 +122,11 @@ int32_t yk_ring_constant_angle(YkRing *ring, int64_t pi_over)
     int32_t symbol = name.failed ? -1 : yk_names_find(&ring->names, yk_text_get(&name));
     if (name.failed)
         yk_ring_fail(ring, YK_RING_MEMORY);
-    else if (symbol < 0)
-        symbol = add_named(ring, yk_text_get(&name),
-                           (YkRingSymbol){.kind = YK_RING_CONSTANT, .is_angle = pi_over > 1, .pi_over = pi_over});
+    else if (symbol < 0) {
+        symbol = add_named(ring, yk_text_get(&name), (YkRingSymbol){.kind = YK_RING_CONSTANT, .is_angle = pi_over > 1});
+        YkRingMeaning *meaning = symbol < 0 ? NULL : yk_ring_meaning(ring, symbol);
+        if (meaning) meaning->pi_over = pi_over;
+    }
     yk_text_free(&name);
     return symbol;
 }
@@ -135,7 +150,7 @@ static int32_t add_derived(YkRing *ring, int32_t coordinate, size_t primes, YkRi
     memcpy(name, of, length);
     memset(name + length, '\'', primes);
     name[length + primes] = '\0';
-    if (length + primes <= NAME_MAX_LENGTH) return add_symbol(ring, name, (YkRingSymbol){.kind = kind});
+    if (length + primes <= NAME_MAX_LENGTH) return add_symbol(ring, name, (YkRingSymbol){.kind = (uint8_t)kind});
     yk_ring_fail(ring, YK_RING_NAME);
     return -1;
 }
@@ -162,7 +177,6 @@ int32_t yk_ring_rates(YkRing *ring, int32_t coordinate)
     int32_t acceleration = rate < 0 ? -1 : add_derived(ring, coordinate, 2, YK_RING_ACCELERATION);
     if (acceleration < 0) return -1;
     ring->symbols[coordinate].rate_symbol = rate;
-    ring->symbols[coordinate].has_rates = true;
     bool well = yk_ring_set_rate(ring, coordinate, yk_ring_of(ring, rate)) &&
                 yk_ring_set_rate(ring, rate, yk_ring_of(ring, acceleration));
     return well ? rate : -1;
@@ -183,9 +197,10 @@ bool yk_ring_set_rate(YkRing *ring, int32_t symbol, const YkPoisson *rate)
 static bool add_partial(YkRing *ring, int32_t symbol, int32_t variable, const YkPoisson *derivative)
 {
     YkPartial *partial = YK_NEW(ring->arena, YkPartial, 1);
-    if (!partial) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
-    *partial = (YkPartial){ring->symbols[symbol].partials, variable, derivative};
-    ring->symbols[symbol].partials = partial;
+    YkRingMeaning *meaning = yk_ring_meaning(ring, symbol);
+    if (!partial || !meaning) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
+    *partial = (YkPartial){meaning->partials, variable, derivative};
+    meaning->partials = partial;
     ring->rule_count++;
     ring->dependent_marks |= yk_mark(symbol);
     return true;
@@ -220,15 +235,17 @@ int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square)
     if (!yk_ring_is_real(ring, square)) return yk_ring_fail(ring, YK_RING_NOT_REAL) ? 0 : -1;
     int32_t symbol = yk_ring_symbol(ring, name, YK_RING_FUNCTION);
     ring->rule_count++;
-    if (symbol < 0) return -1;
-    ring->symbols[symbol].square = square;
+    YkRingMeaning *meaning = symbol < 0 ? NULL : yk_ring_meaning(ring, symbol);
+    if (!meaning) return -1;
+    meaning->square = square;
     ring->dependent_marks |= yk_mark(symbol);
     return symbol;
 }
 
 void yk_ring_set_number(YkRing *ring, int32_t symbol, const YkPoisson *number)
 {
-    if (symbol >= 0 && number) ring->symbols[symbol].number = number;
+    YkRingMeaning *meaning = symbol >= 0 && number ? yk_ring_meaning(ring, symbol) : NULL;
+    if (meaning) meaning->number = number;
 }
 
 int32_t yk_ring_find(const YkRing *ring, const char *name)
@@ -249,7 +266,7 @@ const char *yk_ring_symbol_name(const YkRing *ring, int32_t symbol)
 
 YkRingClass yk_ring_symbol_class(const YkRing *ring, int32_t symbol)
 {
-    return ring->symbols[symbol].kind;
+    return (YkRingClass)ring->symbols[symbol].kind;
 }
 
 bool yk_ring_is_angle(const YkRing *ring, int32_t symbol)

@@ -64,7 +64,7 @@ void yk_ring_complete(YkRing *ring, double *values)
 {
     for (size_t i = 0; i < ring->symbol_count; i++) {
         const YkRingSymbol *symbol = &ring->symbols[i];
-        if (symbol->pi_over > 0) values[i] = YK_PI / (double)symbol->pi_over;
-        if (symbol->square) values[i] = sqrt(yk_ring_value(ring, symbol->square, values).x);
+        if (symbol->meaning->pi_over > 0) values[i] = YK_PI / (double)symbol->meaning->pi_over;
+        if (symbol->meaning->square) values[i] = sqrt(yk_ring_value(ring, symbol->meaning->square, values).x);
     }
 }

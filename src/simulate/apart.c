@@ -1,6 +1,7 @@
-// Singular positions that a machine only comes close to, such as that of a parallelogram one of whose links is a little too
-// long: two branches approach each other there, and the motion turns from the one's direction to the other's within a short way
-// without leaving its own. The signs of the blocks must then stay, though their angles seem to go through 0.
+// Singular positions that a machine only comes close to, such as that of a parallelogram one of whose links is a little
+// too long: two branches approach each other there, and the motion turns from the one's direction to the other's within
+// a short way without leaving its own. The signs of the blocks must then stay, though their angles seem to go through
+// 0.
 #include "elementary/elementary.h"
 #include "simulate/crossing.h"
 
@@ -14,7 +15,7 @@ typedef struct Line {
     double nearest;   // rad: how far from the singular position a block is in the last samples
 } Line;
 
-// Stands at a place of the line, with the signs that near blocks are predicted to have there. Returns false if it has none.
+// Stands at a place of the line, with the signs predicted there for near blocks. Returns false if it has none.
 static bool stand(const Line *line, double x)
 {
     YkSimulation *sim = line->sim;
@@ -28,8 +29,8 @@ static bool stand(const Line *line, double x)
     return true;
 }
 
-// Returns a block's margin in the pose that stands; negative where the block does not close, NaN if it cannot be told, because
-// another one does not.
+// Returns a block's margin in the pose that stands; negative where the block does not close, NaN if it cannot be told,
+// because another one does not.
 static double margin_of(const YkState *s, size_t block, bool stands)
 {
     if (stands) return s->space.block_margin[block];
@@ -61,8 +62,8 @@ static void note(YkSearch *search, int j, double margin)
         decide(search, false);
 }
 
-// Judges a round of samples: the margin is a parabola near the singular position. The next samples are nearer to its vertex but
-// never in it, where other blocks may be singular.
+// Judges a round of samples: the margin is a parabola near the singular position. The next samples are nearer to its
+// vertex but never in it, where other blocks may be singular.
 static void end_round(const Line *line, YkSearch *search)
 {
     enum { ROUNDS_MAX = 24 };
@@ -91,8 +92,8 @@ static bool joins(YkSearch *search, const YkSearch *leader)
     return true;
 }
 
-// Makes a round of samples for the first open search, and for all that follow it to the same places: loops that are equal, or
-// nearly so, are judged in the same poses.
+// Makes a round of samples for the first open search, and for all that follow it to the same places: loops that are
+// equal, or nearly so, are judged in the same poses.
 static void sample_round(const Line *line, YkSearch *searches, size_t count)
 {
     static const double places[] = {-1, -0.5, 0.5, 1};

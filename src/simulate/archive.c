@@ -215,7 +215,7 @@ static void walk_near(YkSimulation *sim, YkArchive *a)
     }
 }
 
-// The guide stands where the last evaluation was, which may be ahead of the simulation, and knows from where it came there.
+// The guide stands at the last evaluation, which may be ahead of the simulation, and knows from where it came.
 static void walk_guide(YkSimulation *sim, YkArchive *a)
 {
     bool has_guide = sim->guide != NULL;

@@ -1,4 +1,4 @@
-// What the files about contacts share: contact.c finds their efforts, impact.c impacts.
+// Shared by the files about contacts: contact.c finds their efforts, impact.c impacts.
 #ifndef SIMULATE_CONTACT_H
 #define SIMULATE_CONTACT_H
 #include "simulate/simulation.h"
@@ -13,7 +13,7 @@ typedef struct YkContactTerm {
     int32_t b, a;
     double factor;
 } YkContactTerm;
-size_t yk_simulation_cam_terms(const YkSimulation *sim, size_t cam, YkContactTerm term[2]); // flight.c
+size_t yk_simulation_cam_terms(const YkSimulation *sim, size_t cam, YkContactTerm term[2]); // cam_gap.c
 double yk_simulation_contact_rate(const YkSimulation *sim, size_t contact);
 void yk_simulation_touch_cam(YkSimulation *sim, size_t cam); // adds a cam to the contacts, for an impact
 void yk_simulation_leave_cams(YkSimulation *sim);            // and takes all of them out again

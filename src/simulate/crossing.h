@@ -10,6 +10,8 @@
 #define SIMULATE_CROSSING_H
 #include "simulate/simulation.h"
 
+#define YK_NEAR_SINE2 0.06 // sin^2 below which a block is watched
+
 typedef struct YkDirection {
     double angle, rate, acceleration;
 } YkDirection;
@@ -34,16 +36,17 @@ static inline bool yk_begins_flat(const YkSimulation *sim)
     return sim->is_flat && sim->near_time == sim->options.start;
 }
 
-// Where drives alone move the machine, they may rest, or turn back, so near to a singular position that no prediction tells
-// on which side of it they go on. A second state follows the drives there as sweeps do: starts it at the
-// state's pose, unless it has begun (false when out of memory); returns whether the pose that stands is the same.
+// Drives that alone move the machine may rest, or turn back, so near to a singular position that no prediction
+// tells on which side of it they go on. A second state follows the drives there as sweeps do: starts it at the state's
+// pose, unless it has begun (false when out of memory); returns whether the pose that stands is the same.
 bool yk_simulation_start_guide(YkSimulation *sim);
 bool yk_simulation_agrees_with_guide(YkSimulation *sim);
-// Ends the motion at the limit that the drives are about to reach, if there is one: steps in time fail a little before it.
+// Ends the motion at the limit, if any, that the drives are about to reach: steps in time fail a little before it.
 void yk_simulation_end_at_limit(YkSimulation *sim);
-// Where one drive moves a machine without dry friction near a singular position, puts it in the guide's pose at t, with its rates;
-// and finds what power each load and the drive bring there. Return false elsewhere. There must be a guide.
-// must_be_sure: only where its rates have lost no digits; otherwise also beside a limit, where the drive turns back soon.
+// Where one drive moves a machine without dry friction near a singular position, puts it in the guide's pose at t, with
+// its rates; and finds what power each load and the drive bring there. Return false elsewhere. There must be a guide.
+// must_be_sure: only where its rates have lost no digits; otherwise also beside a limit, where the drive turns back
+// soon.
 bool yk_simulation_stands_with_guide(YkSimulation *sim, double t, bool must_be_sure);
 bool yk_simulation_moves_with_guide(YkSimulation *sim, double t, double *dydt, bool must_be_sure);
 

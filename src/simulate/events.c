@@ -1,6 +1,5 @@
 // Events between two accepted steps: stops hit, joints that come to rest, watched values that cross their level.
 #include <string.h>
-#include "base/memory.h"
 #include "simulate/simulation.h"
 
 enum { PROBES = 5 };

@@ -1,6 +1,6 @@
-// Machines that drives alone move. A second state, the guide, follows the drives as sweeps do. Near a singular position it
-// says where the machine is, at which rates, and so what power the drive brings: no equation of forces has to be solved there.
-#include "elementary/elementary.h"
+// Machines that drives alone move. A second state, the guide, follows the drives as sweeps do. Near a singular position
+// it says where the machine is, at which rates, and so what power the drive brings: no equation of forces has to be
+// solved there.
 #include "simulate/crossing.h"
 
 // Tolerance of directions: near a singular position poses are known to the square root of rounding.
@@ -21,7 +21,7 @@ static bool goes_to(YkSimulation *sim, double t)
     return yk_state_move_time(sim->guide, t, NULL, NULL, NULL) >= 0;
 }
 
-// Returns whether the guide's rates are those of the motion: so near to a limit, and where nothing is smooth, they are not.
+// Returns whether the guide's rates are those of the motion. Near a limit, and where nothing is smooth, they are not.
 static bool has_sure_rates(const YkState *s)
 {
     return s->has_rates && (s->is_clear || yk_state_has_limits(s) || s->space.margin[0] > YK_NEAR_MARGIN);
@@ -46,7 +46,7 @@ static bool rests(const YkState *s)
     return true;
 }
 
-// Returns whether the only input that moves turns back within a short way, as it does beside a limit that it does not reach.
+// Returns whether the only input that moves turns back within a short way, as it does just before a limit.
 static bool turns_soon(const YkState *s)
 {
     const double SHORT = 2e-3; // rad, or lengths over the machine's size
@@ -86,8 +86,8 @@ void yk_simulation_end_at_limit(YkSimulation *sim)
     sim->status = YK_LIMIT;
 }
 
-// Returns what the drives bring: the power that the masses take up, less what all loads deliver. Returns false if a load has no
-// value.
+// Returns what the drives bring: the power that the masses take up, less what all loads deliver. Returns false if a
+// load has no value.
 static bool find_power(YkSimulation *sim, double *power)
 {
     YkDynamics *d = sim->dynamics;
@@ -126,8 +126,8 @@ bool yk_simulation_moves_with_guide(YkSimulation *sim, double t, double *dydt, b
     return true;
 }
 
-// Returns whether the simulation stands so close to where the guide is, both far from singular positions, that it is on the
-// same branch: there, branches are further apart.
+// Returns whether the simulation stands so close to where the guide is, both far from singular positions, that it is on
+// the same branch: there, branches are further apart.
 static bool is_beside_guide(const YkSimulation *sim)
 {
     const double BESIDE =

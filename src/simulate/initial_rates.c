@@ -1,6 +1,5 @@
 // Finds rates at the start that fit those in the file, as well as the loops allow.
 #include <stdlib.h>
-#include <string.h>
 #include "base/problems.h"
 #include "num/dense.h"
 #include "simulate/simulation.h"

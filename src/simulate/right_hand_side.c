@@ -1,43 +1,6 @@
-// The right-hand side: rates and accelerations of the independent coordinates, and the power of every load.
+// The right-hand side: rates and accelerations of the independent coordinates, and the pose that stands with them.
 #include <string.h>
 #include "simulate/crossing.h"
-
-bool yk_simulation_set(YkSimulation *sim, double t, const double *y)
-{
-    YkState *s = sim->state;
-    bool ok = true;
-    if (sim->has_drives)
-        ok = yk_simulation_set_time(sim, s, t, NULL) >= 0;
-    else
-        s->time = t;
-    for (size_t k = 0; k < sim->free_count; k++) {
-        double *input = s->input + 3 * sim->free_input[k];
-        input[0] = y[k];
-        input[1] = y[sim->free_count + k];
-        input[2] = 0;
-    }
-    if (sim->near_count > 0) yk_simulation_set_signs(sim, t);
-    return ok;
-}
-
-void yk_simulation_powers(YkSimulation *sim, double *power)
-{
-    YkDynamics *d = sim->dynamics;
-    power[sim->work_count - 1] = 0; // stops take energy only in impacts
-    if (sim->options.pulls > 0) power[sim->work_count - 2] = d->loads->handle_power;
-    if (sim->item_count > 0) memcpy(power, d->power, sim->item_count * sizeof *power);
-    if (!sim->has_drives) return;
-    // The reduced equations then lack the efforts of contacts.
-    bool by_bodies = sim->contact_count > 0 || d->loads->has_dry;
-    if (by_bodies && !d->loads->has_dry) yk_dynamics_apply(d, sim->state);
-    if (!by_bodies) yk_reduced_solve(d->reduced, d->acceleration, true);
-    size_t at = sim->item_count;
-    for (size_t i = 0; i < sim->mech->input_count; i++) {
-        if (d->is_free[i]) continue;
-        double effort = by_bodies ? d->drive[i] : yk_reduced_effort(d->reduced, i);
-        power[at++] = effort * sim->state->input[3 * i + 1];
-    }
-}
 
 // Evaluates an open tree, which needs no pose.
 static int move_lean(YkSimulation *sim, double t, const double *y, double *dydt)
@@ -104,14 +67,4 @@ bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y)
     sim->status = status < 0 ? status : YK_NOT_CONVERGED;
     if (status < 0) sim->report = s->report;
     return false;
-}
-
-bool yk_simulation_pose(YkSimulation *sim, double t, const double *y)
-{
-    if (sim->near_count > 0) yk_simulation_look_closer(sim, t);
-    if (!yk_simulation_stand_at(sim, t, y)) return false;
-    if (sim->state->has_rates) yk_state_refer(sim->state); // where branches meet, an angle may be any
-    sim->time = t;
-    sim->has_forces = false;
-    return true;
 }

@@ -1,4 +1,4 @@
-// What a simulation measures by: its inputs, energies and rates, and how near it is to a limit.
+// Scales of a simulation: those of its inputs, energies and rates, and how near it is to a limit.
 #include <math.h>
 #include "simulate/simulation.h"
 

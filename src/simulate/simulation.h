@@ -25,8 +25,8 @@ typedef struct YkSearch {
     bool is_touched;       // the decision
 } YkSearch;
 
-// What holds a coordinate: a stop against which it rests, or dry friction that makes it stick; in an impact also a cam
-// that its follower reaches or touches.
+// Something that holds a coordinate: a stop against which it rests, or dry friction that makes it stick; in an impact
+// also a cam that its follower reaches or touches.
 typedef struct YkContact {
     size_t item;      // of the loads: COULOMB or STOP; unused for a cam
     int32_t cam;      // of the model; otherwise YK_NONE
@@ -146,15 +146,16 @@ struct YkSimulation {
     int redone; // times in succession that a step was taken back
 };
 
-// witness.c: tells the witness that the motion begins at the state, which has the pose of `from`, a state of another mechanism;
+// witness.c: tells the witness that the motion begins at the state, which has the pose of `from`, a state of another
+// mechanism;
 // NULL: it begins anywhere.
 void yk_simulation_tell_start(YkSimulation *sim, const YkState *from);
-// Tells it of the pose that stands. Returns false, with a report, if the motion is proved to be on another configuration there.
+// Tells it of the pose that stands. Returns false, with a report, if that is proved to be on another configuration.
 bool yk_simulation_tell(YkSimulation *sim, YkWitnessed kind);
 // Returns whether the step that the integrator has just made is proved to end on another configuration.
 bool yk_simulation_has_jumped(YkSimulation *sim);
-// Takes that step back: the state stands at its beginning, and the next ones will be shorter. Returns false if that has not
-// helped before.
+// Takes that step back: the state stands at its beginning, and the next ones will be shorter. Returns false if that has
+// not helped before.
 bool yk_simulation_go_home(YkSimulation *sim);
 
 // simulation.c: makes a simulation without a pose, with the efforts, watches and control of another one (NULL: none).
@@ -170,8 +171,8 @@ double yk_simulation_next_sample(const YkSimulation *simulation); // HUGE_VAL if
 
 // results.c: accounts for the energy at the present pose.
 void yk_simulation_count_energy(YkSimulation *sim);
-// Returns whether the balance of energy is off by more than steps of that tolerance can be: the poses are not the machine's motion.
-// Fixed steps are as coarse as they were asked to be.
+// Returns whether the balance of energy is off by more than steps of that tolerance can be: the poses are not the
+// machine's motion. Fixed steps are as coarse as they were asked to be.
 bool yk_simulation_has_lost_energy(const YkSimulation *sim);
 
 // initial_rates.c
@@ -188,31 +189,29 @@ bool yk_simulation_start_singular(YkSimulation *sim, YkProblems *problems);
 // Finds rates of the inputs from those in `start:`, as well as the loops allow.
 bool yk_simulation_start_rates(YkSimulation *sim, YkProblems *problems);
 
-// right_hand_side.c: the right-hand side.
-void yk_simulation_powers(YkSimulation *sim, double *power); // of all works, at the pose accelerated last
-int yk_simulation_motion(void *simulation, double t, const double *y, double *dydt);
-// Sets the inputs of the state for (t, y), and the signs of near blocks. Returns false if a drive has no value.
+// stage.c: sets the state's inputs for (t, y), and the signs of near blocks. Returns false if a drive has no value.
 bool yk_simulation_set(YkSimulation *sim, double t, const double *y);
-// Solves the state's pose at (t, y) with its accelerations. Sets sim->status and the report on failure. stand_at:
-// without a closer look at near blocks; leaves the angles' references and sim->time unchanged.
+void yk_simulation_powers(YkSimulation *sim, double *power); // of all works, at the pose accelerated last
+
+// right_hand_side.c
+int yk_simulation_motion(void *simulation, double t, const double *y, double *dydt);
+// Solves the state's pose at (t, y) with its accelerations, without a closer look at near blocks; leaves the angles'
+// references and sim->time unchanged. Sets sim->status and the report on failure.
 bool yk_simulation_stand_at(YkSimulation *sim, double t, const double *y);
-bool yk_simulation_pose(YkSimulation *sim, double t, const double *y);
 
 // crossing.c and its neighbours: change points.
 void yk_simulation_look_near(YkSimulation *sim, double t); // finds which blocks are near at the present pose
-// Looks at near blocks again a little before a pose within the last step, or at its end, if it lies so near to a
-// singular position that the prediction from the step's start may have the wrong sign.
-void yk_simulation_look_closer(YkSimulation *sim, double t);
-void yk_simulation_set_signs(YkSimulation *sim, double t);
-// apart.c: returns whether the last step took a sign for another though branches do not meet there; near blocks keep their
-// signs from then on, and the step must be repeated.
+// Solves the pose at (t, y) as yk_simulation_stand_at does, with a closer look at near blocks, and moves there.
+bool yk_simulation_pose(YkSimulation *sim, double t, const double *y);
+// apart.c: returns whether the last step took a sign for another though branches do not meet there; near blocks keep
+// their signs from then on, and the step must be repeated.
 bool yk_simulation_must_keep_apart(YkSimulation *sim);
 // Looks along the only free input whether branches meet where near blocks are heading. Returns false if the pose, at
 // sim->time, cannot be solved again.
 bool yk_simulation_look_whether_apart(YkSimulation *sim);
 // Returns how long a step may be, s, near such a place.
 double yk_simulation_reach_apart(const YkSimulation *sim);
-// Returns for how long, at the present rates, no block that is not near reaches a singular position.
+// reach.c: returns for how long, at the present rates, no block that is not near reaches a singular position.
 double yk_simulation_reach(YkSimulation *sim);
 // interpolation.c: returns whether the pose is so near that accelerations are interpolated.
 bool yk_simulation_in_zone(const YkSimulation *sim, double t);
@@ -237,8 +236,8 @@ void yk_simulation_unbuild(YkSimulation *sim);
 bool yk_simulation_stepper(YkSimulation *sim); // keeps the address of sim: call it after everything else is made
 bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkProblems *problems);
 
-// Takes other independent coordinates by name, or as many as there are with the cams that are open now. Returns false on
-// failure; *changed: whether they fit.
+// Takes other independent coordinates by name, or as many as there are with the cams that are open now. Returns false
+// on failure; *changed: whether they fit.
 bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_t count, size_t free_count,
                               bool *changed);
 static inline size_t yk_simulation_contacts_max(const YkSimulation *sim)
@@ -246,8 +245,10 @@ static inline size_t yk_simulation_contacts_max(const YkSimulation *sim)
     return sim->item_count + sim->model->cam_count;
 }
 
-// flight.c: followers off their cams.
+// cam_gap.c
 YkMotion yk_simulation_gap(const YkSimulation *sim, size_t cam); // above 0 off the cam; without acceleration
+
+// flight.c: followers off their cams.
 // Returns whether this cam can lose its follower, and has not.
 bool yk_simulation_is_loose(const YkSimulation *sim, size_t cam);
 double yk_simulation_pull(YkSimulation *sim,

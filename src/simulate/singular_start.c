@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
-#include "base/text.h"
 #include "elementary/elementary.h"
 #include "simulate/crossing.h"
 

@@ -1,5 +1,5 @@
-// The witness of a simulation: it is told of the poses at the ends of steps, at events and at rows, and refuses what cannot be
-// the same configuration.
+// The witness of a simulation: it is told of the poses at the ends of steps, at events and at rows, and refuses what
+// cannot be the same configuration.
 #include "simulate/simulation.h"
 
 static const char *const jumped = "the motion is proved to have gone over to another configuration; a smaller "

@@ -1,6 +1,5 @@
 // Groups of bodies that float, open ends, and where either could be pinned: at points of the same name.
 #include <stdlib.h>
-#include <string.h>
 #include "sketch/sketch.h"
 
 enum { LOOKS = 64 }; // at most this number of points of one name is looked at for each
@@ -78,7 +77,7 @@ static int32_t find_partner(const YkSketch *sketch, const PointNames *names, int
     return YK_NONE;
 }
 
-// What pins both points: "joints/B", "{pin: [rod, piston]}"; `at` where a joint has the point's name already.
+// The joint that pins both points: "joints/B", "{pin: [rod, piston]}"; `at` where a joint has the point's name already.
 static void suggest_pin(YkSketch *sketch, YkLack *lack, int32_t point, int32_t other)
 {
     const YkModel *model = sketch->model;

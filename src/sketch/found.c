@@ -1,4 +1,4 @@
-// What the searches of a sketch share: its counts, and a list of what it lacks.
+// Shared by the searches of a sketch: its counts, and a list of what it lacks.
 #include <stdarg.h>
 #include "sketch/sketch.h"
 

@@ -1,4 +1,4 @@
-// What is missing: bodies, freedom, drives.
+// Lists what is missing: bodies, freedom, drives.
 #include "sketch/sketch.h"
 
 static void find_body(YkSketch *sketch)

@@ -1,5 +1,6 @@
-// Where constraints repeat each other, some equations are kept and solved, and the others are only checked. At a pose where the
-// kept ones are singular the others may still determine the motion, as the third crank of a parallelogram does in line.
+// Where constraints repeat each other, some equations are kept and solved, and the others are only checked. At a pose
+// where the kept ones are singular the others may still determine the motion, as the third crank of a parallelogram
+// does in line.
 #include "solve/all_loops.h"
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +8,8 @@
 #include "elementary/elementary.h"
 #include "num/dense.h"
 
-// All equations of the pose: two for each loop, one for each gear, one for each input. Lengths count over the machine's size.
+// All equations of the pose: two for each loop, one for each gear, one for each input. Lengths count over the machine's
+// size.
 typedef struct Equations {
     const YkState *s;
     YkRun run;

@@ -106,8 +106,7 @@ YkPointMotion yk_state_point(const YkState *s, size_t point)
 {
     if (point >= s->mech->model->point_count) return unknown_point;
     double x[6];
-    YkSpace view = s->space;
-    YkRun run = {.mech = s->mech, .space = &view, .lanes = 1};
+    YkRun run = {.mech = s->mech, .space = &s->space, .lanes = 1};
     yk_run_point(&run, point, (YkPlane){x, x + 1, x + 2, x + 3, x + 4, x + 5});
     if (!s->has_rates) return (YkPointMotion){{x[0], x[1]}, {0, 0}, {0, 0}};
     return (YkPointMotion){{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}};
@@ -123,9 +122,8 @@ static double sine2(const YkState *s, const YkBlock *b, double margin)
 {
     bool is_plain = b->kind >= YK_BLOCK_PP || (b->form > YK_FORM_RRR_SHORT && b->kind != YK_BLOCK_RPR);
     if (is_plain) return margin;
-    YkSpace view = s->space;
-    YkRun run = {.mech = s->mech, .space = &view, .lanes = 1};
-    YkPlane p = yk_space_scratch(&view, YK_SCRATCH_ARM_1);
+    YkRun run = {.mech = s->mech, .space = &s->space, .lanes = 1};
+    YkPlane p = yk_space_scratch(&s->space, YK_SCRATCH_ARM_1);
     double share = 1;
     if (b->kind == YK_BLOCK_RPR) {
         yk_run_sum(&run, &b->known, p);

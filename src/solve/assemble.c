@@ -222,8 +222,8 @@ static void count_options(YkState *s, YkLevel *level)
     memcpy(level->room.solutions, s->groups.solutions, level->options * b->column_count * sizeof(double));
 }
 
-// Reads the unknowns of a dyad into x. Returns whether they are those that it had and the pose is a dead point, where both
-// branches are one. They are not where the ends of two equal arms all but meet.
+// Reads the unknowns of a dyad into x. Returns whether they are those that it had and the pose is a dead point, where
+// both branches are one. They are not where the ends of two equal arms all but meet.
 static bool is_singular_twin(const YkState *s, const YkBlock *b, YkVec x[2])
 {
     const double same = 1e-4;

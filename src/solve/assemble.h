@@ -21,7 +21,8 @@ typedef struct YkLevel { // a block with branches, in the order of solution
 } YkLevel;
 
 // Lists all solutions of a group in place of the search: block `index` at the pose of `run`, in which earlier blocks
-// are solved. Returns their number, with room for them that lasts until the next call for this block. list NULL: searches.
+// are solved. Returns their number, with room for them that lasts until the next call for this block. list NULL:
+// searches.
 typedef struct YkLister {
     size_t (*list)(void *context, const YkRun *run, size_t index, YkOptionRoom *room);
     void *context;

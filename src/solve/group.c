@@ -351,7 +351,7 @@ static double solve_rates(YkGroupWork *w, const Group *g)
 void yk_group_solve(const YkRun *run, size_t index, int branch)
 {
     YkGroupWork *w = run->groups;
-    YkSpace *space = run->space;
+    const YkSpace *space = run->space;
     Group g = group_of(run, index);
     double *guess = w->tau + g.n; // tau has twice the length
     memcpy(guess, g.x, g.n * sizeof *guess);

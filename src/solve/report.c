@@ -75,7 +75,7 @@ static YkVec line_of(const YkSpace *space, const YkBlock *b, int line)
 }
 
 // Returns how many metres a block's loop misses; for parallel lines that should meet, their distance.
-static double gap_of(YkState *s, YkSpace *space, int index)
+static double gap_of(YkState *s, const YkSpace *space, int index)
 {
     const YkBlock *b = &s->mech->blocks[index];
     YkRun run = yk_state_run(s, space);
@@ -177,7 +177,7 @@ static double rounding_of(const YkState *s)
 }
 
 // Returns whether two lines coincide, or the points that a dyad connects: its loop then leaves a position open.
-static bool is_open(YkState *s, YkSpace *space, int index)
+static bool is_open(YkState *s, const YkSpace *space, int index)
 {
     const YkBlock *b = &s->mech->blocks[index];
     if (b->kind == YK_BLOCK_PP) return fabs(yk_cross(line_of(space, b, 0), line_of(space, b, 1))) <= 1e-7;
@@ -188,7 +188,7 @@ static bool is_open(YkState *s, YkSpace *space, int index)
 
 // Returns what is true of a dyad that does not close though it misses by no more than rounding; NULL if it misses by
 // more.
-static const Sentence *coincidence(YkState *s, YkSpace *space, int index, double gap)
+static const Sentence *coincidence(YkState *s, const YkSpace *space, int index, double gap)
 {
     const YkBlock *b = &s->mech->blocks[index];
     if (b->kind > YK_BLOCK_PP) return NULL;
@@ -198,7 +198,7 @@ static const Sentence *coincidence(YkState *s, YkSpace *space, int index, double
 }
 
 // Returns a block before the one that does not close whose loop leaves a position open, or -1.
-static int open_before(YkState *s, YkSpace *space, int block)
+static int open_before(YkState *s, const YkSpace *space, int block)
 {
     for (int b = 0; b < block; b++)
         if (!(space->block_margin[b] > YK_SINGULAR_MARGIN) && is_open(s, space, b)) return b;
@@ -208,24 +208,22 @@ static int open_before(YkState *s, YkSpace *space, int block)
 static const Sentence *sentence_of(YkState *s, const YkSpace *space, YkStatus status, int *block)
 {
     const YkBlock *b = &s->mech->blocks[*block];
-    YkSpace view = *space;
     if (status == YK_SINGULAR) return &dead_point;
-    int before = open_before(s, &view, *block);
+    int before = open_before(s, space, *block);
     if (before >= 0) {
         *block = before;
         return &undetermined;
     }
     if (b->kind == YK_BLOCK_GROUP) return status == YK_LIMIT ? &past_group : &no_group;
-    const Sentence *special = coincidence(s, &view, *block, gap_of(s, &view, *block));
+    const Sentence *special = coincidence(s, space, *block, gap_of(s, space, *block));
     return special ? special : status == YK_LIMIT ? &past_limit : &no_assembly;
 }
 
 static void explain_unfit(YkState *s, const YkSpace *space, YkStatus status)
 {
     YkReport *r = &s->report;
-    YkSpace view = *space;
     int b = status == YK_NO_ASSEMBLY ? redundant_block(s) : -1;
-    int before = status == YK_NO_ASSEMBLY ? open_before(s, &view, (int)s->mech->block_count) : -1;
+    int before = status == YK_NO_ASSEMBLY ? open_before(s, space, (int)s->mech->block_count) : -1;
     double miss = 0;
     if (before >= 0) {
         tell_block(s, space, before, &undetermined, 0);
@@ -250,7 +248,6 @@ static void explain_unfit(YkState *s, const YkSpace *space, YkStatus status)
 void yk_state_explain(YkState *s, const YkSpace *space, YkStatus status)
 {
     YkReport *r = &s->report;
-    YkSpace view = *space;
     int b = status == YK_NOT_CONVERGED ? s->search->gave_up_at : worst_block(s, space, status);
     if (b < 0) {
         explain_unfit(s, space, status);
@@ -259,6 +256,6 @@ void yk_state_explain(YkState *s, const YkSpace *space, YkStatus status)
     const Sentence *sentence = status == YK_NOT_CONVERGED
                                    ? (s->mech->blocks[b].kind == YK_BLOCK_GROUP ? &no_group : &gave_up)
                                    : sentence_of(s, space, status, &b);
-    r->gap = status == YK_SINGULAR || sentence == &undetermined || status == YK_NOT_CONVERGED ? 0 : gap_of(s, &view, b);
+    r->gap = status == YK_SINGULAR || sentence == &undetermined || status == YK_NOT_CONVERGED ? 0 : gap_of(s, space, b);
     tell_block(s, space, b, sentence, status == YK_SINGULAR ? sqrt(fmax(0, space->block_margin[b])) : r->gap);
 }

@@ -173,7 +173,7 @@ static void run_dyad(const YkRun *run, const YkBlock *b, size_t index)
 // Runs blocks that repeat constraints: one unknown or none.
 static void run_redundant(const YkRun *run, const YkBlock *b)
 {
-    YkSpace *s = run->space;
+    const YkSpace *s = run->space;
     YkPlane K = yk_space_scratch(s, YK_SCRATCH_KNOWN);
     yk_run_sum(run, &b->known, K);
     if (b->kind == YK_BLOCK_CHECK) {

@@ -6,7 +6,7 @@
 
 typedef struct YkRun {
     const YkMechanism *mech;
-    YkSpace *space;
+    const YkSpace *space;        // whose lanes are written
     const double *const *inputs; // [3 * input + k]: lanes of position, velocity, acceleration
     const signed char *branch;   // per block
     YkGroupWork *groups;         // for GROUP blocks (one lane only), or NULL

@@ -6,20 +6,20 @@
 #include "solve/kernels/kernels.h"
 
 typedef struct YkSpace {
-    size_t stride; // number of lanes it has room for
-    size_t slots, distances, nodes, blocks;
     double *data;            // 64-byte aligned: orientations,
     double *slides, *planes; // then distances, then nodes and scratch
     double *margin;          // least sin^2 over the blocks: negative if something does not close
     double *gap;             // largest gap of redundant loops, m
     double *block_margin;    // [block][lane], or NULL
     double *gain;            // [relation][lane]: derivative of its target by its law's argument
-    size_t relations;
     // Pointers to the lanes, made once: making them anew for every call costs more than the arithmetic of one pose.
     YkTurn *turn;   // [slot]
     YkSlide *slide; // [distance]
     YkPlane *plane; // [1 + node], then scratch; 0 is absent
     void *memory;
+    size_t stride; // number of lanes it has room for
+    // The same in all spaces of a mechanism:
+    size_t slots, distances, nodes, blocks, relations;
 } YkSpace;
 
 // with_margins: keeps every block's own margin.

@@ -203,24 +203,22 @@ YkStatus yk_state_judge(const YkState *s, const YkSpace *space)
     return s->mech->redundant_count + s->mech->redundant_relation_count > 0 ? YK_REDUNDANT : YK_OK;
 }
 
-// Exchanges two spaces 16 bytes at a time: through a whole copy it took a tenth of the time of a pose.
+// Exchanges two spaces of a state, 16 bytes at a time: through a whole copy it took a tenth of the time of a pose.
 static inline void exchange(YkSpace *a, YkSpace *b)
 {
     typedef struct Pair {
         uint64_t words[2];
     } Pair;
-    enum { PAIRS = sizeof(YkSpace) / sizeof(Pair), REST = sizeof(YkSpace) % sizeof(Pair) };
-    unsigned char *p = (unsigned char *)a, *q = (unsigned char *)b, rest[REST + 1];
-    for (size_t k = 0; k < PAIRS; k++, p += sizeof(Pair), q += sizeof(Pair)) {
+    enum { DIFFERENT = offsetof(YkSpace, slots) };
+    _Static_assert(DIFFERENT % sizeof(Pair) == 0, "whole pairs are exchanged");
+    unsigned char *p = (unsigned char *)a, *q = (unsigned char *)b;
+    for (size_t k = 0; k < DIFFERENT; k += sizeof(Pair)) {
         Pair x, y;
-        memcpy(&x, p, sizeof x);
-        memcpy(&y, q, sizeof y);
-        memcpy(p, &y, sizeof y);
-        memcpy(q, &x, sizeof x);
+        memcpy(&x, p + k, sizeof x);
+        memcpy(&y, q + k, sizeof y);
+        memcpy(p + k, &y, sizeof y);
+        memcpy(q + k, &x, sizeof x);
     }
-    memcpy(rest, p, REST);
-    memcpy(p, q, REST);
-    memcpy(q, rest, REST);
 }
 
 void yk_state_accept(YkState *s)

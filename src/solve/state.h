@@ -22,7 +22,8 @@ typedef struct YkWitness {
     void (*begin)(struct YkWitness *witness, const YkState *state); // where a motion begins
     // At a pose of the motion. Returns false if it is proved that the motion cannot have come there.
     bool (*step)(struct YkWitness *witness, const YkState *state, YkWitnessed kind);
-    // The motion goes on with a state of another mechanism of the same model, at the same pose. `from` is the state before it;
+    // The motion goes on with a state of another mechanism of the same model, at the same pose. `from` is the state
+    // before it;
     // NULL: it begins there. `to` NULL: that mechanism is gone.
     void (*change)(struct YkWitness *witness, const YkState *from, const YkState *to);
     // Remembers what has been told so far, under a number; and goes back to it, for another try.
@@ -93,7 +94,7 @@ static inline bool yk_state_spend(YkState *state, size_t steps)
 // Lets the runner read phases in place of the angles of inputs that have one.
 void yk_state_place_phases(YkState *state);
 
-static inline YkRun yk_state_run(YkState *state, YkSpace *space)
+static inline YkRun yk_state_run(YkState *state, const YkSpace *space)
 {
     if (state->has_phases) yk_state_place_phases(state);
     return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1, state->slot_reference,
@@ -120,7 +121,8 @@ static inline double yk_gap_tolerance(const YkMechanism *mech, double margin)
 // errors do; near a change point, or where a base vanishes, they stay bounded, and errors exceed them long before the
 // margin shows it.
 bool yk_is_blurred(const YkMechanism *mech, const YkSpace *space);
-// Returns whether rounding spoils the forces at the pose: of its accelerations they have the errors over the sine once more.
+// Returns whether rounding spoils the forces at the pose: of its accelerations they have the errors over the sine once
+// more.
 bool yk_state_blurs_forces(const YkState *state);
 // Returns whether a margin could reach zero between its three samples. It cannot if it stays well above its own
 // variation, nor if it is zero at an end and rises from there like a parabola or a line.
@@ -138,8 +140,8 @@ static inline bool yk_state_is_up_to_date(const YkState *state)
     return bytes == 0 || memcmp(state->input, state->valid_input, bytes) == 0;
 }
 
-// Returns whether the rates of the pose are limits of the motion that led there, at a change point (sweep/limits.c). A new
-// solution at the same inputs has none.
+// Returns whether the rates of the pose are limits of the motion that led there, at a change point (sweep/limits.c). A
+// new solution at the same inputs has none.
 static inline bool yk_state_has_limits(const YkState *state)
 {
     return state->has_rates && state->report.status == YK_CHANGE_POINT && yk_state_is_up_to_date(state);

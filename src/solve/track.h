@@ -13,7 +13,8 @@ void yk_state_walk(YkState *state);
 // Restores the angles, after a path to a pose that does not close.
 void yk_state_walk_back(YkState *state);
 
-// Sets the inputs at `at` of a path, with the path itself as their rates: `ends` has the start and the way of each input.
+// Sets the inputs at `at` of a path, with the path itself as their rates: `ends` has the start and the way of each
+// input.
 void yk_set_path(YkState *state, const double *ends, double at);
 // Runs everything at the present inputs, from the guess in groups.x, into `spare`.
 YkStatus yk_state_run_here(YkState *state);

@@ -1,6 +1,7 @@
-// Forward dynamics over lanes, from inverse dynamics: the effort that the free inputs lack is r(a) = M a + h - Q, affine in their
-// accelerations. r(0) and r at each unit acceleration give h - Q and M. The differences lose digits where accelerations
-// are large, so the answer is corrected once by its own residual (Higham 2002, 12: iterative refinement).
+// Forward dynamics over lanes, from inverse dynamics: the effort that the free inputs lack is r(a) = M a + h - Q,
+// affine in their accelerations. r(0) and r at each unit acceleration give h - Q and M. The differences lose digits
+// where accelerations are large, so the answer is corrected once by its own residual (Higham 2002, 12: iterative
+// refinement).
 #include "study/lane_motion.h"
 #include <stdlib.h>
 #include <string.h>

@@ -103,8 +103,8 @@ struct YkStudy {
     YkProgress progress;
 };
 
-// Returns whether a pose with this status counts for a channel: rates have no value at a dead point, nor forces at a change
-// point.
+// Returns whether a pose with this status counts for a channel: rates have no value at a dead point, nor forces at a
+// change point.
 bool yk_study_counts(YkChannel channel, YkStatus status);
 // Does what the worker's job asks of one design (study.c); hands all designs out to threads (threads.c).
 YkStatus yk_worker_design(YkWorker *worker, size_t design);

@@ -75,7 +75,7 @@ static bool run_put(YkWorker *w, size_t *put, Answers *a)
     return run_lanes(w, 0, n, a);
 }
 
-// Fills in lanes `first` to `last` of `steps` on the way from the last pose to the next one; the last of all is that pose.
+// Fills in lanes `first` to `last` of the `steps` from the last pose to the next one, which is the last lane of all.
 static void put_lanes(YkWorker *w, size_t *put, size_t pose, double first, double last, double steps)
 {
     size_t at = *put, n = (size_t)(last - first) + 1;
@@ -207,7 +207,7 @@ static bool plan_stretch(YkWorker *w, size_t *put, size_t pose, double least)
     return true;
 }
 
-// Fills in the lanes of the whole way. Returns false if there are too many, or if the poses are so close that none are needed.
+// Fills in the lanes of the whole way. Returns false if there are too many, or none because the poses are close.
 static bool plan(YkWorker *w, size_t count)
 {
     size_t put = 0, pose = put_start(w, &put) ? 1 : 0;

@@ -1,11 +1,12 @@
-// Poses so near to a change point that rounding shows in their rates, in accelerations by its distance to the third power.
-// The motion is smooth through it, so their rates are interpolated from poses on both sides, as at the change point itself.
+// Poses so near to a change point that rounding shows in their rates, in accelerations by its distance to the third
+// power. The motion is smooth through it, so their rates are interpolated from poses on both sides, as at the change
+// point itself.
 #include <stdlib.h>
-#include <string.h>
 #include "elementary/elementary.h"
 #include "sweep/walk.h"
 
-// Returns whether the walk's pose is one, as far as its blocks tell. It may also be close to a limit, where nothing is smooth.
+// Returns whether the walk's pose is one, as far as its blocks tell. It may also be close to a limit, where nothing is
+// smooth.
 static bool may_be_blurred(const YkWalk *w)
 {
     const YkState *s = w->path.state;
@@ -28,8 +29,9 @@ static bool read_touches(const YkWalk *w, double at, double *margins)
     return has_passed;
 }
 
-// Returns whether an interpolated pose is the state's own. On the other branch through the change point the motion is smooth
-// as well, and only its distance from this one tells them apart: it grows with the sine, and rounding with its inverse.
+// Returns whether an interpolated pose is the state's own. On the other branch through the change point the motion is
+// smooth as well, and only its distance from this one tells them apart: it grows with the sine, and rounding with its
+// inverse.
 static bool is_own_pose(const YkState *s, const double *numbers)
 {
     const YkSpace *space = &s->space;

@@ -40,7 +40,8 @@ static void take_out(const YkDrag *d, double *v, const double *normal)
     for (size_t k = 0; k < d->active_count; k++) v[k] -= along * normal[k];
 }
 
-// Finds the step -J' (J P J' + damping)^-1 r, where P takes out the blocked ways: what it does along them, they hold back.
+// Finds the step -J' (J P J' + damping)^-1 r, where P takes out the blocked ways: what it does along them, they hold
+// back.
 static void find_pull(YkDrag *d, double damping)
 {
     YkVec r = yk_sub(yk_load_point(d->state->mech, &d->state->space, &d->end).at, d->target);
@@ -127,7 +128,7 @@ static double go(YkDrag *d, Blocked *blocked, size_t *passes)
     return at;
 }
 
-// What blocks, as a number that is 0 there and grows inwards: a block's margin, how far a coordinate is from its stop.
+// An obstacle, as a number that is 0 there and grows inwards: a block's margin, how far a coordinate is from its stop.
 static double quantity(const YkDrag *d, const Blocked *b)
 {
     if (b->stop == SIZE_MAX) return d->state->space.block_margin[b->block];

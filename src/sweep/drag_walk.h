@@ -36,8 +36,8 @@ double yk_drag_distance(const YkDrag *drag);             // of the pose that sta
 double yk_drag_scale(const YkDrag *drag, size_t active); // 1 rad, or the machine's size
 void yk_drag_begin_walk(YkDrag *drag);                   // a new walk from where the state stands
 void yk_drag_widen_stops(YkDrag *drag); // so that a machine that stands beyond a stop already may stay there
-// Returns the stop that is met first after a, of those that the pose at b is beyond, and where; SIZE_MAX: none. The path
-// stands at b, or there.
+// Returns the stop that is met first after a, of those that the pose at b is beyond, and where; SIZE_MAX: none. The
+// path stands at b, or there.
 size_t yk_drag_meet_stop(YkDrag *drag, double a, double *b);
 // drag_many.c: drags with several free inputs.
 void yk_drag_many(YkDrag *drag, YkDragged *dragged);

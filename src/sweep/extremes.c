@@ -12,9 +12,9 @@ static double slope_here(const YkSweep *w, YkChannel c)
 {
     const YkState *s = w->walk.path.state;
     if (!s->has_rates || (s->space.margin[0] < YK_BRANCH_MARGIN && !s->is_regular)) return 0;
-    double value = yk_state_channel(s, c);
+    double value = yk_state_channel(s, c), unit = c.quantity == YK_QUANTITY_ANGLE ? 2 * YK_PI : s->mech->size;
     c.order = 1;
-    double slope = yk_state_channel(s, c), least = 1e-10 * (s->mech->size + fabs(value));
+    double slope = yk_state_channel(s, c), least = 1e-10 * (unit + fabs(value));
     return fabs(slope) * yk_path_scale(&w->walk.path) > least ? slope : 0;
 }
 

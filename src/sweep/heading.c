@@ -1,29 +1,7 @@
-// Remembers the direction in which a motion came to a pose, for the next one that begins there. Exactly at a change point
-// the signs of the blocks are those of the side that it came from: going on passes the change point, turning back does
-// not.
+// Remembers the direction in which a motion came to a pose, for the next one that begins there. Exactly at a change
+// point the signs of the blocks are those of the side that it came from: going on passes the change point, turning back
+// does not.
 #include "sweep/walk.h"
-
-// Returns how input i moves along the path, on that side of its last place; only its share in the sum of all counts.
-static double rate_of(const YkPath *path, size_t i, double side)
-{
-    if (yk_path_is_time(path)) return side * yk_path_heads(path, i, path->last, side); // it may rest there
-    const YkState *s = path->state;
-    double rate = path->is_line ? path->goal[3 * i] - path->others[3 * i] : (double)((size_t)path->input == i);
-    return rate / yk_input_unit(s->mech, i);
-}
-
-double yk_path_heading(const YkPath *path)
-{
-    const YkState *s = path->state;
-    bool is_time = yk_path_is_time(path);
-    double sum = 0;
-    for (size_t i = 0; i < s->mech->input_count; i++) {
-        if (s->arrival[i] != s->valid_input[3 * i]) return 0; // it has been put elsewhere since
-        sum += s->heading[i] * rate_of(path, i, 1);
-    }
-    if (is_time && s->time_heading != 0 && s->arrival_time == path->last) return s->time_heading;
-    return (sum > 0) - (sum < 0);
-}
 
 bool yk_walk_has_passed(const YkWalk *w)
 {
@@ -48,7 +26,7 @@ static void take_side_held(const YkWalk *w)
         else if (yk_path_is_time(&w->path))
             s->time_heading = -side;
         else
-            for (size_t i = 0; i < s->mech->input_count; i++) s->heading[i] = -side * rate_of(&w->path, i, 1);
+            for (size_t i = 0; i < s->mech->input_count; i++) s->heading[i] = -side * yk_path_rate(&w->path, i, 1);
     }
 }
 
@@ -63,7 +41,7 @@ void yk_walk_arrive(const YkWalk *w, double way)
     s->arrival_time = w->path.last;
     for (size_t i = 0; i < s->mech->input_count; i++) {
         s->arrival[i] = s->valid_input[3 * i];
-        if (!is_there_still) s->heading[i] = side * way * rate_of(&w->path, i, -way);
+        if (!is_there_still) s->heading[i] = side * way * yk_path_rate(&w->path, i, -way);
     }
     take_side_held(w);
 }

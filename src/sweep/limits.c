@@ -7,8 +7,8 @@
 // --- poses beside a change point
 
 // Finds which input moves, if it is only one: its drive may rest or turn back at the change point, so that time does
-// not lead to both sides of it, but its way does. The rates are those at the change point. Returns false if one input stops there
-// and another starts: the rates of the two motions have nothing in common.
+// not lead to both sides of it, but its way does. The rates are those at the change point. Returns false if one input
+// stops there and another starts: the rates of the two motions have nothing in common.
 static bool find_moving(YkBeside *b)
 {
     const YkPath *path = &b->walk->path;
@@ -35,8 +35,8 @@ static bool find_moving(YkBeside *b)
     return true;
 }
 
-// Solves the pose that many steps from the change point, on the side of the signs if positive. Angles are counted from the change
-// point: a first, coarse step may turn a link too far for the next pose to tell how often it has turned.
+// Solves the pose that many steps from the change point, on the side of the signs if positive. Angles are counted from
+// the change point: a first, coarse step may turn a link too far for the next pose to tell how often it has turned.
 static bool stand_beside(const YkBeside *b, double steps)
 {
     YkPath *path = &b->walk->path;

@@ -72,6 +72,7 @@ static YkStatus go(Mover *m, YkWalk *w, double from, double to)
     keep_passes(m->move, w, from, to);
     if (w->failed) return YK_NO_MEMORY;
     if (ok) return arrive(w, to, to > from ? 1 : -1);
+    if (!yk_state_is_stopped(m->state)) yk_path_settle(&w->path);
     m->move->part = (w->path.last - from) / (to - from);
     m->move->block = w->limit_block;
     return w->status < 0 ? w->status : status < 0 ? status : YK_LIMIT;
@@ -156,7 +157,8 @@ static size_t nearest_node(const Tree *tree)
     return nearest;
 }
 
-// Lets the witness remember what it has been told on the way to a node; one more than all nodes stands for the straight way.
+// Lets the witness remember what it has been told on the way to a node; one more than all nodes stands for the straight
+// way.
 static void remember(const Mover *m, size_t node)
 {
     if (m->state->witness) m->state->witness->keep(m->state->witness, node);

@@ -1,5 +1,5 @@
-// Distances on a path, measured by how far the inputs go. While a drive rests, time does not tell which poses are near: a
-// whole dwell is one pose.
+// Distances on a path, measured by how far the inputs go. While a drive rests, time does not tell which poses are near:
+// a whole dwell is one pose.
 #include "sweep/path.h"
 #include <string.h>
 
@@ -99,4 +99,25 @@ bool yk_path_turns_back(const YkPath *path, double at)
     for (size_t i = 0; i < path->state->mech->input_count; i++)
         sum += yk_path_heads(path, i, at, 1) * yk_path_heads(path, i, at, -1);
     return !(sum < 0); // or it never moves again
+}
+
+double yk_path_rate(const YkPath *path, size_t i, double side)
+{
+    if (yk_path_is_time(path)) return side * yk_path_heads(path, i, path->last, side); // it may rest there
+    const YkState *s = path->state;
+    double rate = path->is_line ? path->goal[3 * i] - path->others[3 * i] : (double)((size_t)path->input == i);
+    return rate / yk_input_unit(s->mech, i);
+}
+
+double yk_path_heading(const YkPath *path)
+{
+    const YkState *s = path->state;
+    bool is_time = yk_path_is_time(path);
+    double sum = 0;
+    for (size_t i = 0; i < s->mech->input_count; i++) {
+        if (s->arrival[i] != s->valid_input[3 * i]) return 0; // it has been put elsewhere since
+        sum += s->heading[i] * yk_path_rate(path, i, 1);
+    }
+    if (is_time && s->time_heading != 0 && s->arrival_time == path->last) return s->time_heading;
+    return (sum > 0) - (sum < 0);
 }

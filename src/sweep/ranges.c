@@ -119,14 +119,15 @@ static bool widen(Scan *scan, YkState *home, double here)
     size_t n = scan->count < scan->capacity ? scan->count : scan->capacity, kept = 0;
     bool is_whole = n == 1 && scan->ranges[0].to - scan->ranges[0].from >= scan->high - scan->low;
     if (is_whole || n == 0 || scan->count > scan->capacity || home->mech->block_count < 2) return true;
+    double rounding = 1e-9 * yk_path_scale(&scan->path);
     YkRange own = {.from = reach(scan, home, here, scan->low)};
     own.to = reach(scan, home, here, scan->high);
     if (!(own.to > own.from)) return own.to == own.from; // it goes nowhere, so it absorbs nothing
     for (size_t k = 0; k < n; k++) {
         YkRange other = scan->ranges[k];
-        bool overlaps = other.from < own.to - 1e-9 && other.to > own.from + 1e-9;
-        if (overlaps && fabs(other.from - own.from) < 1e-9) own.from = other.from;
-        if (overlaps && fabs(other.to - own.to) < 1e-9) own.to = other.to;
+        bool overlaps = other.from < own.to - rounding && other.to > own.from + rounding;
+        if (overlaps && fabs(other.from - own.from) < rounding) own.from = other.from;
+        if (overlaps && fabs(other.to - own.to) < rounding) own.to = other.to;
         if (!overlaps) scan->ranges[kept++] = other;
     }
     size_t at = 0;

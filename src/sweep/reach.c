@@ -2,7 +2,6 @@
 // in every other coordinate, since a dead point of one is not a dead point of another. When a way ends at a limit of
 // its coordinate, ways in other coordinates start.
 #include <stdlib.h>
-#include <string.h>
 #include <yoke/move.h>
 #include "base/problems.h"
 #include "rest/rest.h"

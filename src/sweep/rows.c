@@ -64,7 +64,8 @@ static size_t drop_singular(YkSweep *w, double at)
 static bool is_unbounded(const YkSweep *w, size_t c)
 {
     if (!yk_channel_needs_forces(w->channels[c])) return false;
-    return fabs(w->beside[c]) > 4 * w->largest[c] + 1e-9 * w->options.dynamics->largest_force;
+    double arm = w->channels[c].quantity == YK_QUANTITY_FORCE ? 1 : w->walk.path.state->mech->size;
+    return fabs(w->beside[c]) > 4 * w->largest[c] + 1e-9 * arm * w->options.dynamics->largest_force;
 }
 
 // Adds the channels at a pose beside the change point to its row's sums.
@@ -127,8 +128,8 @@ static bool was_flipped(const YkSweep *w, size_t row)
     return false;
 }
 
-// Returns whether the machine goes on from a row at a known change point, though its rates have no limits there: one input may
-// stop and another start.
+// Returns whether the machine goes on from a row at a known change point, though its rates have no limits there: one
+// input may stop and another start.
 static bool goes_on(YkSweep *w, size_t row, double way)
 {
     YkPath *path = &w->walk.path;

@@ -1,6 +1,6 @@
-// On which side of a block's known change point the inputs are. Where one input leads there, its value tells. Where several do,
-// together, poses tell: the sine of the transmission angle, with a sign, is nearly a straight line along any one input, so poses a
-// little farther along it on both sides give the value here to rounding.
+// On which side of a block's known change point the inputs are. Where one input leads there, its value tells. Where
+// several do, together, poses tell: the sine of the transmission angle, with a sign, is nearly a straight line along
+// any one input, so poses a little farther along it on both sides give the value here to rounding.
 #include "sweep/meeting.h"
 #include <string.h>
 
@@ -39,8 +39,8 @@ static double off_of_one(const YkPath *path, const YkMeeting *m, double at)
     return ((m->input == YK_NONE ? at : path->state->input[3 * m->input]) - m->at) / m->unit;
 }
 
-// Returns the side on which a distance lies after `steps` more along the same input; 0 where it must be looked at anew, since the
-// sine may now be steeper, or less, than where the change point was found.
+// Returns the side on which a distance lies after `steps` more along the same input; 0 where it must be looked at anew,
+// since the sine may now be steeper, or less, than where the change point was found.
 static int side_after(double off, double steps)
 {
     const double CLEAR = 0.3;
@@ -48,8 +48,8 @@ static int side_after(double off, double steps)
     return goes_over ? (steps > 0) - (steps < 0) : stays ? (off > 0) - (off < 0) : 0;
 }
 
-// Gives the blocks before this one their signs where its input has been moved by `steps` from where `level` knows them. Most follow
-// from that, so the cost does not multiply from block to block. Returns false if they cannot be told.
+// Gives the blocks before this one their signs where its input has been moved by `steps` from where `level` knows them.
+// Most follow from that, so the cost does not multiply from block to block. Returns false if they cannot be told.
 static bool place_moved(const YkPath *path, size_t block, double steps, double at, int level)
 {
     const YkMeeting *own = &path->meetings[block];
@@ -68,8 +68,8 @@ static bool place_moved(const YkPath *path, size_t block, double steps, double a
     return true;
 }
 
-// Returns the sine of the block's transmission angle with the input changed by `steps` units; negative if it does not close. With 0
-// steps the blocks before have their signs already.
+// Returns the sine of the block's transmission angle with the input changed by `steps` units; negative if it does not
+// close. With 0 steps the blocks before have their signs already.
 static double sine_beside(const YkPath *path, size_t block, double steps, double at, int level)
 {
     YkState *s = path->state;
@@ -86,8 +86,8 @@ static double sine_beside(const YkPath *path, size_t block, double steps, double
     return is_told && margin >= YK_LIMIT_MARGIN ? sqrt(fmax(margin, 0)) : -1; // a little below zero is rounding
 }
 
-// Returns how far the inputs, as they are set, are beyond the change point along one of them, interpolated between poses on both
-// sides; NaN where it does not close.
+// Returns how far the inputs, as they are set, are beyond the change point along one of them, interpolated between
+// poses on both sides; NaN where it does not close.
 static double off_by_poses(const YkPath *path, size_t block, double at, int level)
 {
     static const double weights[] = {0.75, -0.3, 0.05};
@@ -102,8 +102,9 @@ static double off_by_poses(const YkPath *path, size_t block, double at, int leve
     return sum / m->slope;
 }
 
-// Returns how far the inputs, as they are set, are from a change point on which several of them decide; NaN where that cannot be
-// told, which is far from it. Farther off than the poses that interpolate, the side is the one to which the sine rises.
+// Returns how far the inputs, as they are set, are from a change point on which several of them decide; NaN where that
+// cannot be told, which is far from it. Farther off than the poses that interpolate, the side is the one to which the
+// sine rises.
 static double off_of_several(const YkPath *path, size_t block, double at, int level)
 {
     const double FAR = 0.2;
@@ -118,16 +119,17 @@ static double off_of_several(const YkPath *path, size_t block, double at, int le
 
 // --- any
 
-// Returns how far the inputs as they are set, at the place `at`, are from the change point, in units. The blocks before have their
-// signs; afterwards, if it is shared, they have not.
+// Returns how far the inputs as they are set, at the place `at`, are from the change point, in units. The blocks before
+// have their signs; afterwards, if it is shared, they have not.
 static double off_here(const YkPath *path, size_t block, double at, int level)
 {
     const YkMeeting *m = &path->meetings[block];
     return m->is_shared ? off_of_several(path, block, at, level) : off_of_one(path, m, at);
 }
 
-// Gives the blocks before this one the signs that they have for the inputs as they are set, and keeps their distances as those of
-// `level`: one for every time that inputs are moved from where they are known already. Returns false if there are too many.
+// Gives the blocks before this one the signs that they have for the inputs as they are set, and keeps their distances
+// as those of `level`: one for every time that inputs are moved from where they are known already. Returns false if
+// there are too many.
 static bool place(const YkPath *path, size_t block, double at, int level)
 {
     if (level == YK_MEETING_LEVELS) return false;

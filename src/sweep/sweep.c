@@ -18,8 +18,8 @@ static bool watch(void *context, double at)
     return true;
 }
 
-// Goes from the pose of the state to the start of the sweep, on the same branch; events on that way are not recorded. If
-// the sweep goes on in the same direction, a change point at its start is passed as anywhere else; if it turns back
+// Goes from the pose of the state to the start of the sweep, on the same branch; events on that way are not recorded.
+// If the sweep goes on in the same direction, a change point at its start is passed as anywhere else; if it turns back
 // there, the signs hold that it came with.
 static bool approach(YkSweep *w)
 {
@@ -66,7 +66,7 @@ static void run(YkSweep *w)
 {
     run_rows(w);
     if (w->row_count > 0) yk_sweep_read_events(w, w->walk.path.last);
-    if (w->walk.status != YK_STOPPED) yk_path_probe(&w->walk.path, w->walk.path.last, false);
+    if (w->walk.status != YK_STOPPED) yk_path_settle(&w->walk.path);
     if (w->walk.status == YK_OK) yk_walk_arrive(&w->walk, w->options.to > w->options.from ? 1 : -1);
 }
 

@@ -51,8 +51,8 @@ bool yk_walk_has_just_passed(YkWalk *w, size_t block, double b, double way, doub
     return (b - *at) * way > 0 && sine_at(w, block, *at) < 3e-7 && yk_walk_closes_beyond(w, block, b, way);
 }
 
-// Returns whether the square root of the margin is a straight line: at twice the distance from zero the margin is 4 times as
-// large, where at a fourfold zero it is 16 times.
+// Returns whether the square root of the margin is a straight line: at twice the distance from zero the margin is 4
+// times as large, where at a fourfold zero it is 16 times.
 static bool is_straight(double nearer, double farther)
 {
     return nearer > 0 && farther > 2 * nearer && farther < 8 * nearer;

@@ -2,97 +2,19 @@
 // transmission angle) could reach zero: a simple zero is a limit position, a double zero a change point, which the
 // motion passes with the other sign.
 #include "sweep/meeting.h"
-#include <stdlib.h>
 #include <string.h>
 
-enum { MARGINS_MAX = 2000, EVENTS_MAX = 10000 };
 static const double FASTEST = 1e4, COST_MAX = 2e8; // steps of solution
 
-bool yk_walk_start(YkWalk *w, YkPath path, double turn_max)
-{
-    size_t blocks = path.state->mech->block_count, count = blocks == 0 || blocks > MARGINS_MAX ? 1 : blocks;
-    *w = (YkWalk){
-        .path = path, .turn_max = turn_max, .margin_count = count, .limit_block = -1, .events_max = EVENTS_MAX};
-    w->margins = calloc(3 * (WALK_DEPTH_MAX + 1) * count, sizeof *w->margins);
-    w->flipped_at = calloc(count, sizeof *w->flipped_at);
-    for (size_t k = 0; w->flipped_at && k < count; k++) w->flipped_at[k] = NAN;
-    w->path.meetings = calloc(count, sizeof *w->path.meetings);
-    w->path.signs = calloc(count, 1);
-    w->path.meeting_count = w->path.meetings && count == blocks ? count : 0;
-    return path.others && w->margins && w->flipped_at && w->path.meetings && w->path.signs;
-}
-
-void yk_walk_end(YkWalk *w)
-{
-    yk_path_end(&w->path);
-    free(w->margins);
-    free(w->flipped_at);
-    free(w->path.meetings);
-    free(w->path.signs);
-    free(w->events);
-}
-
-void yk_walk_note(YkWalk *w, YkEvent event)
-{
-    if (w->event_count >= w->events_max) {
-        w->more_events++;
-        return;
-    }
-    if (!YK_ROOM(w->events, w->event_count, w->event_capacity)) {
-        w->failed = true;
-        return;
-    }
-    w->events[w->event_count++] = event;
-}
-
-double *yk_walk_margins(const YkWalk *w, size_t depth, size_t which)
-{
-    return w->margins + (3 * depth + which) * w->margin_count;
-}
-
-void yk_walk_read_margins(const YkWalk *w, double *margins)
-{
-    const YkState *s = w->path.state;
-    if (s->mech->block_count != w->margin_count) margins[0] = s->space.margin[0];
-    for (size_t k = 0; s->mech->block_count == w->margin_count && k < w->margin_count; k++)
-        margins[k] = s->space.block_margin[k];
-}
-
-bool yk_walk_has_margin(const YkWalk *w, size_t block)
-{
-    const YkMechanism *mech = w->path.state->mech;
-    return w->margin_count != mech->block_count || mech->blocks[block].kind <= YK_BLOCK_RPR;
-}
-
-void yk_walk_end_at(YkWalk *w, double at, double bad)
-{
-    if (yk_walk_is_stopped(w)) return;
-    w->status = yk_path_set(&w->path, bad, true) < 0 ? YK_BAD_MODEL : YK_LIMIT;
-    if (w->status == YK_BAD_MODEL) yk_state_set_time(w->path.state, bad, w->problems);
-    yk_walk_note(w, (YkEvent){.kind = YK_EVENT_LIMIT, .at = at, .block = w->status == YK_LIMIT ? w->limit_block : -1});
-    yk_path_probe(&w->path, at, true);
-}
-
-bool yk_walk_is_stopped(YkWalk *w)
-{
-    if (!yk_state_is_stopped(w->path.state)) return false;
-    w->status = YK_STOPPED;
-    return true;
-}
-
-bool yk_walk_was_flipped_near(const YkWalk *w, size_t block, double at)
-{
-    return yk_path_way(&w->path, w->flipped_at[block], at) < 1e-4;
-}
-
-// Returns whether a place is still at the change point that was passed last, or at the one where the walk began with the
-// signs to go on from there.
+// Returns whether a place is still at the change point that was passed last, or at the one where the walk began with
+// the signs to go on from there.
 static bool is_decided(const YkWalk *w, size_t block, double at)
 {
     return yk_walk_was_flipped_near(w, block, at) || yk_path_way(&w->path, w->from, at) < 1e-4;
 }
 
-// Returns whether only a block is singular at `at`: constraints that repeat it determine the motion, and no branch parts.
+// Returns whether only a block is singular at `at`: constraints that repeat it determine the motion, and no branch
+// parts.
 static bool is_regular(YkWalk *w, double at)
 {
     YkState *s = w->path.state;
@@ -114,8 +36,8 @@ static void pass(YkWalk *w, size_t block, double at, double way)
     if (is_seen) yk_walk_note(w, event);
 }
 
-// Finds the change point near `at` precisely. Returns false if the motion turns back there, which keeps the sign unless it
-// is just the limit to which it has come.
+// Finds the change point near `at` precisely. Returns false if the motion turns back there, which keeps the sign unless
+// it is just the limit to which it has come.
 static bool refine(YkWalk *w, size_t block, double *at)
 {
     if (yk_path_turns_back(&w->path, *at)) return yk_walk_turns_at_limit(w, block, at);
@@ -204,8 +126,8 @@ static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
 
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
 
-// Returns whether a block could pass a singular position between two times though three samples of its margin do not show
-// it: a drive may go past it and come back, at any pace, so only how far the inputs go tells.
+// Returns whether a block could pass a singular position between two times though three samples of its margin do not
+// show it: a drive may go past it and come back, at any pace, so only how far the inputs go tells.
 static bool is_within_reach(const YkWalk *w, double least, double a, double b)
 {
     const double AHEAD = 2; // how much farther than the inputs the block may turn
@@ -232,15 +154,15 @@ static bool is_wide_for_bodies(const YkWalk *w, double a, double b, size_t depth
     return depth + 1 < WALK_DEPTH_MAX && fastest_turn(w) * yk_path_way(&w->path, a, b) > 4e-6;
 }
 
-// Returns whether a block comes to a singular position in a narrow interval with that least margin. One in which the drives
-// turn back may be long.
+// Returns whether a block comes to a singular position in a narrow interval with that least margin. One in which the
+// drives turn back may be long.
 static bool is_touch(YkWalk *w, size_t block, double *at, double least)
 {
     return least <= 1e-11 || yk_walk_turns_at_limit(w, block, at);
 }
 
-// Looks for change points of blocks that are as close to theirs as the one that touches: later links may come into line with it,
-// and their margins in the interval were those of its other branch.
+// Looks for change points of blocks that are as close to theirs as the one that touches: later links may come into line
+// with it, and their margins in the interval were those of its other branch.
 static void meet_others(YkWalk *w, double a, double b, size_t depth)
 {
     const double CLOSE = 1e-8; // sin^2
@@ -251,8 +173,8 @@ static void meet_others(YkWalk *w, double a, double b, size_t depth)
             yk_walk_meets(w, k, b, a, b - a);
 }
 
-// Returns whether a block has passed a change point in an interval at whose ends and in whose middle its margin does not seem to
-// vanish: near the end, or, where a drive turns back, anywhere.
+// Returns whether a block has passed a change point in an interval at whose ends and in whose middle its margin does
+// not seem to vanish: near the end, or, where a drive turns back, anywhere.
 static bool has_passed_unseen(YkWalk *w, size_t block, double a, double b, double least, double last)
 {
     bool is_at_end = last <= YK_SINGULAR_MARGIN;
@@ -262,8 +184,9 @@ static bool has_passed_unseen(YkWalk *w, size_t block, double a, double b, doubl
     return false;
 }
 
-// Looks, where several inputs move, for the change point of a block that they may pass between a and b, before the intervals are
-// so narrow that there would be very many of them. Returns whether it decides the sign in all of [a, b]; the state is at b again.
+// Looks, where several inputs move, for the change point of a block that they may pass between a and b, before the
+// intervals are so narrow that there would be very many of them. Returns whether it decides the sign in all of [a, b];
+// the state is at b again.
 static bool meets_early(YkWalk *w, size_t block, double a, double b)
 {
     const double WIDE = 2e-4, FINE = 5e-5;
@@ -403,8 +326,8 @@ bool yk_walk_refuses(YkWalk *w, double a, double b)
     return true;
 }
 
-// Returns the end of the next stride from `last`. From a singular pose it is a short one, which tells a limit from a change
-// point: farther on the machine may close again, on the other side of a gap.
+// Returns the end of the next stride from `last`. From a singular pose it is a short one, which tells a limit from a
+// change point: farther on the machine may close again, on the other side of a gap.
 static double next_place(const YkWalk *w, double last, double b)
 {
     double way = b > last ? 1 : -1, stride = w->turn_max * yk_path_scale(&w->path) / fastest_turn(w),

@@ -27,7 +27,8 @@ typedef struct YkWalk {
     void *context;
 } YkWalk;
 
-// Starts a walk along `path`, which the walk owns from here on. Returns false when out of memory; yk_walk_end frees it.
+// walk_begin.c: starts a walk along `path`, which the walk owns from here on. Returns false when out of memory;
+// yk_walk_end frees it.
 bool yk_walk_start(YkWalk *walk, YkPath path, double turn_max);
 void yk_walk_end(YkWalk *walk);
 // Walks in verified sub-steps from a, where the state is, to b. Returns false if the motion ends on the way: the status
@@ -56,20 +57,22 @@ double yk_walk_touch(double a, double ma, double b, double mb); // a double zero
 // Returns a double zero at `at` precisely, searched up to `reach` from there, in radians or sizes. If there is none,
 // `at`.
 double yk_walk_refine_touch(YkWalk *walk, size_t block, double at, double reach);
-// Returns whether a block closes a little beyond a place where its margin is almost zero: at a limit it does not. The blocks
-// before it, on which it depends, have the signs that they have there.
+// Returns whether a block closes a little beyond a place where its margin is almost zero: at a limit it does not. The
+// blocks before it, on which it depends, have the signs that they have there.
 bool yk_walk_closes_beyond(YkWalk *walk, size_t block, double at, double way);
 // Returns whether b, where the margin is almost zero, lies a little beyond a double zero, and puts that in `at`.
 bool yk_walk_has_just_passed(YkWalk *walk, size_t block, double b, double way, double *at);
-// Returns whether the drives turn back near `at`, exactly where a block comes to its limit, and puts the time in `at`. The
-// square root of the margin is a straight line through zero there, too: the motion goes on with the other sign, as a crank
-// passes the dead point of a piston that is driven through its whole stroke.
+// Returns whether the drives turn back near `at`, exactly where a block comes to its limit, and puts the time in `at`.
+// The square root of the margin is a straight line through zero there, too: the motion goes on with the other sign, as
+// a crank passes the dead point of a piston that is driven through its whole stroke.
 bool yk_walk_turns_at_limit(YkWalk *walk, size_t block, double *at);
 // Returns whether they do so for one of the blocks that touch.
 bool yk_walk_turns_at_a_limit(YkWalk *walk, const double *margins, double at);
-// Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from `at`.
+// Returns whether the last change point of a block lies within 1e-4 rad, or machine sizes, of the inputs' way from
+// `at`.
 bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
-// meeting.c: returns the side of a block's known change point, if it lies at `at`, for which the signs hold; 0: it does not.
+// meeting.c: returns the side of a block's known change point, if it lies at `at`, for which the signs hold; 0: it does
+// not.
 double yk_walk_side_held(const YkWalk *walk, size_t block, double at);
 // limits.c: poses beside a change point where the walk stands.
 typedef struct YkBeside {
@@ -89,18 +92,19 @@ bool yk_beside_begin(YkBeside *beside, double *limits);
 // Solves the poses and visits each with its weight in the limit at the change point, where the state then stands again.
 // Returns false if one of them does not close.
 bool yk_beside_visit(const YkBeside *beside, YkVisitBeside visit, void *context);
-// Gives the state at the singular end of a walk the limits of its rates. Returns CHANGE_POINT; SINGULAR if they have none,
-// or depend on more than the way there.
+// Gives the state at the singular end of a walk the limits of its rates. Returns CHANGE_POINT; SINGULAR if they have
+// none, or depend on more than the way there.
 YkStatus yk_walk_take_limits(YkWalk *walk, double at, double way);
 // Takes the rates from numbers like the data of the state's space; the positions stay.
 void yk_state_take_rates(YkState *state, const double *numbers);
 // Returns whether the rates at the end of the path are along it: elsewhere the limits depend on the way there.
 bool yk_path_moves_along(const YkPath *path);
-// blur.c: gives the state, which has come to `at` with that status, rates without rounding where a change point is close.
-// Returns the status that it has then; NO_MEMORY if memory ran out.
+// blur.c: gives the state, which has come to `at` with that status, rates without rounding where a change point is
+// close. Returns the status that it has then; NO_MEMORY if memory ran out.
 YkStatus yk_walk_clear_rates(YkWalk *walk, double at, double way, YkStatus status);
 int yk_walk_touching_block(const YkWalk *walk, const double *margins); // the first one, or -1
-// heading.c: returns whether the signs of a block are already those beyond the change point at which the walk has stopped.
+// heading.c: returns whether the signs of a block are already those beyond the change point at which the walk has
+// stopped.
 bool yk_walk_has_passed(const YkWalk *walk);
 // Notes that the walk has ended at the state's pose, going in this direction of its path.
 void yk_walk_arrive(const YkWalk *walk, double way);

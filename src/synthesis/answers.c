@@ -1,6 +1,5 @@
 // Answers questions about a synthesis.
 #include <math.h>
-#include <string.h>
 #include "elementary/elementary.h"
 #include "synthesis/paths/path_bar.h"
 #include "synthesis/synthesis.h"

@@ -21,8 +21,8 @@ static bool slider_of_dyads(const YkPose *first, const YkDyad *output, YkDesign 
     return design->length[1] > 1e-7 * design->length[2] && design->length[2] > 1e-7 * design->length[1];
 }
 
-// An inverted slider-crank: the second dyad is a block on the ground's pivot, through which a line of the body slides. The coupler's
-// axis is parallel to that line, through the input's joint.
+// An inverted slider-crank: the second dyad is a block on the ground's pivot, through which a line of the body slides.
+// The coupler's axis is parallel to that line, through the input's joint.
 static bool inverted_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design)
 {
     YkVec along = yk_unit(output->direction), z = vector(input->moving);
@@ -135,8 +135,8 @@ static double offset_of(const YkDesign *design)
     return yk_cross(yk_unit(design->along), yk_sub(design->pivot[0], design->pivot[1]));
 }
 
-// Where the distance of the output pivot from the crank's joint is less than that from the coupler's line, an inverted slider-crank
-// stops; a geared five-bar is judged by the engine.
+// Where the distance of the output pivot from the crank's joint is less than that from the coupler's line, an inverted
+// slider-crank stops; a geared five-bar is judged by the engine.
 static bool turns_otherwise(const YkDesign *design)
 {
     return design->kind == YK_DESIGN_GEARED || fabs(design->length[0] - design->length[1]) > fabs(design->length[3]);
@@ -177,8 +177,8 @@ static int sign(double x)
     return (x > 0) - (x < 0);
 }
 
-// An inverted slider-crank cannot pass the place where the output pivot lies across the coupler's line from its joint, s = 0: it ends one
-// circuit, or one of the two branches of a machine that has but one.
+// An inverted slider-crank cannot pass the place where the output pivot lies across the coupler's line from its joint,
+// s = 0: it ends one circuit, or one of the two branches of a machine that has but one.
 static YkDefect inverted_signs(const YkDesign *design, double (*angle)[3], size_t count)
 {
     for (size_t k = 1; k < count; k++)

@@ -26,14 +26,15 @@ typedef struct YkDesign {
         angle[3]; // input, coupler, output at the first position, to the ground, rad; slider-crank: [2] is a distance
     int dyad[YK_SIDES];
     // For a machine with a dyad (path_chain.h): how it is built, where link and arm begin in the axes of their carriers
-    // (geared five-bar: nothing), their lengths, and their absolute angles at the first position, rad. Inverted slider-crank: length[3] is
-    // the distance of the output pivot from the coupler's line, to its left, and angle[2] how far along it this is, m.
+    // (geared five-bar: nothing), their lengths, and their absolute angles at the first position, rad. Inverted
+    // slider-crank: length[3] is the distance of the output pivot from the coupler's line, to its left, and angle[2]
+    // how far along it this is, m.
     int variant;
     YkVec end[2];
     double dyad_length[2], dyad_angle[2];
 } YkDesign;
 
-// What a design has to do, in terms of its input.
+// The task of a design, in terms of its input.
 typedef struct YkJourney {
     const YkTask *task;        // NULL for a machine that no task asked for, which then has:
     const YkModel *sheet;      // its units
@@ -51,7 +52,7 @@ typedef struct YkJourney {
 
 enum { YK_CURVE_ROWS = 181 };
 
-// What the engine found.
+// The engine's findings.
 typedef struct YkVerdict {
     YkDefect defect;
     double error, worst, transmission[2];
@@ -63,8 +64,8 @@ typedef struct YkVerdict {
 // design.c
 bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *output, YkDesign *design);
 YkFourBarClass yk_design_class(const YkDesign *design);
-// Finds where A, B and the traced point are at the first position, m, and C, D, E if the machine has a dyad. If the kind has no B, it is
-// the end of the output, or the output pivot.
+// Finds where A, B and the traced point are at the first position, m, and C, D, E if the machine has a dyad. If the
+// kind has no B, it is the end of the output, or the output pivot.
 typedef struct YkDesignPlaces {
     YkVec A, B, P, C, D, E;
 } YkDesignPlaces;
@@ -74,7 +75,7 @@ bool yk_design_has_circuits(const YkDesign *design); // two of them, so that one
 bool yk_design_turns(const YkDesign *design);        // the input turns through
 // Finds the angles of input, coupler and output (slider-crank: the distance) where the body is at a pose.
 void yk_design_angles(const YkDesign *design, YkPose pose, double angle[3]);
-// Judges by the signs of its angles whether positions lie on one circuit and between dead points of the input. Source: Chase & Mirth 1993.
+// Judges by signs of angles whether positions lie on one circuit, between dead points. Source: Chase & Mirth 1993.
 YkDefect yk_design_signs(const YkDesign *design, double (*angle)[3], size_t count);
 // Checks the task's bounds, lengths and sizes.
 YkDefect yk_design_bounds(const YkDesign *design, const YkTask *task);

@@ -1,8 +1,8 @@
 // The exchange method: at the six extremes of the error, find the change of the five dimensions that makes them alike.
 //
-// With the error e(t; p) of the output and its derivatives by the dimensions p, e + e_p dp = +E, -E, +E ... at the extremes
-// is linear in dp and E. The extremes move, and the step is repeated. Source: Remez 1934; for nonlinear families Meinardus
-// 1967, Approximation of Functions, ch. 7; for four-bars Freudenstein 1955.
+// With the error e(t; p) of the output and its derivatives by the dimensions p, e + e_p dp = +E, -E, +E ... at the
+// extremes is linear in dp and E. The extremes move, and the step is repeated. Source: Remez 1934; for nonlinear
+// families Meinardus 1967, Approximation of Functions, ch. 7; for four-bars Freudenstein 1955.
 #include "synthesis/even.h"
 #include <math.h>
 #include "num/dense.h"
@@ -53,7 +53,7 @@ static double slider_error(const Curve *curve, const YkGenerator *bar, double pa
     return A.x + x - bar->psi - wanted;
 }
 
-// The error of the output where the argument is a part of its range, with its derivatives by the dimensions unless NULL.
+// The output's error where the argument is a part of its range, with its derivatives by the dimensions unless NULL.
 static double error_at(const Curve *curve, const YkGenerator *bar, double part, double by[P])
 {
     if (curve->f->is_slider) return slider_error(curve, bar, part, by);
@@ -91,7 +91,7 @@ static void refine(const Curve *curve, const YkGenerator *bar, double *part, dou
     }
 }
 
-// Keeps six successive extremes of more: those that remain when the smaller one of both ends is left out, again and again.
+// Keeps six successive extremes of more: again and again leaves out the smaller one of both ends.
 static void keep_six(Extremes *found)
 {
     while (found->count > EXTREMES) {

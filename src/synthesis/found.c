@@ -1,4 +1,4 @@
-// What a search finds: dyads, machines that passed, best first, and those that were left out.
+// The finds of a search: dyads, machines that passed, best first, and those that were left out.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,10 +1,11 @@
 // An angle or a slider that follows an angle: machines through three, four or five pairs.
 //
-// Seen from the input, the output is a body in motion, and the coupler is a dyad that takes it through its positions. The
-// ground is another one. Five pairs thus have the four dyads of five positions, one of them the ground: at most three
-// four-bars. Four pairs leave the phase of one angle free, three the phases of both; these are sampled unless given.
-// A slider is such a body, too: it has no turn but the input's, and the ground is the dyad of its line. So five pairs have at most
-// three slider-cranks, too.
+// Seen from the input, the output is a body in motion, and the coupler is a dyad that takes it through its positions.
+// The ground is another one. Five pairs thus have the four dyads of five positions, one of them the ground: at most
+// three four-bars. Four pairs leave the phase of one angle free, three the phases of both; these are sampled unless
+// given.
+// A slider is such a body, too: it has no turn but the input's, and the ground is the dyad of its line. So five pairs
+// have at most three slider-cranks, too.
 // Source: Freudenstein 1955; the inversion: Hartenberg & Denavit 1964, ch. 10.
 #include <math.h>
 #include <string.h>
@@ -43,8 +44,8 @@ static YkDesign make_slider(YkVec A, YkVec B, double coupler)
     return design;
 }
 
-// The four-bar whose links end at A, seen from the input, and B, seen from the output, where both angles begin. There the
-// coupler closes only nearly, unless the range begins at a pair.
+// The four-bar whose links end at A, seen from the input, and B, seen from the output, where both angles begin. There
+// the coupler closes only nearly, unless the range begins at a pair.
 static YkDesign make(const YkFunctionTask *f, YkVec A, YkVec B, double coupler)
 {
     if (f->is_slider) return make_slider(A, B, coupler);
@@ -149,8 +150,8 @@ static YkFound *take(YkSynthesis *s, const YkFunctionTask *f, const YkDesign *de
     return found;
 }
 
-// Takes the machine nearby with the least largest error, which meets five other points of the function. Returns false if
-// there is none.
+// Takes the machine nearby with the least largest error, which meets five other points of the function. Returns false
+// if there is none.
 static bool take_evened(YkSynthesis *s, const YkFunctionTask *own, const YkDesign *design)
 {
     YkFunctionTask f = *own;
@@ -231,8 +232,8 @@ static bool take_four(YkSynthesis *s, const YkFunctionTask *f)
     return phase->is_given;
 }
 
-// --- three pairs: Freudenstein's equation K1 cos psi - K2 cos phi + K3 = cos(phi - psi), linear in K; that of a slider at s is
-// K1 s cos phi + K2 sin phi - K3 = s^2, K = (2 a, 2 a e, a^2 + e^2 - b^2)
+// --- three pairs: Freudenstein's equation K1 cos psi - K2 cos phi + K3 = cos(phi - psi), linear in K; that of a slider
+// at s is K1 s cos phi + K2 sin phi - K3 = s^2, K = (2 a, 2 a e, a^2 + e^2 - b^2)
 
 static void add_equation(const YkFunctionTask *f, double input, double output, double A[3], double *right)
 {
@@ -261,7 +262,7 @@ static void take_phases(YkSynthesis *s, const YkFunctionTask *f, double phi, dou
         take(s, f, &design);
 }
 
-// Samples what is free: angles over half a turn, for the other half has the same machines; a slider's place within some travels.
+// Samples what is free: angles over half a turn (the other half repeats them); a slider's place within some travels.
 static bool take_three(YkSynthesis *s, const YkFunctionTask *f)
 {
     static const double travels = 4;

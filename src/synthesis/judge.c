@@ -123,8 +123,8 @@ static void take_extreme(YkVerdict *verdict, const YkEvent *event)
     }
 }
 
-// The transmission angle of a joint, from the angle of its two links, or of coupler and slider. Inverted slider-crank: that of the
-// coupler's line and the line to the output pivot, from the distance along the coupler.
+// The transmission angle of a joint, from the angle of its two links, or of coupler and slider. Inverted slider-crank:
+// that of the coupler's line and the line to the output pivot, from the distance along the coupler.
 static double transmission_of(const YkDesign *design, double value)
 {
     if (design->kind == YK_DESIGN_INVERTED) return fabs(yk_atan2(fabs(value), fabs(design->length[3])));
@@ -146,7 +146,7 @@ static double side_of(const Trial *t, double value)
     return t->design->kind == YK_DESIGN_INVERTED ? 0 : floor((value + shift) / YK_PI - 0.5);
 }
 
-// Channels: a joint's angle, the point (or input and output), and of machines of two loops the angle of the second one's joint.
+// Channels: a joint's angle, the point (or input and output), and the angle of a second loop's joint.
 enum { JOINT, FIRST, SECOND, OTHER, CHANNELS };
 
 static void take_joint(Trial *t, const YkSweep *sweep, size_t channel)

@@ -1,9 +1,9 @@
 // A swing or a stroke with its time ratio: crank-rockers and slider-cranks by their two dead centres.
 //
 // At the dead centres crank and coupler lie in one line, extended and folded, so that the crank's pivot A0 sees the
-// chord from B1 to B2 under the angle alpha = pi (Q - 1) / (Q + 1): it lies on one of two circles through B1 and B2 (for
-// Q = 1 on their line). There, a = (|A0 B2| - |A0 B1|) / 2 and b = (|A0 B2| + |A0 B1|) / 2. One angle is left: that with the best
-// transmission. Source: Alt 1925; VDI 2130; Brodell & Soni 1970.
+// chord from B1 to B2 under the angle alpha = pi (Q - 1) / (Q + 1): it lies on one of two circles through B1 and B2
+// (for Q = 1 on their line). There, a = (|A0 B2| - |A0 B1|) / 2 and b = (|A0 B2| + |A0 B1|) / 2. One angle is left:
+// that with the best transmission. Source: Alt 1925; VDI 2130; Brodell & Soni 1970.
 #include <math.h>
 #include "synthesis/synthesis.h"
 
@@ -28,7 +28,7 @@ static YkVec pivot_at(const Family *family, double u)
     return yk_add(family->center, yk_scale(yk_tan(u / 2), along));
 }
 
-// Returns the design with the crank's pivot at `u`, in units of the rocker's length or of the stroke. False if it is none.
+// Returns whether there is a design with the crank's pivot at `u`, in units of the rocker's length or of the stroke.
 static bool design_at(const Family *family, double u, YkDesign *design)
 {
     YkVec A0 = pivot_at(family, u), p = yk_sub(family->B[0], A0), q = yk_sub(family->B[1], A0);

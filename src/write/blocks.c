@@ -106,7 +106,7 @@ static bool make_room(YkBlocks *blocks, size_t count)
 
 typedef enum Reading { READ_WHOLE, READ_END, READ_DAMAGED, READ_NO_MEMORY } Reading;
 
-// Reads the block at the file's position, whose first design is `from`, into memory. `left`: how many bytes the file has.
+// Reads the block at the file's position, whose first design is `from`, into memory. `left`: bytes left in the file.
 static Reading read_block(YkBlocks *blocks, uint64_t from, uint64_t left)
 {
     BlockHead head;

@@ -3,7 +3,6 @@
 #include "write/file_inside.h"
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,15 +15,10 @@ enum { TEMPORARY_TRIES = 100 };
 YkFileKind yk_file_kind(const char *path)
 {
     const char *folder = strrchr(path, '/'), *ending = strrchr(folder ? folder : path, '.');
+    static const char *const names[] = {"svg", "pdf", "png"};
     for (YkFileKind kind = YK_FILE_SVG; ending && kind < YK_FILE_OTHER; kind++)
-        if (strcasecmp(ending + 1, yk_file_kind_name(kind)) == 0) return kind;
+        if (strcasecmp(ending + 1, names[kind]) == 0) return kind;
     return YK_FILE_OTHER;
-}
-
-const char *yk_file_kind_name(YkFileKind kind)
-{
-    static const char *const names[] = {"svg", "pdf", "png", "other"};
-    return names[kind];
 }
 
 bool yk_file_fail(const char *path, int error, YkProblems *problems)

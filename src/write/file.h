@@ -8,7 +8,6 @@
 // The kind of a file, by its ending.
 typedef enum YkFileKind { YK_FILE_SVG, YK_FILE_PDF, YK_FILE_PNG, YK_FILE_OTHER } YkFileKind;
 YkFileKind yk_file_kind(const char *path);
-const char *yk_file_kind_name(YkFileKind kind); // "svg", "pdf", "png", "other"
 
 // Writes a new file beside the old one, synced and renamed into place: whatever goes wrong, the old file remains.
 // Links are followed; devices and pipes are written directly. Returns false with a problem added (E07xx).

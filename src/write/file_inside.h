@@ -1,4 +1,4 @@
-// What whole files and streams share.
+// Shared by whole files and streams.
 #ifndef WRITE_FILE_INSIDE_H
 #define WRITE_FILE_INSIDE_H
 #include <sys/stat.h>

@@ -5,8 +5,8 @@
 
 typedef struct YkTable YkTable;
 
-// Makes a table with this number of columns. Returns NULL when out of memory (the other calls then do nothing). A table that
-// ran out of memory, or took a text that did, makes the text fail into which it is written.
+// Makes a table with this number of columns. Returns NULL when out of memory (the other calls then do nothing). A table
+// that ran out of memory, or took a text that did, makes the text fail into which it is written.
 YkTable *yk_table_new(size_t columns);
 void yk_table_free(YkTable *table);
 // Adds heads from the left: as many as there are columns, before the first cell. unit may be NULL.

@@ -17,7 +17,6 @@ static void add(YkChannelKind kind, size_t index, int orders)
 static void list_channels(const Machine *m, bool transmission)
 {
     channel_count = 0;
-    add(YK_CHANNEL_TIME, 0, 1);
     for (size_t k = 0; k < yk_coordinate_count(m->mech); k++) add(YK_CHANNEL_COORDINATE, k, 3);
     for (size_t k = 0; k < yk_model_body_count(m->model); k++) add(YK_CHANNEL_BODY, k, 3);
     for (size_t k = 0; k < yk_model_joint_count(m->model); k++) {
@@ -32,6 +31,7 @@ static void list_channels(const Machine *m, bool transmission)
     }
     for (size_t k = 0; transmission && k < yk_block_count(m->mech); k++)
         if (yk_block_info(m->mech, k).kind <= YK_BLOCK_RPR) add(YK_CHANNEL_TRANSMISSION, k, 1);
+    add(YK_CHANNEL_TIME, 0, 1); // last: the first channel is one that a pose changes
 }
 
 // Random inputs about the state's own: `spread` radians, or that part of a length.
@@ -81,6 +81,18 @@ static void check_pose(const char *file, const Machine *m, size_t k)
     }
 }
 
+// The same, one pose a call: channels then come from a space of their own.
+static void check_call(const char *file, YkBatch *batch, const Machine *m, size_t k)
+{
+    const double *in[INPUTS_MAX];
+    double *out[CHANNELS_MAX];
+    for (size_t i = 0; i < 3 * yk_input_count(m->mech); i++) in[i] = inputs[i] + k;
+    for (size_t c = 0; c < channel_count; c++) *(out[c] = outputs[c] + k) = 12345;
+    YkStatus worst = yk_batch_run(batch, in, out, status + k, 1);
+    assert_int_equal(worst, status[k]);
+    check_pose(file, m, k);
+}
+
 static void check_machine(const char *file, double spread, bool transmission)
 {
     Machine m = machine_load(file);
@@ -95,6 +107,7 @@ static void check_machine(const char *file, double spread, bool transmission)
     YkStatus worst = run(batch, &m, true, POSES);
     assert_int_equal(worst, YK_LIMIT);
     for (size_t k = 0; k < POSES; k++) check_pose(file, &m, k);
+    for (size_t k = 0; k < POSES; k += 37) check_call(file, batch, &m, k);
     yk_batch_free(batch);
     machine_free(&m);
 }
@@ -185,7 +198,8 @@ static void test_a_missing_input_stands_for_the_states_own(void **unused)
     machine_free(&m);
 }
 
-// Wherever the rows begin in their cache lines, and however many poses there are, each is computed, and nothing beside them.
+// Wherever the rows begin in their cache lines, and however many poses there are, each is computed, and nothing beside
+// them.
 static void test_rows_may_begin_anywhere(void **unused)
 {
     (void)unused;
@@ -266,8 +280,8 @@ static void test_the_worst_status_is_returned(void **unused)
     machine_free(&m);
 }
 
-// A kite whose crank is as long as its ground: at 0 its moving pin lies on the rocker's, whose angle no loop determines.
-// There and close by, a state settles the lane; its neighbours are not disturbed.
+// A kite whose crank is as long as its ground: at 0 its moving pin lies on the rocker's, whose angle no loop
+// determines. There and close by, a state settles the lane; its neighbours are not disturbed.
 static void test_lanes_where_pins_coincide_are_those_of_a_state(void **unused)
 {
     (void)unused;

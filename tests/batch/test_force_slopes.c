@@ -1,5 +1,5 @@
-// Derivatives of rates, accelerations, angles of transmission and forces by parameters, backwards: against complex steps through
-// closed forms with their derivatives by time, and against machines beside.
+// Derivatives of rates, accelerations, angles of transmission and forces by parameters, backwards: against complex
+// steps through closed forms with their derivatives by time, and against machines beside.
 #include "batch/forces.h"
 #include <complex.h>
 #include "../compile/machine.h"

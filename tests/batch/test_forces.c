@@ -261,8 +261,56 @@ static void test_poses_without_forces(void **unused)
     assert_true(poses_compared > POSES / 2);
 }
 
-// All that turns in a gear train at a fixed ratio to its input has rates that are multiples of one rate: the torque and the
-// couple on the ring are such a multiple and a number, one operation each, and what does not vary is copied.
+// A machine with a group, each pose of which a state solves: a spring turns by the first coordinate of all, which no
+// input is.
+static void test_springs_of_a_group(void **unused)
+{
+    (void)unused;
+    machines_in_lanes = poses_compared = 0;
+    check_text(
+        "triad",
+        "gravity: [0, -9.81]\nbodies:\n"
+        "  ground: {points: {O2: [0, 0], O4: [4, 0], O6: [6, 2.5]}}\n"
+        "  crank: {points: {O2: [0, 0], A: [1, 0]}, mass: 1, rod: [O2, A]}\n"
+        "  coupler: {points: {A: [0, 0], B: [3.5, 0], C: [2, 1.5]}, mass: 2, rod: [A, B]}\n"
+        "  rocker: {points: {O4: [0, 0], B: [3, 0]}}\n"
+        "  link: {points: {C: [0, 0], D: [4.5, 0]}, mass: 1, rod: [C, D]}\n"
+        "  output: {points: {O6: [0, 0], D: [2.5, 0]}}\n"
+        "joints:\n  O2: {pin: [ground, crank], angle: theta2}\n  O6: {pin: [ground, output], angle: theta6}\n"
+        "  D: {pin: [output, link], angle: theta5}\n  A: {pin: [crank, coupler], angle: theta3}\n"
+        "  O4: {pin: [ground, rocker], angle: theta4}\n  B: {pin: [coupler, rocker]}\n  C: {pin: [coupler, link]}\n"
+        "springs: {s: {along: theta2, stiffness: 300}}\ndrives: {theta6: 120 deg + 0.1 rad/s * t}\n"
+        "start: {theta2: 120 deg, theta3: -90 deg, theta4: 119 deg, theta5: -101 deg}\n");
+    assert_int_equal(machines_in_lanes, 1);
+    assert_true(poses_compared > POSES / 2);
+}
+
+// A motor turns a wheel by a pinion: it feels the wheel's inertia by the square of the ratio. For this alone the
+// wheel's acceleration is needed, and nothing else of the pose.
+static void test_a_motor_feels_a_wheel_by_the_square_of_the_ratio(void **unused)
+{
+    (void)unused;
+    Machine m =
+        machine_parse("bodies: {ground: {points: {P: [0.06, 0]}}, pinion: {}, wheel: {points: {P: [0, 0]}, mass: 3, "
+                      "inertia: 0.5}}\n"
+                      "joints: {O: {pin: [ground, pinion], angle: q}, P: {pin: [ground, wheel], angle: theta}}\n"
+                      "gears: {g: {mesh: [pinion, wheel], teeth: [20, 40], module: 2 mm}}\ndrives: {q: 10 rad/s * t}\n",
+                      true);
+    uint64_t seed = 8;
+    YkChannel effort = machine_channel(&m, "q.effort");
+    YkBatch *batch = yk_batch_new(m.state, &effort, 1);
+    assert_non_null(batch);
+    draw_inputs(&m, 3, &seed);
+    assert_int_equal(yk_batch_run(batch, (const double *[]){inputs[0], inputs[1], inputs[2]}, (double *[]){outputs[0]},
+                                  status, POSES),
+                     YK_OK);
+    for (size_t k = 0; k < POSES; k++) CHECK_NEAR(outputs[0][k], 0.5 / 4 * inputs[2][k], 1e-15);
+    yk_batch_free(batch);
+    machine_free(&m);
+}
+
+// All that turns in a gear train at a fixed ratio to its input has rates that are multiples of one rate: the torque and
+// the couple on the ring are such a multiple and a number, one operation each, and what does not vary is copied.
 static void test_ratios_are_joined(void **unused)
 {
     (void)unused;
@@ -282,9 +330,13 @@ static void test_ratios_are_joined(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_examples),          cmocka_unit_test(test_random_machines),
-        cmocka_unit_test(test_forces_of_meshes),  cmocka_unit_test(test_poses_without_forces),
+        cmocka_unit_test(test_examples),
+        cmocka_unit_test(test_random_machines),
+        cmocka_unit_test(test_forces_of_meshes),
+        cmocka_unit_test(test_poses_without_forces),
         cmocka_unit_test(test_ratios_are_joined),
+        cmocka_unit_test(test_springs_of_a_group),
+        cmocka_unit_test(test_a_motor_feels_a_wheel_by_the_square_of_the_ratio),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -70,8 +70,8 @@ static void run_accelerate(Machine *m)
     for (int k = 0; k < 20; k++) machine_accelerate(m, a);
 }
 
-// Whole motions, with all that happens between evaluations: where many loops pass singular positions together, the cost may
-// only grow with their number.
+// Whole motions, with all that happens between evaluations: where many loops pass singular positions together, the cost
+// may only grow with their number.
 static void run_motion(Machine *m, double tolerance, double span)
 {
     YkSimulation *simulation = machine_simulate(m, tolerance, span);

@@ -1,5 +1,6 @@
-// Random trains as text, with their equations from the drawing, in absolute angles: wheels on one axis, planets on the ground
-// and on arms, gears, belts and racks between them, some of which repeat each other, and laws by which angles follow others.
+// Random trains as text, with their equations from the drawing, in absolute angles: wheels on one axis, planets on the
+// ground and on arms, gears, belts and racks between them, some of which repeat each other, and laws by which angles
+// follow others.
 #ifndef TESTS_COMPILE_RANDOM_TRAIN_H
 #define TESTS_COMPILE_RANDOM_TRAIN_H
 #include <stdbool.h>

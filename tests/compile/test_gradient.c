@@ -1,5 +1,5 @@
-// Derivatives of positions by parameters: against complex steps through closed forms that share nothing with the engine,
-// and on the whole gallery against machines solved anew.
+// Derivatives of positions by parameters: against complex steps through closed forms that share nothing with the
+// engine, and on the whole gallery against machines solved anew.
 #include "compile/gradient.h"
 #include "base/vec.h"
 #include "machine.h"
@@ -18,7 +18,8 @@ typedef struct Varied {
     size_t count;
 } Varied;
 
-// Varies those of the first `most` parameters that can. A parameter that follows others, if it is among them, does not then.
+// Varies those of the first `most` parameters that can. A parameter that follows others, if it is among them, does not
+// then.
 static Varied vary(const char *source, size_t most)
 {
     Varied v = {.m = machine(source)};
@@ -78,13 +79,20 @@ static bool linearise(const Varied *v)
     return good;
 }
 
+static void add_slope(YkGradient *gradient, YkWeighted part, double *slope)
+{
+    yk_gradient_start(gradient);
+    yk_gradient_take(gradient, part);
+    yk_gradient_finish(gradient, slope);
+}
+
 static void by_parameters(const Varied *v, const char *channel, double *slope)
 {
     YkWeighted one = {.weight = 1};
     assert_int_equal(yk_channel_parse(v->m.mech, channel, &one.channel, NULL), YK_OK);
     assert_true(yk_gradient_covers(v->m.mech, one.channel));
     for (size_t k = 0; k < v->count; k++) slope[k] = 0;
-    yk_gradient_add(v->gradient, &one, 1, slope);
+    add_slope(v->gradient, one, slope);
 }
 
 static void turn_to(const Varied *v, double angle)
@@ -199,8 +207,8 @@ static double complex square(double complex z)
     return z * z;
 }
 
-// A crank r, a rod l with a point P beside it, and a guide at the height h, turning with the rate w and the acceleration a.
-// Answers by name, each an expression of the lengths alone.
+// A crank r, a rod l with a point P beside it, and a guide at the height h, turning with the rate w and the
+// acceleration a. Answers by name, each an expression of the lengths alone.
 typedef struct Crank {
     double complex value[18];
 } Crank;
@@ -267,7 +275,7 @@ static void rates_speeds_and_transmissions_have_slopes(void **state)
         }
         YkWeighted time = {.channel = {.kind = YK_CHANNEL_TIME}, .weight = 1};
         for (int k = 0; k < LENGTHS; k++) slope[k] = 0;
-        yk_gradient_add(v.gradient, &time, 1, slope);
+        add_slope(v.gradient, time, slope);
         for (int k = 0; k < LENGTHS; k++) CHECK_NEAR(slope[k], 0, 0);
     }
     vary_free(&v);
@@ -323,7 +331,7 @@ static void check_differences(const char *source)
     read_all(&v, channels, count, here);
     assert_true(linearise(&v));
     memset(slope, 0, sizeof slope);
-    for (size_t c = 0; c < count; c++) yk_gradient_add(v.gradient, &(YkWeighted){channels[c], 1}, 1, slope[c]);
+    for (size_t c = 0; c < count; c++) add_slope(v.gradient, (YkWeighted){channels[c], 1}, slope[c]);
     for (size_t k = 0; k < v.count; k++) {
         double own = v.own[k], h = 1e-3 * fmax(fabs(own), 0.1 * v.m.mech->size);
         for (int e = 0; e < 4; e++) {
@@ -393,7 +401,7 @@ static size_t compare(const char *source)
     if (study && yk_study_sensitivities(study, NULL, ways[0], ways[1]) == YK_OK && linearise(&v)) {
         for (size_t c = 0; c < count; c++) {
             double slope[NAMES] = {0};
-            yk_gradient_add(v.gradient, &(YkWeighted){channels[c], 1}, 1, slope);
+            add_slope(v.gradient, (YkWeighted){channels[c], 1}, slope);
             for (size_t k = 0; k < v.count; k++) {
                 double by = ways[1][c * v.count + k];
                 if (!(fabs(slope[k] - by) <= 1e-6 * (fabs(by) + v.m.mech->size / (fabs(v.own[k]) + v.m.mech->size))))

@@ -1,6 +1,6 @@
 // Random trains: the freedom is what the rank of their equations leaves, what is driven is an input, and every equation
-// holds, with rates and after many turns, at any values of as many inputs as there are freedoms. That leaves the pose no
-// choice.
+// holds, with rates and after many turns, at any values of as many inputs as there are freedoms. That leaves the pose
+// no choice.
 #include "random_train.h"
 #include <yoke/yoke.h>
 #include "machine.h"

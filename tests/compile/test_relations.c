@@ -256,6 +256,65 @@ static void a_law_follows_a_distance(void **unused)
     drop(&m);
 }
 
+// A rocker turns from where it stands at lift 0 by its cam's law, half of it in the middle of a rise or fall.
+static void a_rocker_on_a_cam_turns_by_its_law(void **unused)
+{
+    (void)unused;
+    static const double at[] = {0, 60, 120, 140, 160, 220, 280, 320, 420}, lift[] = {0, 10, 20, 20, 20, 10, 0, 0, 10};
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_load(YOKE_ROOT "/examples/swing-cam.yaml", NULL, problems);
+    YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
+    YkState *state = yk_state_new(mech);
+    size_t phi = yk_coordinate_find(mech, "phi");
+    yk_state_set_input(state, 0, (YkMotion){0, 1, 0});
+    assert_int_equal(yk_state_assemble(state), YK_OK);
+    double rest = yk_state_coordinate(state, phi).position;
+    for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+        yk_state_set_input(state, 0, (YkMotion){at[k] * YK_PI / 180, 1, 0});
+        assert_int_equal(yk_state_solve(state), YK_OK);
+        CHECK_NEAR(fabs(yk_state_coordinate(state, phi).position - rest), lift[k] * YK_PI / 180, 1e-13);
+    }
+    yk_state_free(state);
+    yk_mechanism_free(mech);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
+// Whichever followers have left their cams, contacts keep their names, and the relations behind the others are theirs.
+static void contacts_of_open_cams_have_no_relation(void **unused)
+{
+    (void)unused;
+    static const char *const text =
+        "laws: {lift: {period: 2*pi, segments: [{rise: {to: pi, by: 0.02 m, law: 3-4-5}},"
+        " {fall: {to: 2*pi, by: 0.02 m, law: 3-4-5}}]}}\n"
+        "cams:\n  c0: {cam: shaft, follower: f0, law: lift, roller: 0.01, base: 0.05}\n"
+        "  c1: {cam: shaft, follower: f1, law: lift, roller: 0.01, base: 0.06}\n"
+        "  c2: {cam: shaft, follower: f2, law: lift, roller: 0.01, base: 0.07}\n"
+        "gears: {G: {mesh: [shaft, wheel], teeth: [20, 40]}}\n"
+        "bodies: {shaft: {}, wheel: {}, f0: {}, f1: {}, f2: {}}\njoints:\n  O: {pin: [ground, shaft], angle: q}\n"
+        "  W: {pin: [ground, wheel], angle: w}\n  T0: {slide: [ground, f0], along: y, distance: s0}\n"
+        "  T1: {slide: [ground, f1], along: y, distance: s1}\n  T2: {slide: [ground, f2], along: y, distance: s2}\n"
+        "drives: {q: 1 rad/s * t}\n";
+    for (unsigned mask = 0; mask < 8; mask++) {
+        Made m = make(text);
+        const bool open[3] = {(mask & 1) != 0, (mask & 2) != 0, (mask & 4) != 0};
+        YkCompileOptions options = {.open_cams = open};
+        YkMechanism *mech = yk_mechanism_compile(m.model, &options, m.problems);
+        assert_non_null(mech);
+        assert_int_equal(yk_contact_count(mech), 4);
+        for (size_t k = 0; k < 4; k++) {
+            static const char *const names[] = {"G", "c0", "c1", "c2"};
+            int32_t relation = yk_contact_relation(mech, k);
+            assert_string_equal(yk_contact_name(mech, k), names[k]);
+            assert_int_equal(relation == YK_NONE, k > 0 && open[k - 1]);
+            if (relation != YK_NONE) assert_string_equal(mech->relations[relation].name, names[k]);
+        }
+        assert_int_equal(yk_mechanism_freedom(mech).by_rank, 1 + open[0] + open[1] + open[2]);
+        yk_mechanism_free(mech);
+        drop(&m);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -271,6 +330,8 @@ int main(void)
         cmocka_unit_test(a_mesh_that_does_not_fit_is_told),
         cmocka_unit_test(a_law_is_solved_for_its_argument),
         cmocka_unit_test(a_law_follows_a_distance),
+        cmocka_unit_test(a_rocker_on_a_cam_turns_by_its_law),
+        cmocka_unit_test(contacts_of_open_cams_have_no_relation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

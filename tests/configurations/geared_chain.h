@@ -1,5 +1,5 @@
-// Geared five-bars for tests: a chain of four links with wheels on the second and the fourth, and how many of its poses a fine
-// walk along the five-bar without its gear finds, by closed form.
+// Geared five-bars for tests: a chain of four links with wheels on the second and the fourth, and how many of its poses
+// a fine walk along the five-bar without its gear finds, by closed form.
 #ifndef TESTS_CONFIGURATIONS_GEARED_CHAIN_H
 #define TESTS_CONFIGURATIONS_GEARED_CHAIN_H
 #include "check.h"
@@ -7,7 +7,8 @@
 
 enum { A, B, C, D, LINKS, STEPS = 20000 };
 
-// Links of a chain from (0, 0), with their lengths and angles, and the teeth of the wheels on the second and the fourth.
+// Links of a chain from (0, 0), with their lengths and angles, and the teeth of the wheels on the second and the
+// fourth.
 typedef struct Chain {
     double length[LINKS], angle[LINKS];
     int teeth[2];
@@ -50,7 +51,8 @@ static double roll(const Chain *c, double b, double middle, double d)
     return p * (b - c->angle[B]) + q * (d - c->angle[D]) - (p + q) * (middle - c->angle[C]);
 }
 
-// Returns the roll where the third link has an angle, on a branch of the two links beside it; false where they do not close.
+// Returns the roll where the third link has an angle, on a branch of the two links beside it; false where they do not
+// close.
 static bool roll_at(const Chain *c, double middle, int branch, double *rolled)
 {
     YkVec crank = yk_scale(c->length[A], yk_unit(c->angle[A] + c->turned)),

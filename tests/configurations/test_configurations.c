@@ -171,7 +171,8 @@ static double length(Vec2 a, Vec2 b)
 }
 
 // Returns the miss of the third bar, given the angle of the first and the branch of the dyad; NAN if it does not close.
-// Ground pins a b c, platform d e f, bars ad be cf. d moves on its circle; e is at distance |de| from d and |be| from b.
+// Ground pins a b c, platform d e f, bars ad be cf. d moves on its circle; e is at distance |de| from d and |be| from
+// b.
 static double miss(const Truss *t, double angle, int branch)
 {
     Vec2 p[6];

@@ -1,10 +1,11 @@
-// Continua: movable mechanisms that were published, structures that are shaky and no more, and what solving says of them.
+// Continua: movable mechanisms that were published, structures that are shaky and no more, and what solving says of
+// them.
 #include "configurations/continuum_inside.h"
 #include "compile/mechanism.h"
 #include "configurations/random_group.h"
 
-// A bipartite linkage K(p, q): a bar from every point A_i to every point B_j; the one from A_0 to B_0 is the ground. Bars are
-// not turned where the points are those given.
+// A bipartite linkage K(p, q): a bar from every point A_i to every point B_j; the one from A_0 to B_0 is the ground.
+// Bars are not turned where the points are those given.
 static Machine bipartite(size_t p, const YkVec *A, size_t q, const YkVec *B)
 {
     YkBuilder *b = yk_builder_new("bipartite");
@@ -103,8 +104,9 @@ static void test_linkages_with_freedoms_are_continua_of_that_dimension(void **un
     assert_continuum(bipartite(1, A, 4, B), 3, 3);
 }
 
-// Three equal cranks of a platform congruent to its base: the machine of a continuum beside two poses. The platform turned by
-// 2 asin(l / 2 rho) about the circumcentre of the base, whose radius is rho, has pins at the same distance l from their places.
+// Three equal cranks of a platform congruent to its base: the machine of a continuum beside two poses. The platform
+// turned by 2 asin(l / 2 rho) about the circumcentre of the base, whose radius is rho, has pins at the same distance l
+// from their places.
 static Machine congruent_platform(double length)
 {
     static const YkVec pin[3] = {{0, 0}, {2, 0}, {0.7, 1.1}};
@@ -184,8 +186,8 @@ static void test_a_continuum_is_shown_once_beside_isolated_poses(void **unused)
     }
 }
 
-// A rhombus folded together: the ends of its crank and of its frame meet, and the dyad turns about them. All but folded it
-// has two poses, in which the dyad points to opposite sides, at a transmission angle of 1.7e-8 rad or more.
+// A rhombus folded together: the ends of its crank and of its frame meet, and the dyad turns about them. All but folded
+// it has two poses, in which the dyad points to opposite sides, at a transmission angle of 1.7e-8 rad or more.
 static void test_a_dyad_that_turns_freely_is_a_continuum(void **unused)
 {
     (void)unused;
@@ -220,9 +222,9 @@ static void test_a_dyad_that_turns_freely_is_a_continuum(void **unused)
     }
 }
 
-// Five bodies joined by pins and pin-slots at whole coordinates, one equation of which repeats others at the start. With its input
-// held it has one pose, as Gauss and Newton's method from 100 random starts on the coordinates of all bodies finds (a
-// program of its own, on another formulation).
+// Five bodies joined by pins and pin-slots at whole coordinates, one equation of which repeats others at the start.
+// With its input held it has one pose, as Gauss and Newton's method from 100 random starts on the coordinates of all
+// bodies finds (a program of its own, on another formulation).
 static void test_groups_that_repeat_equations_are_excluded(void **unused)
 {
     (void)unused;

@@ -59,7 +59,8 @@ typedef struct Published {
     size_t count;
 } Published;
 
-// The triad, the three trusses of seven links, and Watt-Baranov trusses of nine, eleven and thirteen: 2^(loops + 1) - 2.
+// The triad, the three trusses of seven links, and Watt-Baranov trusses of nine, eleven and thirteen: 2^(loops + 1) -
+// 2.
 // Sources: Rojas & Thomas 2012 (closed-form position analysis of Watt-Baranov trusses); Wampler 2001.
 static const Published published[] = {{"abc ad be cf def", 6},
                                       {"cef egh agi bdh ab cd fi", 14},
@@ -136,8 +137,8 @@ static void test_monodromy_finds_as_many_as_are_counted(void **unused)
     }
 }
 
-// Groups of up to four loops with slides and slots: monodromy, which is not told how many there are, finds as many as the cones
-// count.
+// Groups of up to four loops with slides and slots: monodromy, which is not told how many there are, finds as many as
+// the cones count.
 static void test_groups_with_slides_have_as_many_as_monodromy_finds(void **unused)
 {
     (void)unused;

@@ -1,5 +1,5 @@
-// Groups with several gears, with a rack, with a law: what exclusion finds is what Newton's method finds from a great many starts in
-// fewer unknowns, and what a fine walk finds by closed form.
+// Groups with several gears, with a rack, with a law: what exclusion finds is what Newton's method finds from a great
+// many starts in fewer unknowns, and what a fine walk finds by closed form.
 #include <yoke/configurations.h>
 #include "configurations/exclude.h"
 #include "solve/machine.h"
@@ -7,8 +7,8 @@
 
 enum { FOUND_MAX = 200, STEPS = 20000 };
 
-// --- two gears in a loop: a six-bar chain of a driven link a and b, c, d, e, with wheels of equal size on b and d, which c
-// holds, and on c and e, which d holds
+// --- two gears in a loop: a six-bar chain of a driven link a and b, c, d, e, with wheels of equal size on b and d,
+// which c holds, and on c and e, which d holds
 
 typedef struct Double {
     double length[5], angle[5];
@@ -38,8 +38,8 @@ static Machine double_machine(const Double *c)
     return machine_parse_with(text, NULL, 0);
 }
 
-// Returns by how much the loop misses at the angles of c and d. The first pair gives b = 2 c - d + constant, and the second
-// (c - d) + 2 (e - d) = constant, up to a whole turn: e = (3 d - c) / 2 + constant, or half a turn more.
+// Returns by how much the loop misses at the angles of c and d. The first pair gives b = 2 c - d + constant, and the
+// second (c - d) + 2 (e - d) = constant, up to a whole turn: e = (3 d - c) / 2 + constant, or half a turn more.
 static YkVec double_miss(const Double *f, double c, double d, int half, double angle[5])
 {
     double dc = c - f->angle[2], dd = d - f->angle[3];
@@ -133,8 +133,9 @@ static void test_all_poses_of_two_gears_in_a_loop_are_found(void **unused)
     assert_true(most >= 6);
 }
 
-// A belt and a gear between b and d, both on c, hold the three together: what is left is a dyad of them and e. The sum and
-// the difference of two angles are never one odd and one even number of turns, so that half a turn of c is no solution.
+// A belt and a gear between b and d, both on c, hold the three together: what is left is a dyad of them and e. The sum
+// and the difference of two angles are never one odd and one even number of turns, so that half a turn of c is no
+// solution.
 static void test_a_belt_and_a_gear_hold_three_links(void **unused)
 {
     (void)unused;
@@ -162,8 +163,8 @@ static void test_a_belt_and_a_gear_hold_three_links(void **unused)
     machine_free(&m);
 }
 
-// --- a rack in two loops: a driven link to B, a link b with B, C and E, a bar from C to a block on a line of the ground, a
-// bar from E to the rim of a wheel on the ground, and a rack on the block that the wheel turns
+// --- a rack in two loops: a driven link to B, a link b with B, C and E, a bar from C to a block on a line of the
+// ground, a bar from E to the rim of a wheel on the ground, and a rack on the block that the wheel turns
 
 typedef struct Rack {
     double crank, turn, cx, cy, ex, ey, bar, bars, rim, radius; // b has C and E at these places from B
@@ -211,9 +212,9 @@ static size_t meets_between(double from, double to) // a whole turn of the wheel
     return cos(from) > 0 && cos(to) > 0 && (sin(from) > 0) != (sin(to) > 0);
 }
 
-// Returns in *rolled by how much the rack is off the wheel, in turns of the wheel, where b has an angle, on branches of the
-// block and of the wheel. sign: which way the rack moves when the wheel turns. Returns 0, or the bit of
-// the branch whose loop does not close.
+// Returns in *rolled by how much the rack is off the wheel, in turns of the wheel, where b has an angle, on branches of
+// the block and of the wheel. sign: which way the rack moves when the wheel turns. Returns 0, or the bit of the branch
+// whose loop does not close.
 static int rolled_at(const Rack *r, double height, double b, int branches, int sign, double *rolled)
 {
     YkVec turn = yk_unit(b);
@@ -330,15 +331,15 @@ static void test_all_poses_of_a_rack_in_loops_are_found(void **unused)
     assert_true(most >= 6);
 }
 
-// --- a slide that turns with a wheel: a driven link a, b on its tip, a wheel c on b that rolls on one of a, and a guide on
-// the ground in which a line of c slides
+// --- a slide that turns with a wheel: a driven link a, b on its tip, a wheel c on b that rolls on one of a, and a
+// guide on the ground in which a line of c slides
 
 typedef struct Guide {
     double crank, turn, link, b, c, along, off, s; // own pose: b, c, s; the line of c stands off by this
 } Guide;
 
-// Returns from where the line of c starts, and its direction, where b has an angle. Wheels of equal size: c turns twice as
-// far as b.
+// Returns from where the line of c starts, and its direction, where b has an angle. Wheels of equal size: c turns twice
+// as far as b.
 static YkVec line_at(const Guide *g, double b, YkVec *way)
 {
     YkVec c = yk_unit(g->c + 2 * (b - g->b));
@@ -380,8 +381,8 @@ static Machine guide_machine(const Guide *g, bool has_law)
     return machine_parse_with(text, NULL, 0);
 }
 
-// Returns what vanishes where the guide is met: with the gear, how far it is from the line; with the law, by how much its
-// distance from the pin of c is off.
+// Returns what vanishes where the guide is met: with the gear, how far it is from the line; with the law, by how much
+// its distance from the pin of c is off.
 static double guide_miss(const Guide *g, double b, bool has_law)
 {
     YkVec way, E = guide_of(g), from = line_at(g, b, &way);

@@ -90,6 +90,82 @@ static void a_four_bar_gets_the_counterweights_of_berkof_and_lowen(void **state)
     close_machine(&m);
 }
 
+// A machine that is turned as a whole is shaken as before, and needs the same counterweights in the axes of its bodies.
+static void a_machine_that_is_turned_needs_the_same_counterweights(void **state)
+{
+    (void)state;
+    YkBalancing *upright = NULL;
+    for (int k = 0; k < 5; k++) {
+        char text[1000];
+        double a = 0.5 * YK_PI * k - (k == 4 ? 1 : 0);
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {A0: [0, 0], B0: [5.5*cos(%.17g), 5.5*sin(%.17g)]}}\n"
+                 "  crank: {points: {A0: [0, 0], A: [2, 0]}}\n"
+                 "  rod: {points: {A: [0, 0], B: [6, 0]}, mass: 0.02, center: [3, 1], inertia: 0.01}\n"
+                 "  rocker: {points: {B0: [0, 0], B: [3, 0]}}\n"
+                 "joints:\n  A0: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, rod], angle: phi}\n"
+                 "  B0: {pin: [ground, rocker], angle: psi}\n  B: {pin: [rod, rocker]}\n"
+                 "drives: {theta: %.17g + 2 rad/s * t}\nstart: {phi: 0.8, psi: %.17g}\n",
+                 a, a, a, a + 2);
+        Machine m = open_text(text);
+        YkBalancing *b = yk_balancing_new(m.state, NULL, NULL);
+        assert_non_null(b);
+        if (k == 0) upright = b;
+        assert_true(yk_balancing_is_full(b));
+        assert_int_equal(yk_balancing_count(b), 2);
+        for (size_t i = 0; i < 2; i++) {
+            YkCounterweight w = yk_balancing_at(b, i), due = yk_balancing_at(upright, i);
+            assert_int_equal(w.body, due.body);
+            CHECK_NEAR(w.product, due.product, 1e-14);
+            CHECK_NEAR(w.angle, due.angle, 1e-12);
+        }
+        YkShakingPeaks peaks = yk_balancing_before(b), due = yk_balancing_before(upright);
+        CHECK_NEAR(peaks.force, due.force, 1e-10 * due.force);
+        CHECK_NEAR(peaks.moment, due.moment, 1e-10 * due.moment);
+        CHECK_NEAR(peaks.torque, due.torque, 1e-10 * due.torque);
+        CHECK_NEAR(yk_balancing_flywheel(b), yk_balancing_flywheel(upright), 1e-9 * yk_balancing_flywheel(upright));
+        for (size_t n = 1; n <= YK_SHAKING_ORDERS; n++) {
+            YkShakingOrder order = yk_balancing_order(b, n, false), was = yk_balancing_order(upright, n, false);
+            CHECK_NEAR(order.with, was.with, 1e-12);
+            CHECK_NEAR(order.against, was.against, 1e-12);
+            CHECK_NEAR(sin(order.direction - was.direction - a), 0, 1e-8);
+        }
+        if (k > 0) yk_balancing_free(b);
+        close_machine(&m);
+    }
+    yk_balancing_free(upright);
+}
+
+// Lanchester's balancer: the yoke of a crank moves as the sum of two vectors that turn against each other, so a weight
+// on the crank and one on a wheel that turns against it take half of it each, whatever the direction of the yoke.
+static void wheels_against_each_other_balance_a_scotch_yoke(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        char text[1200];
+        double way = 45 * k * YK_PI / 180, across = way + YK_PI / 2;
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O: [0, 0], P: [0.2, 0]}}\n  crank: {points: {O: [0, 0], A: [0.05, 0]}}\n"
+                 "  yoke: {points: {S: [0, 0]}, mass: 3}\n  wheel: {points: {P: [0, 0]}}\n"
+                 "joints:\n  O: {pin: [ground, crank], angle: theta}\n  P: {pin: [ground, wheel], angle: phi}\n"
+                 "  R: {slide: [ground, yoke], along: %.17g rad, distance: x}\n"
+                 "  A: {pin-slot: [yoke, crank], at: A, from: S, along: %.17g rad}\n"
+                 "gears: {g: {mesh: [crank, wheel], teeth: [40, 40], module: 5 mm}}\n"
+                 "drives: {theta: 0.5 + 8 rad/s * t}\nstart: {x: %.17g}\n",
+                 way, across, 0.05 * cos(0.5 - way));
+        Machine m = open_text(text);
+        YkBalancing *b = yk_balancing_new(m.state, NULL, NULL);
+        assert_non_null(b);
+        CHECK_NEAR(yk_balancing_before(b).force, 3 * 0.05 * 64, 1e-9);
+        assert_true(yk_balancing_is_full(b));
+        assert_int_equal(yk_balancing_count(b), 2);
+        for (size_t i = 0; i < 2; i++) CHECK_NEAR(yk_balancing_at(b, i).product, 3 * 0.05 / 2, 1e-12);
+        CHECK_NEAR(yk_balancing_after(b).force, 0, 1e-9);
+        yk_balancing_free(b);
+        close_machine(&m);
+    }
+}
+
 static char *read_file(const char *path)
 {
     FILE *file = fopen(path, "rb");
@@ -115,8 +191,8 @@ static void a_six_bar_is_balanced_with_counterweights_on_three_bodies_or_more(vo
     free(text);
 }
 
-// Of the piston's acceleration the part that turns with the crank is that of a very long rod: a counterweight on the crank
-// makes the mean square of the force least where it balances half of the piston.
+// Of the piston's acceleration the part that turns with the crank is that of a very long rod: a counterweight on the
+// crank makes the mean square of the force least where it balances half of the piston.
 static void a_crank_alone_balances_half_of_the_piston(void **state)
 {
     (void)state;
@@ -137,8 +213,8 @@ static void a_crank_alone_balances_half_of_the_piston(void **state)
     close_machine(&m);
 }
 
-// The mean squares of force, moment and effort of a four-bar with point masses at (x, y) and (u, v) of crank and rocker, as
-// the engine has them.
+// The mean squares of force, moment and effort of a four-bar with point masses at (x, y) and (u, v) of crank and
+// rocker, as the engine has them.
 static void mean_squares(const double p[4], double radius[2], double mean[3])
 {
     char text[2000];
@@ -247,8 +323,8 @@ static void a_slider_crank_is_balanced_by_its_rod_and_its_crank(void **state)
     close_machine(&m);
 }
 
-// Khurmi & Gupta 16.13: T = 5000 + 1500 sin(3 theta) N m at 300 rpm swings the energy by 2 * 1500/3 = 1000 J. The extremes lie
-// between the poses.
+// Khurmi & Gupta 16.13: T = 5000 + 1500 sin(3 theta) N m at 300 rpm swings the energy by 2 * 1500/3 = 1000 J. The
+// extremes lie between the poses.
 static void a_flywheel_for_a_given_torque_has_six_digits(void **state)
 {
     (void)state;
@@ -290,8 +366,9 @@ static void a_flywheel_takes_up_the_torques_energy(void **state)
     close_machine(&m);
 }
 
-// In line, all mass in the piston: m r w^2 (cos a + A2 cos 2a - ...) with A2 = L + L^3/4 + 15 L^5/128 + 35 L^7/512 + ... of the
-// ratio L = r/l; each order turns half with the crank, half against it. A counterweight on the crank takes away the first half.
+// In line, all mass in the piston: m r w^2 (cos a + A2 cos 2a - ...) with A2 = L + L^3/4 + 15 L^5/128 + 35 L^7/512 +
+// ... of the ratio L = r/l; each order turns half with the crank, half against it. A counterweight on the crank takes
+// away the first half.
 static void a_slider_cranks_orders_are_told_apart(void **state)
 {
     (void)state;
@@ -341,8 +418,8 @@ static double swing_of(const double *torque, size_t count, double step)
     return high - low;
 }
 
-// A punch that resists with 3 kN m for a sixth of a turn, as the examples of textbooks have it: a constant motor gives its mean
-// all the time, so that the wheel gives back 5/6 of the work, which its own edges round off.
+// A punch that resists with 3 kN m for a sixth of a turn, as the examples of textbooks have it: a constant motor gives
+// its mean all the time, so that the wheel gives back 5/6 of the work, which its own edges round off.
 static void a_punch_presss_flywheel_gives_back_five_sixths_of_the_work(void **state)
 {
     (void)state;
@@ -510,6 +587,8 @@ int main(void)
         cmocka_unit_test(a_crank_alone_balances_half_of_the_piston),
         cmocka_unit_test(a_compromise_is_the_least_in_its_neighbourhood),
         cmocka_unit_test(a_four_bar_gets_the_counterweights_of_berkof_and_lowen),
+        cmocka_unit_test(a_machine_that_is_turned_needs_the_same_counterweights),
+        cmocka_unit_test(wheels_against_each_other_balance_a_scotch_yoke),
         cmocka_unit_test(a_six_bar_is_balanced_with_counterweights_on_three_bodies_or_more),
         cmocka_unit_test(a_slider_crank_is_balanced_by_its_rod_and_its_crank),
         cmocka_unit_test(a_flywheel_takes_up_the_torques_energy),

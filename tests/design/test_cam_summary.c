@@ -95,6 +95,35 @@ static void undercut_lies_between_its_cusps(void **state)
     cam_free(&cam);
 }
 
+// On the same pitch curve a roller is undercut where its radius exceeds the curve's, however little and briefly: twice
+// on a lift that falls as it rises.
+static void a_roller_a_little_larger_than_the_pitch_curve_is_undercut(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "laws: {lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 150 "
+        "deg}}, "
+        "{fall: {to: 270 deg, by: 20 mm, law: cycloidal}}, {dwell: {to: 360 deg}}]}}\n"
+        "cams: {c: {cam: shaft, follower: tappet, law: lift, base: %.17g, roller: %.17g}}\n" SLIDE;
+    double sharpest = 0.005, prime = 0.049; // a roller's radius to begin with; the pitch curve's least
+    for (int k = -1; k < 10; k++) {
+        char own[1000];
+        double roller = k < 0 ? sharpest : sharpest * (1 + (k % 2 ? 1 : -1) * pow(10, -2 - k));
+        snprintf(own, sizeof own, text, prime - roller, roller);
+        Cam cam = cam_load(own);
+        YkCamSummary s = yk_cam_summary(cam.design);
+        if (k < 0) sharpest = s.pitch_convex.value;
+        assert_int_equal(s.undercut_count, k > 0 && k % 2 ? 2 : 0);
+        for (size_t i = 0; i < s.undercut_count; i++) {
+            double from = s.undercut[i].from, to = s.undercut[i].to;
+            assert_true(yk_cam_at(cam.design, from + 0.5 * (to - from)).fullness < 0);
+            assert_true(yk_cam_at(cam.design, from - 0.1 * (to - from)).fullness > 0);
+            assert_true(yk_cam_at(cam.design, to + 0.1 * (to - from)).fullness > 0);
+        }
+        cam_free(&cam);
+    }
+}
+
 static void a_groove_may_be_undercut_outside(void **state)
 {
     (void)state;
@@ -179,6 +208,7 @@ int main(void)
         cmocka_unit_test(extremes_are_those_of_a_fine_scan),
         cmocka_unit_test(undercut_lies_between_its_cusps),
         cmocka_unit_test(a_groove_may_be_undercut_outside),
+        cmocka_unit_test(a_roller_a_little_larger_than_the_pitch_curve_is_undercut),
         cmocka_unit_test(the_smallest_base_for_a_pressure_angle_has_a_closed_form),
         cmocka_unit_test(the_smallest_base_keeps_limits_that_a_smaller_one_breaks),
         cmocka_unit_test(limits_that_no_base_keeps_are_told),

@@ -9,8 +9,8 @@ static YkVec on(const YkCentrodes *c, size_t index, size_t side)
     return yk_vec(p.on[side][0], p.on[side][1]);
 }
 
-// A bar of length 0.3 whose ends slide along two axes: its centre runs on a circle of radius 0.3 about their crossing, and
-// in the bar on a circle of this diameter about its middle.
+// A bar of length 0.3 whose ends slide along two axes: its centre runs on a circle of radius 0.3 about their crossing,
+// and in the bar on a circle of this diameter about its middle.
 static void a_trammel_has_cardans_circles(void **state)
 {
     (void)state;

@@ -50,8 +50,8 @@ static YkVec expected(const Loaded *m, const YkForceVector *v)
     return yk_scale(sign, yk_vec(r.force[0], r.force[1]));
 }
 
-// A body's vectors follow head to tail and end where they begin; their moments about its centre of mass vanish, and about
-// any other point as well. Returns where the next body begins.
+// A body's vectors follow head to tail and end where they begin; their moments about its centre of mass vanish, and
+// about any other point as well. Returns where the next body begins.
 static size_t check_body(const Loaded *m, size_t first, double size)
 {
     YkForceVector head = yk_force_polygons_vector(m->polygons, first);
@@ -81,6 +81,24 @@ static size_t check_body(const Loaded *m, size_t first, double size)
     return k;
 }
 
+// Newton's third law: what one body does to another, that one does to it, with the opposite sign.
+static void check_counterpart(const Loaded *m, const YkForceVector *v, double size)
+{
+    size_t found = 0;
+    if (v->by == YK_NOT_FOUND || v->by == 0 || m->machine.model->bodies[v->body].copies > 1) return;
+    assert_true(v->by != v->body);
+    for (size_t i = 0; i < yk_force_polygons_vector_count(m->polygons); i++) {
+        YkForceVector u = yk_force_polygons_vector(m->polygons, i);
+        if (u.body != v->by || u.by != v->body || u.part != v->part || strcmp(u.name, v->name) != 0) continue;
+        CHECK_NEAR(u.value[0], -v->value[0], 1e-12 * size);
+        CHECK_NEAR(u.value[1], -v->value[1], 1e-12 * size);
+        found++;
+    }
+    if (found != 1 && m->machine.model->bodies[v->by].copies <= 1)
+        print_error("%s on %s: %zu counterparts\n", v->name, yk_model_body_name(m->machine.model, v->body), found);
+    assert_true(found == 1 || m->machine.model->bodies[v->by].copies > 1);
+}
+
 // Checks the polygons of all bodies and returns how many vectors there are.
 static size_t check_all(const Loaded *m)
 {
@@ -91,6 +109,10 @@ static size_t check_all(const Loaded *m)
         size = fmax(size, yk_hypot(v.value[0], v.value[1]));
     }
     for (size_t i = 0; i < count; bodies++) i = check_body(m, i, size);
+    for (size_t i = 0; i < count; i++) {
+        YkForceVector v = yk_force_polygons_vector(m->polygons, i);
+        check_counterpart(m, &v, size);
+    }
     assert_int_equal(bodies, yk_force_polygons_step_count(m->polygons));
     assert_non_null(yk_force_polygons_svg(m->polygons));
     return count;

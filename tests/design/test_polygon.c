@@ -115,7 +115,8 @@ static void a_slider_crank_by_hand(void **state)
     assert_null(yk_polygon_step(p, 2));
     yk_polygon_free(p);
     p = yk_polygon_new(m.state, YK_POLYGON_ACCELERATION, NULL);
-    // a = 12 downwards; the rod has no rate, so that b = 12 * 3/4 to the left or right closes the polygon: to the right.
+    // a = 12 downwards; the rod has no rate, so that b = 12 * 3/4 to the left or right closes the polygon: to the
+    // right.
     CHECK_NEAR(image(p, "a").value[1], -12, 1e-12);
     CHECK_NEAR(image(p, "b").value[0], 9, 1e-12);
     yk_polygon_free(p);

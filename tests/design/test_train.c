@@ -414,6 +414,32 @@ static void planets_are_spaced_equally_only_where_teeth_fit(void **state)
     }
 }
 
+// At 20 deg a rack undercuts fewer than 17 teeth: 17.1, of which 17 are made in practice. No rack cuts a ring.
+static void small_gears_that_a_rack_cuts_are_undercut(void **state)
+{
+    (void)state;
+    const struct {
+        int teeth[2];
+        bool is_internal;
+        size_t remarks;
+    } cases[] = {
+        {{16, 17}, false, 1}, {{17, 16}, false, 1}, {{17, 18}, false, 0}, {{9, 10}, false, 2}, {{9, 16}, true, 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[600];
+        size_t remarks = 0;
+        snprintf(text, sizeof text,
+                 "bodies: {ground: {points: {B: [1, 0]}}, a: {}, b: {}}\n"
+                 "joints: {A: {pin: [ground, a]}, B: {pin: [ground, b]}}\n"
+                 "gears: {g: {mesh: [a, b], teeth: [%d, %d], internal: %s}}\n",
+                 cases[i].teeth[0], cases[i].teeth[1], cases[i].is_internal ? "true" : "false");
+        Train t = train_of(text, NULL);
+        for (size_t k = 0; k < yk_train_remark_count(t.train); k++)
+            remarks += strstr(yk_train_remark(t.train, k).text, "undercut") != NULL;
+        assert_int_equal(remarks, cases[i].remarks);
+        train_done(&t);
+    }
+}
+
 // Losses: power in = power out + loss, and a single pair of gears on the ground loses exactly its share.
 static void losses_take_their_share_of_the_power(void **state)
 {
@@ -485,6 +511,7 @@ int main(void)
         cmocka_unit_test(questions_that_make_no_sense_are_refused),
         cmocka_unit_test(the_tabular_method_gives_the_same_speeds),
         cmocka_unit_test(planets_are_spaced_equally_only_where_teeth_fit),
+        cmocka_unit_test(small_gears_that_a_rack_cuts_are_undercut),
         cmocka_unit_test(losses_take_their_share_of_the_power),
         cmocka_unit_test(power_that_circulates_is_named),
     };

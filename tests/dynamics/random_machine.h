@@ -113,8 +113,8 @@ static inline void random_joint(RandomMachine *m, int a, int b, bool slides, boo
     RANDOM_ADD(m->joint_text, "}\n");
 }
 
-// The same at a place that is drawn. What is drawn is kept in variables before it is passed on, here and below, since the
-// order in which arguments are evaluated is the compiler's choice.
+// The same at a place that is drawn. What is drawn is kept in variables before it is passed on, here and below, since
+// the order in which arguments are evaluated is the compiler's choice.
 static inline void random_joint_anywhere(RandomMachine *m, int a, int b, bool slides, bool named)
 {
     double y = random_draw(m, -2, 2), x = random_draw(m, -2, 2);

@@ -11,8 +11,8 @@ static YkEquationCount count_of(const char *text)
     return c;
 }
 
-// A rod on a crank slides through a block that swings about its centre: crank, rod, wheel; and the block where something
-// turns it.
+// A rod on a crank slides through a block that swings about its centre: crank, rod, wheel; and the block where
+// something turns it.
 #define SWINGING(BLOCK, PIN, MORE)                                                                                     \
     "bodies:\n  ground: {points: {C: [0, 0], O: [0.5, 0], W: [0.8, 0]}}\n"                                             \
     "  crank: {points: {C: [0, 0], A: [0.1, 0]}, mass: 1}\n  rod: {points: {A: [0, 0]}, mass: 2}\n"                    \

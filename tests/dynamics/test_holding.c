@@ -306,8 +306,8 @@ static void a_drive_holds_what_sticks_elsewhere(void **unused)
     }
 }
 
-// One input of a five-bar is driven, the other slips off: all joints slide but the drive's own pin, whose friction alone
-// is open. Either input is the driven one.
+// One input of a five-bar is driven, the other slips off: all joints slide but the drive's own pin, whose friction
+// alone is open. Either input is the driven one.
 static void a_drive_holds_while_the_rest_slips(void **unused)
 {
     (void)unused;
@@ -372,8 +372,8 @@ static void what_slides_elsewhere_closes_no_range(void **unused)
         }
 }
 
-// A press that moves, beside a block that stands: its frictions and accelerations are those of the press by itself, found
-// in another way.
+// A press that moves, beside a block that stands: its frictions and accelerations are those of the press by itself,
+// found in another way.
 static void what_stands_elsewhere_changes_nothing(void **unused)
 {
     (void)unused;
@@ -420,8 +420,8 @@ static void what_stands_elsewhere_changes_nothing(void **unused)
     rig_free(&rig[1]);
 }
 
-// A plate that a parallelogram carries and guides keep from turning: its pin stands in every pose, but for rounding, while
-// all else moves. Its friction costs no effort; what rods and guides bear is open.
+// A plate that a parallelogram carries and guides keep from turning: its pin stands in every pose, but for rounding,
+// while all else moves. Its friction costs no effort; what rods and guides bear is open.
 static void a_joint_may_stand_while_all_else_moves(void **unused)
 {
     (void)unused;

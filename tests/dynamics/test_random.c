@@ -137,11 +137,13 @@ static void mass_matrices_are_symmetric_and_positive(void **unused)
         size_t n = rig.mech->input_count, free[MOST], f = 0;
         for (size_t i = 0; i < n && f < MOST; i++)
             if (!yk_dynamics_is_prescribed(d, i)) free[f++] = i;
+        for (size_t i = 0; i < f; i++) yk_dynamics_set_effort(d, (size_t)rig.mech->inputs[free[i]], 0); // not its own
         bool ok = f > 0 && yk_dynamics_accelerate(d, rig.state, base) == YK_OK;
         for (size_t i = 0; i < f && ok; i++) {
-            d->pushed = (int32_t)free[i];
-            d->push = 1;
+            size_t coordinate = (size_t)rig.mech->inputs[free[i]];
+            yk_dynamics_set_effort(d, coordinate, 1);
             assert_int_equal(yk_dynamics_accelerate(d, rig.state, a[i]), YK_OK);
+            yk_dynamics_set_effort(d, coordinate, 0);
             double rounding = 1e-12 / rig.state->space.margin[0];
             for (size_t j = 0; j < i; j++)
                 CHECK_NEAR(a[i][free[j]] - base[free[j]], a[j][free[i]] - base[free[i]],

@@ -16,7 +16,7 @@ static inline double graph_function(YkFunction function, double a, double b)
     return of[function];
 }
 
-// NaN of operations that no derivative has.
+// NaN of witnesses and results of calls.
 static inline double graph_operate(const YkValue *v, double a, double b, double c)
 {
     switch (v->op) {
@@ -44,6 +44,18 @@ static inline double graph_operate(const YkValue *v, double a, double b, double 
         return fabs(a);
     case YK_VALUE_CHOOSE:
         return a < 0 ? b : c;
+    case YK_VALUE_ROOT:
+        return sqrt(fmax(a, 0));
+    case YK_VALUE_PER_ROOT:
+        return 1 / sqrt(fmax(a, 1e-36));
+    case YK_VALUE_LEAST:
+        return fmin(a, b);
+    case YK_VALUE_LARGEST:
+        return fmax(a, b);
+    case YK_VALUE_ANGLE:
+        return atan2(a, b);
+    case YK_VALUE_NEAREST:
+        return a + 2 * 3.141592653589793 * rint((b - a) / (2 * 3.141592653589793));
     case YK_VALUE_FUNCTION:
         return graph_function(v->function, a, b);
     default:

@@ -4,11 +4,20 @@
 
 enum { LEAVES = 15 };
 
+// The only law of these graphs: x^3 - x.
+static void cubic(const void *context, int32_t law, double x, double result[3])
+{
+    (void)context, (void)law;
+    result[0] = x * x * x - x;
+    result[1] = 3 * x * x - 1;
+    result[2] = 6 * x;
+}
+
 // Computes the roots at the leaves' values.
 static void compute(const YkGraph *g, const YkRef *leaves, size_t count, const double *at, const YkRef *roots,
                     size_t root_count, double *value)
 {
-    YkTape *tape = yk_tape_new(g, leaves, count, roots, root_count, 1, (YkTapeLaws){NULL, NULL});
+    YkTape *tape = yk_tape_new(g, leaves, count, roots, root_count, 1, (YkTapeLaws){NULL, cubic});
     double *out[2 * LEAVES];
     assert_non_null(tape);
     for (size_t k = 0; k < count; k++) yk_tape_set(tape, k, at[k]);
@@ -116,6 +125,41 @@ static void solved_equations_hand_their_shares_on(void **state)
     yk_arena_free(arena);
 }
 
+// Laws hand on their next derivative, of which there are two: x (y^3 - y) + (3 (x + y)^2 - 1) y, in closed form.
+static void laws_hand_their_slopes_on(void **state)
+{
+    (void)state;
+    YkGraph g = {0};
+    YkArena *arena;
+    YkRef leaves[2], roots[6];
+    uint64_t seed = 8;
+    start(&g, &arena, leaves, 2);
+    YkRef x = leaves[0], y = leaves[1], inner[2] = {y, yk_graph_add(&g, x, y)}, result[2][3];
+    for (int k = 0; k < 2; k++) {
+        YkCall call = {
+            .kind = YK_CALL_LAW, .arguments = &inner[k], .argument_count = 1, .result_count = 3, .name = "f"};
+        int32_t index = yk_graph_call(&g, call);
+        for (size_t i = 0; i < 3; i++) result[k][i] = yk_graph_result(&g, index, i);
+    }
+    YkRef sum = yk_graph_add(&g, yk_graph_multiply(&g, x, result[0][0]), yk_graph_multiply(&g, result[1][1], y));
+    assert_true(yk_graph_adjoint(&g, sum, leaves, 2, roots));
+    for (int k = 0; k < 2; k++) roots[2 + k] = yk_graph_derivative(&g, sum, leaves[k]);
+    roots[4] = sum;
+    for (int k = 0; k < 20; k++) {
+        double at[2] = {check_uniform(&seed, -2, 2), check_uniform(&seed, -2, 2)}, found[5];
+        double a = at[0], b = at[1], c = a + b;
+        compute(&g, leaves, 2, at, roots, 5, found);
+        CHECK_NEAR(found[4], a * (b * b * b - b) + (3 * c * c - 1) * b, 1e-13);
+        for (int way = 0; way < 4; way += 2) {
+            CHECK_NEAR(found[way], b * b * b - b + 6 * c * b, 1e-13);
+            CHECK_NEAR(found[way + 1], a * (3 * b * b - 1) + 6 * c * b + 3 * c * c - 1, 1e-13);
+        }
+    }
+    assert_false(yk_graph_adjoint(&g, result[0][2], leaves, 2, roots)); // there is no third
+    yk_graph_end(&g);
+    yk_arena_free(arena);
+}
+
 static void what_has_no_derivative_is_refused(void **state)
 {
     (void)state;
@@ -135,6 +179,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(backwards_and_forwards_agree),
         cmocka_unit_test(solved_equations_hand_their_shares_on),
+        cmocka_unit_test(laws_hand_their_slopes_on),
         cmocka_unit_test(what_has_no_derivative_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

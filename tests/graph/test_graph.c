@@ -106,7 +106,8 @@ static void numbers_alone_are_folded(void **state)
     }
 }
 
-// A power of a number is a product, a quotient or a root where that is the same, and stays a power elsewhere: of a leaf too.
+// A power of a number is a product, a quotient or a root where that is the same, and stays a power elsewhere: of a leaf
+// too.
 static void powers_are_powers(void **state)
 {
     Graph *t = *state;
@@ -125,7 +126,8 @@ static void powers_are_powers(void **state)
     CHECK_NEAR(value(t, yk_graph_power(g, t->x, t->y), 1.37, 2.2), pow(1.37, 2.2), 1e-14);
 }
 
-// Each operation counts once, however often it is used; signs, leaves and what depends on parameters alone cost nothing.
+// Each operation counts once, however often it is used; signs, leaves and what depends on parameters alone cost
+// nothing.
 static void operations_are_counted_once(void **state)
 {
     Graph *t = *state;
@@ -224,6 +226,14 @@ static void terms_are_joined(void **state)
     assert_true(yk_graph_is_number(g, parts[0], 20) || yk_graph_is_number(g, parts[1], 20));
     YkRef product = yk_graph_multiply(g, yk_graph_number(g, 10), yk_graph_add(g, t->x, t->y));
     assert_true(g->values[product].op == YK_VALUE_MULTIPLY);
+    // Multiplied out, these would take one operation more.
+    YkRef two = yk_graph_number(g, 2), ten = yk_graph_number(g, 10), area = yk_graph_multiply(g, t->x, t->y);
+    YkRef far[] = {yk_graph_add(g, area, two), yk_graph_add(g, t->x, two), yk_graph_subtract(g, two, area)};
+    for (size_t k = 0; k < 3; k++) {
+        YkRef whole = yk_graph_multiply(g, ten, far[k]);
+        assert_true(g->values[whole].op == YK_VALUE_MULTIPLY);
+        assert_int_equal(yk_graph_cost(g, &whole, 1), yk_graph_cost(g, &far[k], 1) + 1);
+    }
     // A force of 7 along a normal, from its part across: the length of the normal cancels.
     YkRef per = yk_graph_inverse(g, yk_graph_vec_length(g, other));
     YkRefVec normal = yk_graph_vec_scale(g, per, other);

@@ -160,6 +160,39 @@ static void test_roots_that_tell(void **unused)
     assert_true(bad > 300 && bad < 300 * LANES - 300);
 }
 
+// A root need not tell where another one is not finite whenever it is not: as a term, a factor, a numerator or the
+// operand of a sign, but not as a denominator, in a choice or in another function.
+static void test_which_roots_tell(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 43;
+    for (int kind = 0; kind < 12; kind++) {
+        start(&c, &seed);
+        YkGraph *g = &c.graph;
+        YkRef x = yk_graph_multiply(g, c.leaves[0], c.leaves[1]), y = c.leaves[2];
+        const YkRef readers[] = {yk_graph_add(g, x, y),
+                                 yk_graph_subtract(g, x, y),
+                                 yk_graph_subtract(g, y, x),
+                                 yk_graph_multiply(g, x, y),
+                                 yk_graph_divide(g, x, y),
+                                 yk_graph_unary(g, YK_VALUE_SIZE, x),
+                                 yk_graph_unary(g, YK_VALUE_SIZE, yk_graph_subtract(g, y, x)),
+                                 yk_graph_add(g, yk_graph_minus(g, yk_graph_divide(g, x, y)), c.leaves[3]),
+                                 yk_graph_divide(g, y, x),
+                                 yk_graph_choose(g, x, y, c.leaves[3]),
+                                 yk_graph_unary(g, YK_VALUE_ROOT, x),
+                                 yk_graph_function(g, YK_ATAN, x, YK_NONE)};
+        const YkRef roots[] = {x, readers[kind]};
+        YkTape *t = yk_tape_new(g, c.leaves, LEAVES + PARAMETERS, roots, 2, LANES, (YkTapeLaws){0});
+        assert_non_null(t);
+        assert_true(yk_tape_tells(t, 1));
+        assert_int_equal(yk_tape_tells(t, 0), kind >= 8);
+        yk_tape_free(t);
+        end(&c);
+    }
+}
+
 // Compares all lanes of the second root with the values of the graph, in lanes and alone.
 static void check_second_root(Case *c, YkTape *t)
 {
@@ -366,8 +399,8 @@ static YkRef product_either_way(YkGraph *g, YkRef a, YkRef b, bool is_turned)
     return is_turned ? yk_graph_multiply(g, b, a) : yk_graph_multiply(g, a, b);
 }
 
-// Both components of a turning vector's acceleration are one step, however they are written, and also where others read the
-// square of its rate; but only if they belong together.
+// Both components of a turning vector's acceleration are one step, however they are written, and also where others read
+// the square of its rate; but only if they belong together.
 static void test_turning_vectors(void **unused)
 {
     (void)unused;
@@ -445,6 +478,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_graphs),
         cmocka_unit_test(test_roots_that_tell),
+        cmocka_unit_test(test_which_roots_tell),
         cmocka_unit_test(test_joined_sums),
         cmocka_unit_test(test_terms_of_parameters),
         cmocka_unit_test(test_shared_products),

@@ -7,7 +7,8 @@
 
 enum { ALL_MAX = 64, RANDOM_TRIES = 12 };
 
-// A crank with a triad; with a triad on a dyad; a crank that drives a group of three loops. The crank is the second link.
+// A crank with a triad; with a triad on a dyad; a crank that drives a group of three loops. The crank is the second
+// link.
 static const char *const links[] = {"hbc ha ad be cf def", "hgbc ha aid ig dk be cf kef",
                                     "hbc ha ade bfg cij df gi je"};
 
@@ -195,8 +196,8 @@ static void test_large_steps_are_proved_or_refused(void **unused)
 
 // --- ways round a limit
 
-// Two cranks and the ground carry a triad. A move that goes round a limit is proved along the way that it found, however many it
-// has tried; ways with finer checks lead to the same pose.
+// Two cranks and the ground carry a triad. A move that goes round a limit is proved along the way that it found,
+// however many it has tried; ways with finer checks lead to the same pose.
 static void check_detour(uint64_t seed, size_t *detours, size_t *certified)
 {
     Truss truss = {.links = "hgc ha gb ad be cf def"};

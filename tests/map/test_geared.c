@@ -1,8 +1,10 @@
-// Maps of machines with gears and racks among their loops: at random inputs they have as many places as a fine walk finds by
-// closed form, and those that `solve --all` lists; events stand where the walk's count changes.
+// Maps of machines with gears and racks among their loops: at random inputs they have as many places as a fine walk
+// finds by closed form, and those that `solve --all` lists; events stand where the walk's count changes.
 #include <yoke/configurations.h>
 #include <yoke/map.h>
 #include "configurations/geared_chain.h"
+#include "map/map.h"
+#include "map/meshed.h"
 
 enum { PLACES_MAX = 128 };
 
@@ -76,8 +78,8 @@ static void test_geared_five_bars_have_the_places_of_a_walk(void **unused)
     assert_true(compared > 15 * cases && most >= 4);
 }
 
-// The limits of the example, which looks the same from both sides of the ground line, are found in pairs, and where its loop and
-// its mesh have dependent derivatives, from the file's lengths: a determinant of 3 by 3.
+// The limits of the example, which looks the same from both sides of the ground line, are found in pairs, and where its
+// loop and its mesh have dependent derivatives, from the file's lengths: a determinant of 3 by 3.
 static void test_limits_are_where_the_determinant_vanishes(void **unused)
 {
     (void)unused;
@@ -148,10 +150,67 @@ static void test_a_wheel_on_a_rocker_stands_in_every_phase_of_its_mesh(void **un
     machine_free(&turns);
 }
 
+// --- a rack in a group
+
+// A wheel on the end of a crank that a link holds, and a rack that a carrier leads past it and another link holds. No
+// relation tells the input, so all repeats after a turn of the crank.
+static void test_a_group_with_a_rack_repeats_after_a_turn(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(
+        "bodies:\n  ground: {points: {O: [0, 0], E: [3, 0], F: [2, 3]}}\n  crank: {points: {O: [0, 0], A: [0.4, 0]}}\n"
+        "  carrier: {points: {A: [0, 0]}}\n  wheel: {points: {A: [0, 0], W: [0.3, 0]}}\n"
+        "  bar: {points: {R: [0, 0]}}\n  l1: {points: {W: [0, 0], E: [2.8, 0]}}\n  l2: {points: {R: [0, 0], F: [2.5, "
+        "0]}}\n"
+        "joints:\n  O: {pin: [ground, crank], angle: u}\n  A: {pin: [crank, carrier], angle: c}\n"
+        "  B: {pin: [carrier, wheel], at: A, angle: w}\n  S: {slide: [carrier, bar], along: x, distance: s}\n"
+        "  W: {pin: [wheel, l1]}\n  E: {pin: [l1, ground]}\n  R: {pin: [bar, l2]}\n  F: {pin: [l2, ground]}\n"
+        "racks: {r: {pinion: wheel, rack: bar, radius: 0.5}}\ndrives: {u: 1}\nstart: {c: 60 deg, w: 20 deg, s: 1}\n",
+        true);
+    YkTracer t = {.is_angle = true, .scale = 1, .start = m.state};
+    double inputs[] = {1};
+    assert_true(yk_tracer_begin(&t, m.mech));
+    t.discs.mapped = t.over.mapped = 0;
+    t.discs.others = t.over.others = inputs;
+    bool is_read = yk_tracer_read(&t, m.problems), is_meshed = false;
+    if (!is_read) print_error("%s", yk_problems_text(m.problems, 0));
+    for (size_t k = 0; k < t.piece_count; k++)
+        is_meshed |= t.pieces[k].meshed && t.pieces[k].meshed->geared.relations > 0;
+    assert_true(is_read && is_meshed);
+    CHECK_NEAR(yk_tracer_period(&t), 2 * YK_PI, 1e-15);
+    yk_tracer_end(&t);
+    machine_free(&m);
+}
+
+// Where nothing has to be closed, the rows of a gear train are its poses at equal steps of the whole domain.
+static void test_rows_of_a_gear_train_are_equal_steps(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("planetary-gear");
+    YkMap *map = map_of(&m);
+    YkMapBranch branch = yk_map_branch(map, 0, 0);
+    YkRange domain = yk_map_domain(map);
+    size_t count = yk_coordinate_count(m.mech), input = yk_map_coordinate(map);
+    assert_int_equal(yk_map_circuit_count(map), 1);
+    assert_true(branch.rows > 20 && branch.is_closed);
+    double step = (domain.to - domain.from) / (double)(branch.rows - 1);
+    assert_true(step < 0.06);
+    for (size_t row = 1; row < branch.rows; row++)
+        for (size_t k = 0; k < count; k++) {
+            double by = yk_map_row(map, 0, 0, row)[k] - yk_map_row(map, 0, 0, row - 1)[k];
+            double first = yk_map_row(map, 0, 0, 1)[k] - yk_map_row(map, 0, 0, 0)[k];
+            CHECK_NEAR(by, first, 1e-11);
+            if (k == input) CHECK_NEAR(by, step, 1e-11);
+        }
+    yk_map_free(map);
+    machine_free(&m);
+}
+
 // --- a law of the input among a group's equations
 
-// A five-bar whose third angle follows a law of its crank. It closes as a four-bar does whose coupler is that long; there are
-// limits where the ends of crank and ground are as far apart as coupler and rocker together, or without each other.
+// A five-bar whose third angle follows a law of its crank. It closes as a four-bar does whose coupler is that long;
+// there are limits where the ends of crank and ground are as far apart as coupler and rocker together, or without each
+// other.
 static void test_a_law_of_the_input_counts_once(void **unused)
 {
     (void)unused;
@@ -190,6 +249,8 @@ static void test_a_law_of_the_input_counts_once(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_a_law_of_the_input_counts_once),
+                                       cmocka_unit_test(test_a_group_with_a_rack_repeats_after_a_turn),
+                                       cmocka_unit_test(test_rows_of_a_gear_train_are_equal_steps),
                                        cmocka_unit_test(test_geared_five_bars_have_the_places_of_a_walk),
                                        cmocka_unit_test(test_limits_are_where_the_determinant_vanishes),
                                        cmocka_unit_test(test_a_wheel_on_a_rocker_stands_in_every_phase_of_its_mesh)};

@@ -98,7 +98,7 @@ static void test_four_bars_are_as_grashof_says(void **unused)
 {
     (void)unused;
     uint64_t seed = 18;
-    for (uint64_t k = 0; k < check_cases(300); k++) check_four_bar(&seed);
+    for (uint64_t k = 0; k < check_cases(200); k++) check_four_bar(&seed);
 }
 
 static void test_a_rocker_turns_back_where_the_links_say(void **unused)
@@ -267,8 +267,8 @@ static void test_the_count_changes_at_limits_alone(void **unused)
     machine_free(&m);
 }
 
-// Random machines of two and three loops, the last of them with a triad; dimensions from one configuration, in which all
-// angles are 0.
+// Random machines of two and three loops, the last of them with a triad; dimensions from one configuration, in which
+// all angles are 0.
 static void check_machine(const char *links, uint64_t seed, size_t *found, size_t *incomplete)
 {
     Truss truss = {.links = links};
@@ -291,7 +291,7 @@ static void test_random_machines_agree_with_solve_all(void **unused)
     static const char *const links[] = {"abc ad be def fg cg", "ab ac cde bdf eg fg", "hbc ha ad be cf def",
                                         "abk ac cd bdef eg fgh hi ki"};
     size_t events = 0, incomplete = 0, tries = check_cases(RANDOM_TRIES);
-    if (tries > 4 && !getenv("YOKE_FULL")) tries = 4;
+    if (tries > 2 && !getenv("YOKE_FULL")) tries = 2;
     for (size_t k = 0; k < sizeof links / sizeof *links; k++)
         for (uint64_t seed = 1; seed <= tries; seed++) check_machine(links[k], seed, &events, &incomplete);
     assert_true(events > 2 * tries && incomplete <= 1);
@@ -477,8 +477,8 @@ static Machine cam_machine(double lift, double y, double rod)
     return machine_parse_with(text, NULL, 0);
 }
 
-// The crank's end is in line with the rod where the table is as high as the triangle of both says; all angles of the cam
-// at which it is are limits, and no others.
+// The crank's end is in line with the rod where the table is as high as the triangle of both says; all angles of the
+// cam at which it is are limits, and no others.
 static void test_a_cam_limits_what_it_moves(void **unused)
 {
     (void)unused;

@@ -56,8 +56,8 @@ static void check_same(const YkRegions *a, const YkRegions *b)
     }
 }
 
-// Computes tiles by two that have machines of their own, now and then another tile before the one wanted: neither sees them
-// in their order.
+// Computes tiles by two that have machines of their own, now and then another tile before the one wanted: neither sees
+// them in their order.
 typedef struct Crew {
     YkTiles *worker[2];
     uint64_t seed;

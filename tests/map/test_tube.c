@@ -1,4 +1,5 @@
-// Tubes: what they claim holds at places between, where the solution is found anew; and where no tube can be, none is made.
+// Tubes: what they claim holds at places between, where the solution is found anew; and where no tube can be, none is
+// made.
 #include "map/tube.h"
 #include <stdlib.h>
 #include "configurations/truss.h"
@@ -165,8 +166,8 @@ static void test_solutions_lie_in_their_tubes(void **unused)
 
 // --- a Jacobian that changes along the line
 
-// An arm of length 1 + t and a slide, (1 + t) (e^(i angle) - e^i) + d - 2 = 0: the solution stands, at angle 1 and d = 2, while
-// the Jacobian changes with t. At t = -1 every angle is a solution.
+// An arm of length 1 + t and a slide, (1 + t) (e^(i angle) - e^i) + d - 2 = 0: the solution stands, at angle 1 and d =
+// 2, while the Jacobian changes with t. At t = -1 every angle is a solution.
 static const YkPiece growing_arm = {.shape = {.loops = 1, .angles = 1, .unknowns = 2, .turning = {-1, -1}}};
 
 static bool make_growing(double half, YkTube *tube)
@@ -200,8 +201,8 @@ static void test_a_jacobian_that_vanishes_along_the_line_has_no_tube(void **unus
 
 // --- a slot that turns, in closed form
 
-// e^(i angle) (d + i b) = c, with c = rho e^(i phi) at the time t: a slot at the distance b from its pivot. Two solutions,
-// d = +s and -s with s^2 = rho^2 - b^2.
+// e^(i angle) (d + i b) = c, with c = rho e^(i phi) at the time t: a slot at the distance b from its pivot. Two
+// solutions, d = +s and -s with s^2 = rho^2 - b^2.
 static const YkPiece slot = {.shape = {.loops = 1, .angles = 1, .unknowns = 2, .turning = {-1, 0}}};
 
 typedef struct Slot {

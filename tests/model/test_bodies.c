@@ -115,7 +115,8 @@ static void an_inertia_of_the_wrong_unit_is_doubted(void **state)
     }
 }
 
-// A mistaken unit of a point is told once: its value is not taken for a length against which the inertia would look odd.
+// A mistaken unit of a point is told once: its value is not taken for a length against which the inertia would look
+// odd.
 static void an_error_is_not_followed_by_a_doubt(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-// What is refused of a cam of arcs, with its place and what does not fit, by how much; and that what just fits is accepted.
+// What is refused of a cam of arcs, with its place and what does not fit, by how much; and that what just fits is
+// accepted.
 #include "fixture.h"
 
 // `arcs:` stands on line 3 from column 57.
@@ -54,8 +55,8 @@ static void a_symmetrical_cam_needs_sizes_that_go_together(void **state)
     refused(CAM("{nose: 6, lift: 12, angle: 360}"), 0, "cam `c`: no flank joins this base circle and this nose");
 }
 
-// By a flank or by the angle that belongs to it, the law is the same: by cosines, (R - r)^2 = (R - b)^2 + d^2 + 2 (R - b) d
-// cos(angle/2), with b = 20, d = b + lift - r = 26.
+// By a flank or by the angle that belongs to it, the law is the same: by cosines, (R - r)^2 = (R - b)^2 + d^2 + 2 (R -
+// b) d cos(angle/2), with b = 20, d = b + lift - r = 26.
 static void angle_and_flank_say_the_same(void **state)
 {
     (void)state;

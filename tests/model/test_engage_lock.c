@@ -1,5 +1,5 @@
-// A lock that is engaged adds what it says and no more: a drive that stands still for each coordinate that it holds, one tie
-// for each pair of bodies whose turns have no name; and it says what it cannot hold.
+// A lock that is engaged adds what it says and no more: a drive that stands still for each coordinate that it holds,
+// one tie for each pair of bodies whose turns have no name; and it says what it cannot hold.
 #include "fixture.h"
 
 #define GEARS                                                                                                          \

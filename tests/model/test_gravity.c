@@ -63,7 +63,8 @@ static void gravity_with_a_unit_or_of_a_planet_is_taken_as_it_is(void **state)
     is_silent("parameters: {g: 9810 mm/s^2}\nunits: {length: cm}\ngravity: [0, -g]\n");
 }
 
-// What a bare number means is not known then: the mistake in `units:` is told, and nothing that may only follow from it.
+// What a bare number means is not known then: the mistake in `units:` is told, and nothing that may only follow from
+// it.
 static void bad_units_are_no_reason_to_doubt_gravity(void **state)
 {
     (void)state;

@@ -161,7 +161,8 @@ static void a_rack_on_the_other_side_of_its_pinion_is_refused(void **unused)
     }
 }
 
-// What follows no parameter is said with its place; a parameter that is not the file's, or follows another that varies, too.
+// What follows no parameter is said with its place; a parameter that is not the file's, or follows another that varies,
+// too.
 static void what_cannot_follow_is_said_where_it_stands(void **unused)
 {
     (void)unused;

@@ -1,4 +1,5 @@
-// Instant centres on a drawing: marks where they are, lines that meet there, and words for those that are not on the page.
+// Instant centres on a drawing: marks where they are, lines that meet there, and words for those that are not on the
+// page.
 #include "check.h"
 #include <math.h>
 #include <stdlib.h>

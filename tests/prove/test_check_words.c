@@ -177,7 +177,8 @@ static void slips_of_the_hand_are_named(void **state)
     machine_end(&m);
 }
 
-// Numbers in the file leave only poses to decide, to nine digits: where the false equation passes there, so would any slip.
+// Numbers in the file leave only poses to decide, to nine digits: where the false equation passes there, so would any
+// slip.
 static void no_slip_explains_what_only_exact_arithmetic_sees(void **state)
 {
     (void)state;

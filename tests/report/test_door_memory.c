@@ -1,4 +1,5 @@
-// Equilibria, sketches, drawings by hand and batches of forces whose allocations fail one after the other: refused, or complete.
+// Equilibria, sketches, drawings by hand and batches of forces whose allocations fail one after the other: refused, or
+// complete.
 #include <yoke/yoke.h>
 #include "../survive.h"
 #include "solve/machine.h"

@@ -1,4 +1,5 @@
-// The public door with an index past the last: each call answers as <yoke/yoke.h> says, and reads and writes nothing outside.
+// The public door with an index past the last: each call answers as <yoke/yoke.h> says, and reads and writes nothing
+// outside.
 #include <yoke/yoke.h>
 #include "../check.h"
 

@@ -1,5 +1,5 @@
-// All equilibria of random four-bars with a spring, also those close to a limit of the crank: on each circuit the potential energy
-// is a smooth function of one angle, and its extremes are counted from the law of cosines.
+// All equilibria of random four-bars with a spring, also those close to a limit of the crank: on each circuit the
+// potential energy is a smooth function of one angle, and its extremes are counted from the law of cosines.
 #include "check.h"
 #include <yoke/yoke.h>
 #include "free_bodies/inside.h"
@@ -11,7 +11,8 @@ typedef struct Bars {
     double gx, gy, stiffness, length;
 } Bars;
 
-// The crank's angles on a circuit are middle + half cos(u) with the branch's side that of sin(u), or, if it turns fully, u.
+// The crank's angles on a circuit are middle + half cos(u) with the branch's side that of sin(u), or, if it turns
+// fully, u.
 typedef struct Circuit {
     double middle, half, side; // side 0: both branches
 } Circuit;
@@ -167,8 +168,8 @@ static void all_equilibria_are_found(void **unused)
     }
 }
 
-// A pendulum without weight that a torque drives, zero at given angles and half a turn on from each: two, or three, are closer
-// together than the map's rows.
+// A pendulum without weight that a torque drives, zero at given angles and half a turn on from each: two, or three, are
+// closer together than the map's rows.
 static void equilibria_close_together_are_found(void **unused)
 {
     (void)unused;

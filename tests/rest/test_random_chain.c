@@ -1,5 +1,5 @@
-// Random hanging chains of one to four links with torsion springs and dampers: mass, stiffness and damping by Lagrange's
-// equations, written here in the links' own angles; modes and roots by what they have to fulfil.
+// Random hanging chains of one to four links with torsion springs and dampers: mass, stiffness and damping by
+// Lagrange's equations, written here in the links' own angles; modes and roots by what they have to fulfil.
 #include <complex.h>
 #include <stdlib.h>
 #include "check.h"

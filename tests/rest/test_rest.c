@@ -155,9 +155,9 @@ static void a_floating_plate_has_three_small_motions(void **unused)
     yk_model_free(model);
 }
 
-// An elbow of two links of 0.5, almost straight, that a block of mass m stretches along its line: d = cos q. A spring k holds
-// q at e, so that omega = sqrt(k/m)/sin e exactly. The limit d = 1 is nearer than the steps of differences would be, above
-// all in a machine that a far point makes large.
+// An elbow of two links of 0.5, almost straight, that a block of mass m stretches along its line: d = cos q. A spring k
+// holds q at e, so that omega = sqrt(k/m)/sin e exactly. The limit d = 1 is nearer than the steps of differences would
+// be, above all in a machine that a far point makes large.
 static void a_toggle_beside_its_limit_has_the_frequency_of_its_closed_form(void **unused)
 {
     (void)unused;
@@ -181,8 +181,8 @@ static void a_toggle_beside_its_limit_has_the_frequency_of_its_closed_form(void 
     }
 }
 
-// A four-bar's rocker drives a rack: the assemblies that are found may differ by whole turns of the mesh, and each keeps
-// its own while others are looked at.
+// A four-bar's rocker drives a rack: the assemblies that are found may differ by whole turns of the mesh, and each
+// keeps its own while others are looked at.
 static void every_equilibrium_keeps_its_mesh(void **unused)
 {
     (void)unused;

@@ -178,8 +178,9 @@ static void no_row_is_wrong_near_a_change_point(void **unused)
     assert_true(through > machines * 9 / 10);
 }
 
-// A drive alone moves the parallelogram, and rests or turns back exactly where it is flat: whatever is answered is on its
-// branch, or the run stops with a status. Where it turns back at once, it goes on. A copy made on the way does the same.
+// A drive alone moves the parallelogram, and rests or turns back exactly where it is flat: whatever is answered is on
+// its branch, or the run stops with a status. Where it turns back at once, it goes on. A copy made on the way does the
+// same.
 static void check_resting_drives(bool is_copied)
 {
     static const struct {
@@ -258,8 +259,9 @@ static Run slider_crank(const char *rod, double rate)
     return run_of_text(text, run_options(1e-10));
 }
 
-// With equal links the rod folds by twice the crank's angle, s = 0.6 m cos(th), through the pose at which the piston stands at the
-// crank's pivot. No coordinate is better than the crank's there; the relative angle only turns twice as fast.
+// With equal links the rod folds by twice the crank's angle, s = 0.6 m cos(th), through the pose at which the piston
+// stands at the crank's pivot. No coordinate is better than the crank's there; the relative angle only turns twice as
+// fast.
 static void equal_links_pass_their_change_points(void **unused)
 {
     (void)unused;
@@ -278,7 +280,8 @@ static void equal_links_pass_their_change_points(void **unused)
     }
 }
 
-// The kinetic and potential energy of that slider-crank, from its rates; in the file a point on the rod's axis moves with both ends.
+// The kinetic and potential energy of that slider-crank, from its rates; in the file a point on the rod's axis moves
+// with both ends.
 static double slider_crank_energy(Run *run, double rod)
 {
     double th = run_value(run, "th"), w = run_value(run, "th.rate"), v = run_value(run, "s.rate"), arm = 0.3;
@@ -289,9 +292,9 @@ static double slider_crank_energy(Run *run, double rod)
     return kinetic + turn * turn / 12 + 1.5 * v * v + 9.81 * (0.5 * arm * sin(th) + arm * sin(th));
 }
 
-// Links that differ a little do not reach the change point of equal ones: with the longer rod the piston stays on its side of the
-// crank's pivot for ever, and with the shorter one the crank on its side of the line across. The motion turns from one branch of
-// the equal links to the other within a hundredth of a radian or less.
+// Links that differ a little do not reach the change point of equal ones: with the longer rod the piston stays on its
+// side of the crank's pivot for ever, and with the shorter one the crank on its side of the line across. The motion
+// turns from one branch of the equal links to the other within a hundredth of a radian or less.
 static void almost_equal_links_keep_their_circuit(void **unused)
 {
     (void)unused;
@@ -310,8 +313,8 @@ static void almost_equal_links_keep_their_circuit(void **unused)
     }
 }
 
-// With links still less apart the pose by the change point is not known well enough to go on: that is said, and no row from there
-// on is given.
+// With links still less apart the pose by the change point is not known well enough to go on: that is said, and no row
+// from there on is given.
 static void a_motion_that_is_not_known_ends(void **unused)
 {
     (void)unused;

@@ -78,8 +78,8 @@ static void a_flight_follows_its_spring(void **unused)
     run_free(&run);
 }
 
-// The shaft turns freely, J = 2e-4 kg m^2: energy is conserved up to the lift-off, where the lift's acceleration is g, and
-// momentum in the impact.
+// The shaft turns freely, J = 2e-4 kg m^2: energy is conserved up to the lift-off, where the lift's acceleration is g,
+// and momentum in the impact.
 static const double J = 2e-4, E0 = 0.5 * 2e-4 * 60 * 60;
 
 static double rate_at(double angle) // in contact, of the shaft

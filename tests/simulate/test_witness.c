@@ -1,4 +1,5 @@
-// Certificates of simulations: what is proved is what small moves find, and planted jumps to other configurations are refuted.
+// Certificates of simulations: what is proved is what small moves find, and planted jumps to other configurations are
+// refuted.
 #include <yoke/certificate.h>
 #include <yoke/move.h>
 #include "configurations/truss.h"
@@ -8,7 +9,8 @@
 
 enum { RANDOM_TRIES = 12 };
 
-// A crank with a triad; with a triad on a dyad; a crank that drives a group of three loops. The crank is the second link.
+// A crank with a triad; with a triad on a dyad; a crank that drives a group of three loops. The crank is the second
+// link.
 static const char *const links[] = {"hbc ha ad be cf def", "hgbc ha aid ig dk be cf kef",
                                     "hbc ha ade bfg cij df gi je"};
 enum { KINDS = sizeof links / sizeof *links };
@@ -64,7 +66,8 @@ static double apart(const YkState *a, const YkState *b)
 
 // --- what is proved
 
-// Follows the crank through the rows by small moves, as long as the simulation keeps its coordinates and the crank goes one way.
+// Follows the crank through the rows by small moves, as long as the simulation keeps its coordinates and the crank goes
+// one way.
 typedef struct Shadow {
     YkState *state;
     const YkMechanism *mech;
@@ -304,8 +307,8 @@ static const char *const triad = "bodies:\n"
                                  "start: {theta6: 120 deg, theta6.rate: 1 rad/s, theta2: 120 deg, theta3: -90 deg,\n"
                                  "  theta4: 119 deg, theta5: -101 deg}\n";
 
-// The motion passes dead points of its first coordinate, where others become independent, bounces at a stop, and is certified all
-// along; the certifier has watched a move to the start before, and goes on after a reset.
+// The motion passes dead points of its first coordinate, where others become independent, bounces at a stop, and is
+// certified all along; the certifier has watched a move to the start before, and goes on after a reset.
 static void the_certificate_passes_dead_points_and_stops(void **unused)
 {
     (void)unused;
@@ -358,8 +361,8 @@ static bool keep_other(void *context, YkState *state)
     return yk_state_copy(others->state, state) == YK_OK;
 }
 
-// With the crank as input all is in closed form; with the output there is a group. A change of inputs is certified if the pose
-// stays, and not if another configuration takes its place, whichever of the two comes first.
+// With the crank as input all is in closed form; with the output there is a group. A change of inputs is certified if
+// the pose stays, and not if another configuration takes its place, whichever of the two comes first.
 static void other_inputs_have_the_same_pose(void **unused)
 {
     (void)unused;

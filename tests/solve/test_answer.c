@@ -1,4 +1,5 @@
-// Answers from a pose: bodies' angles one by one, all at once and in a batch, along trees deeper than one piece of a way.
+// Answers from a pose: bodies' angles one by one, all at once and in a batch, along trees deeper than one piece of a
+// way.
 #include "compile/ladder.h"
 #include "machine.h"
 
@@ -49,8 +50,8 @@ static void angles_of_bodies_have_the_same_bits_however_they_are_asked_for(void 
     free(story.text);
 }
 
-// The angle between the directions in which a dyad's end can leave: across both arms; across the arm and along the line;
-// along a line that turns, and across the way from its pivot. However short an arm is.
+// The angle between the directions in which a dyad's end can leave: across both arms; across the arm and along the
+// line; along a line that turns, and across the way from its pivot. However short an arm is.
 static void transmission_angles_have_closed_forms(void **unused)
 {
     (void)unused;

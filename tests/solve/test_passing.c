@@ -1,5 +1,6 @@
-// Three wheels with a side rod, beside a group that Newton's method solves: along a path the wheels pass the poses in which
-// two of them could fold either way, as all loops together say, and stay alike; whether steps end on such a pose or not.
+// Three wheels with a side rod, beside a group that Newton's method solves: along a path the wheels pass the poses in
+// which two of them could fold either way, as all loops together say, and stay alike; whether steps end on such a pose
+// or not.
 #include "machine.h"
 
 static const char text[] =
@@ -65,11 +66,33 @@ static void a_path_may_end_on_a_fold(void **unused)
     }
 }
 
+// A little beyond the fold, and back: the rest of the path is shorter than the step over the fold.
+static void a_path_may_end_just_beyond_a_fold(void **unused)
+{
+    (void)unused;
+    static const double beyond[] = {2e-5, 1e-4, 5e-4, 2e-3, 0.01};
+    for (size_t k = 0; k < sizeof beyond / sizeof *beyond; k++)
+        for (int way = -1; way <= 1; way += 2) {
+            Machine m = machine_parse(text, true);
+            size_t th = (size_t)yk_coordinate_info(m.mech, yk_coordinate_find(m.mech, "th")).input;
+            double fold = way > 0 ? YK_PI : 0;
+            const double places[] = {fold - 0.2 * way, fold + beyond[k] * way, fold - beyond[k] * way,
+                                     fold - 0.3 * way};
+            for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+                yk_state_set_input(m.state, th, (YkMotion){places[i], 1, 0});
+                assert_int_equal(yk_state_solve(m.state), YK_REDUNDANT);
+                check_alike(&m, places[i], 1);
+            }
+            machine_free(&m);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wheels_beside_a_group_pass_their_folds),
         cmocka_unit_test(a_path_may_end_on_a_fold),
+        cmocka_unit_test(a_path_may_end_just_beyond_a_fold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-// A plate on three legs whose lengths are driven: one group, whose loops hold driven distances. The plate's own points are
-// as far from the legs' feet as the legs are long, with rates and accelerations.
+// A plate on three legs whose lengths are driven: one group, whose loops hold driven distances. The plate's own points
+// are as far from the legs' feet as the legs are long, with rates and accelerations.
 #include "machine.h"
 
 static const char text[] =

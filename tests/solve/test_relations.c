@@ -1,4 +1,5 @@
-// Gears, belts, racks, cams and laws: closed forms, rates against differences, residuals that tell a miss; poses adopted.
+// Gears, belts, racks, cams and laws: closed forms, rates against differences, residuals that tell a miss; poses
+// adopted.
 #include "machine.h"
 #include "solve/gap.h"
 #include "solve/state.h"
@@ -184,8 +185,8 @@ static void whole_turns_are_no_miss_and_their_parts_are(void **unused)
     machine_free(&m);
 }
 
-// A drag link whose rocker turns right round, and a wheel that meshes with the rocker: at 20 : 60 a whole turn of the rocker
-// is a third of the wheel's, so that the wheel shows which turn the start means.
+// A drag link whose rocker turns right round, and a wheel that meshes with the rocker: at 20 : 60 a whole turn of the
+// rocker is a third of the wheel's, so that the wheel shows which turn the start means.
 static void a_start_that_is_turns_away_counts_its_turns(void **unused)
 {
     (void)unused;

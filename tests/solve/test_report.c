@@ -127,8 +127,8 @@ static void a_repeated_constraint_that_does_not_fit_says_by_how_much(void **unus
     machine_free(&m);
 }
 
-// Wheels that mesh, run in a belt or with a rack, and a law that says the same of them up to 1 rad and then turns twice as
-// fast. The miss is that of the angle or the distance, not of the weights by which equations are compared.
+// Wheels that mesh, run in a belt or with a rack, and a law that says the same of them up to 1 rad and then turns twice
+// as fast. The miss is that of the angle or the distance, not of the weights by which equations are compared.
 #define TWICE(part, law, start)                                                                                        \
     "bodies:\n  ground: {points: {O: [0, 0], Q: [0.4, 0], G: [0, -0.1]}}\n  a: {points: {O: [0, 0]}}\n"                \
     "  b: {points: {Q: [0, 0]}}\n  bar: {}\njoints:\n  O: {pin: [ground, a], angle: th}\n"                             \

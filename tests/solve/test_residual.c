@@ -124,9 +124,9 @@ static void test_the_measure_sees_a_machine_that_does_not_close(void **unused)
     machine_free(&m);
 }
 
-// A body's unit vector turned by 1e-4, its rate off by 1e-3 or its acceleration by 1e-2: what loops miss by the library's
-// measure is about what joints miss by the answers. Both are over the largest in the machine, which they take from
-// different places.
+// A body's unit vector turned by 1e-4, its rate off by 1e-3 or its acceleration by 1e-2: what loops miss by the
+// library's measure is about what joints miss by the answers. Both are over the largest in the machine, which they take
+// from different places.
 static void damage(const Machine *m, size_t orientation, int order)
 {
     YkTurn t = yk_space_turn(&m->state->space, (int32_t)orientation);

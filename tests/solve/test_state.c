@@ -227,6 +227,24 @@ static void test_inputs_that_are_no_numbers_are_refused_with_a_status(void **unu
         }
 }
 
+// Nothing but the inputs decides about an open chain.
+static void test_one_number_of_any_input_that_is_none_refuses_the_pose(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("double-pendulum");
+    assert_int_equal(yk_input_count(m.mech), 2);
+    for (size_t k = 0; k < 6; k++) {
+        YkMotion good = yk_state_input(m.state, k / 3), bad = good;
+        double *const numbers[] = {&bad.position, &bad.velocity, &bad.acceleration};
+        *numbers[k % 3] = NAN;
+        yk_state_set_input(m.state, k / 3, bad);
+        assert_true(yk_state_solve(m.state) < 0);
+        yk_state_set_input(m.state, k / 3, good);
+        assert_int_equal(yk_state_solve(m.state), YK_OK);
+    }
+    machine_free(&m);
+}
+
 // --- copies, inputs, reference
 // --------------------------------------------------------------------------------------------
 
@@ -330,6 +348,20 @@ static void test_poses_are_compared_up_to_whole_turns(void **unused)
     machine_free(&m);
 }
 
+// Of a branch only the sign counts, and 0 is none; there is none behind the last block.
+static void a_branch_is_a_sign(void **unused)
+{
+    (void)unused;
+    static const int branches[] = {1, -1, 0, 5, -3};
+    Machine m = machine_load("four-bar");
+    for (size_t k = 0; k < sizeof branches / sizeof *branches; k++) {
+        yk_state_set_branch(m.state, 0, branches[k]);
+        assert_int_equal(yk_state_branch(m.state, 0), (branches[k] > 0) - (branches[k] < 0));
+    }
+    assert_int_equal(yk_state_branch(m.state, yk_block_count(m.mech)), 0);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -337,11 +369,13 @@ int main(void)
         cmocka_unit_test(test_nothing_is_nan_at_any_distance_from_a_dead_point),
         cmocka_unit_test(test_a_pose_beyond_a_limit_keeps_the_last_and_says_by_how_much),
         cmocka_unit_test(test_inputs_that_are_no_numbers_are_refused_with_a_status),
+        cmocka_unit_test(test_one_number_of_any_input_that_is_none_refuses_the_pose),
         cmocka_unit_test(test_a_copy_answers_alike_and_goes_its_own_way),
         cmocka_unit_test(test_time_sets_the_drives_with_their_derivatives),
         cmocka_unit_test(test_held_coordinates_start_with_their_values_and_rates),
         cmocka_unit_test(test_setting_the_other_branch_solves_the_other_assembly),
         cmocka_unit_test(test_poses_are_compared_up_to_whole_turns),
+        cmocka_unit_test(a_branch_is_a_sign),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

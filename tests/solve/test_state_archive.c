@@ -48,6 +48,7 @@ static void check_example(const char *file, uint64_t *seed)
         }
         for (size_t i = 0; i < inputs; i++)
             m.state->phases[i].value = check_uniform(seed, 0, 1), m.state->phases[i].angle = check_uniform(seed, 0, 7);
+        for (size_t i = 0; i < inputs; i++) yk_state_hold_input(m.state, i, trial % 3, check_uniform(seed, -1, 1));
         size_t size = written(m.state, bytes);
         YkArchive archive = {.bytes = bytes, .capacity = size, .is_reading = true};
         yk_state_archive(other, &archive);
@@ -59,6 +60,17 @@ static void check_example(const char *file, uint64_t *seed)
             CHECK_NEAR(other->phases[i].value, m.state->phases[i].value, 0);
             CHECK_NEAR(other->phases[i].angle, m.state->phases[i].angle, 0);
         }
+        YkState *at_time = yk_state_new(m.mech), *like = yk_state_new(m.mech); // what is held stays so at every time
+        assert_true(at_time && like);
+        yk_state_copy(at_time, m.state);
+        yk_state_copy(like, other);
+        assert_int_equal(yk_state_set_time(at_time, 0.1, NULL), yk_state_set_time(like, 0.1, NULL));
+        for (size_t i = 0; i < inputs; i++) {
+            YkMotion x = yk_state_input(at_time, i), y = yk_state_input(like, i);
+            assert_memory_equal(&x, &y, sizeof x);
+        }
+        yk_state_free(at_time);
+        yk_state_free(like);
         for (size_t i = 0; i < inputs; i++) {
             double at = yk_state_input(m.state, i).position + yk_input_unit(m.mech, i) * check_uniform(seed, -7, 7);
             yk_state_set_input(m.state, i, (YkMotion){at, 1, 0.5});

@@ -96,12 +96,37 @@ static void digits_that_are_lost_are_told(void **unused)
     assert_int_equal(code, YK_CODE_DRIVE_UNKNOWN);
 }
 
+// `start:` gives rates to what nothing else moves: a drive's rate is its own, and what follows has the motion's.
+static void rates_at_the_start_are_of_free_inputs(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "bodies:\n  ground: {points: {O: [0, 0], Q: [3, 0]}}\n  a: {points: {O: [0, 0], A: [1, 0]}}\n"
+        "  b: {points: {A: [0, 0], B: [3, 0]}}\n  c: {points: {Q: [0, 0], B: [1, 0]}}\n"
+        "  d: {points: {B: [0, 0]}}\njoints:\n  O: {pin: [ground, a], angle: th}\n"
+        "  A: {pin: [a, b], angle: u}\n  Q: {pin: [ground, c], angle: ps}\n"
+        "  B: {pin: [b, c]}\n  D: {pin: [c, d], at: B, angle: de}\n"
+        "%sstart: {th: 1, th.rate: 5, ps: 1, ps.rate: 7, u: -1, de: 0.2, de.rate: 0.7}\n";
+    for (int is_driven = 0; is_driven < 2; is_driven++) {
+        char whole[1000];
+        snprintf(whole, sizeof whole, text, is_driven ? "drives: {th: 1 + 2*t/(1 s)}\n" : "");
+        Machine m = machine_parse(whole, false);
+        assert_int_equal(yk_state_set_time(m.state, 0, m.problems), YK_OK);
+        assert_true(yk_state_assemble(m.state) >= 0);
+        CHECK_NEAR(machine_ask(&m, "th.rate"), is_driven ? 2 : 5, 0);
+        CHECK_NEAR(machine_ask(&m, "ps.rate"), is_driven ? 2 : 5, 1e-14); // a parallelogram
+        CHECK_NEAR(machine_ask(&m, "de.rate"), 0.7, 0);
+        machine_free(&m);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pose_is_known_after_any_number_of_turns),
         cmocka_unit_test(what_is_held_replaces_the_drive),
         cmocka_unit_test(rates_that_overflow_are_refused),
+        cmocka_unit_test(rates_at_the_start_are_of_free_inputs),
         cmocka_unit_test(digits_that_are_lost_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
-// Forward dynamics over lanes: that they settle what they are made for, by themselves, as the dynamics of one pose have it. Whoever
-// calls them asks those dynamics about the rest, so that a fault here would only be slow.
+// Forward dynamics over lanes: that they settle what they are made for, by themselves, as the dynamics of one pose have
+// it. Whoever calls them asks those dynamics about the rest, so that a fault here would only be slow.
 #include "study/lane_motion.h"
 #include "solve/machine.h"
 

@@ -1,4 +1,5 @@
-// Studies whose allocations fail one after the other: each is refused, or says that it ran out, and the next one is right.
+// Studies whose allocations fail one after the other: each is refused, or says that it ran out, and the next one is
+// right.
 #include "../survive.h"
 #include "study_check.h"
 #include <yoke/blocks.h>

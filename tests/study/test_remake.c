@@ -1,4 +1,5 @@
-// Designs that are machines of their own - other teeth, cams, laws, constant angles - against the file with these values.
+// Designs that are machines of their own - other teeth, cams, laws, constant angles - against the file with these
+// values.
 #include "study_check.h"
 #include "compile/mechanism.h"
 

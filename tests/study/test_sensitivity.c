@@ -39,8 +39,8 @@ static void test_derivatives_of_a_slider_crank_are_the_closed_form(void **unused
     machine_free(&m);
 }
 
-// A slider-crank that its slide drives: what closes it is the law of cosines, r^2 + s^2 - 2 r s cos(theta) = l^2. What a pose does
-// not give, its place or its rate, is the file's own.
+// A slider-crank that its slide drives: what closes it is the law of cosines, r^2 + s^2 - 2 r s cos(theta) = l^2. What
+// a pose does not give, its place or its rate, is the file's own.
 static void test_a_slide_that_drives_leaves_the_closed_form(void **unused)
 {
     (void)unused;

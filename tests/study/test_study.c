@@ -105,7 +105,8 @@ static void test_designs_that_do_not_close_have_a_status_and_no_nan(void **unuse
 static void test_poses_of_all_designs_give_the_bits_of_poses_of_each(void **unused)
 {
     (void)unused;
-    // close together; lanes between; too many of them; back; and far from the start, so that many lanes lead to the first
+    // close together; lanes between; too many of them; back; and far from the start, so that many lanes lead to the
+    // first
     static const double steps[] = {0.02, 0.15, 0.5, -0.15, 0.05}, from[] = {0.7, 0.7, 0.7, 0.7, 15.2};
     static double shared[3][DESIGNS * POSES], pose[POSES];
     static signed char shared_status[DESIGNS * POSES];

@@ -96,8 +96,8 @@ static void studies_can_be_stopped_on_one_thread(void **unused)
     end(&subject);
 }
 
-// How often it asks depends on how the threads take turns: while the caller waits for a processor, the others may do all the work,
-// so that only the first question is sure.
+// How often it asks depends on how the threads take turns: while the caller waits for a processor, the others may do
+// all the work, so that only the first question is sure.
 static void on_several_threads_the_caller_alone_is_asked(void **unused)
 {
     (void)unused;

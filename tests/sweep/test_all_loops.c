@@ -1,5 +1,6 @@
-// Three equal cranks and a plate that is not in line. The third crank repeats a constraint, and it determines the motion where the
-// dyad of the other two is at its dead point: no pose of the machine is singular. All cranks turn alike, the plate does not turn.
+// Three equal cranks and a plate that is not in line. The third crank repeats a constraint, and it determines the
+// motion where the dyad of the other two is at its dead point: no pose of the machine is singular. All cranks turn
+// alike, the plate does not turn.
 #include "../solve/machine.h"
 #include <yoke/batch.h>
 #include <yoke/dynamics.h>
@@ -105,8 +106,8 @@ static void sweeps_have_no_event_there(void **unused)
     }
 }
 
-// With the plate's pins in one line all cranks are at their dead points together: there the machine is singular, and its
-// rates are the limits of the motion.
+// With the plate's pins in one line all cranks are at their dead points together: there the machine is singular, and
+// its rates are the limits of the motion.
 static void in_line_it_is_singular(void **unused)
 {
     (void)unused;

@@ -1,5 +1,6 @@
-// Poses so near to a change point that rounding shows in the solution of J q' = 0: their rates and accelerations are as good
-// as elsewhere, in rows of sweeps and at the ends of moves, on both sides, whatever the change point's two branches are.
+// Poses so near to a change point that rounding shows in the solution of J q' = 0: their rates and accelerations are as
+// good as elsewhere, in rows of sweeps and at the ends of moves, on both sides, whatever the change point's two
+// branches are.
 #include "../solve/machine.h"
 #include <yoke/dynamics.h>
 #include <yoke/move.h>
@@ -42,8 +43,9 @@ static Jet jet_atan2(Jet y, Jet x)
     return (Jet){atan2(y.v, x.v), rate.v, rate.d};
 }
 
-// The rocker of a four-bar whose ground and crank are as long as coupler and rocker: with the crank at 180 deg all are in
-// line. The height of the coupler's pin over the diagonal, 2 d h, is then a smooth function with cos(theta / 2) in it:
+// The rocker of a four-bar whose ground and crank are as long as coupler and rocker: with the crank at 180 deg all are
+// in line. The height of the coupler's pin over the diagonal, 2 d h, is then a smooth function with cos(theta / 2) in
+// it:
 //     (b + c)^2 - d^2 = 4 a g cos^2(theta / 2).
 static double rocker(double g, double a, double b, double c, double side, double theta, Jet *rate)
 {

@@ -1,5 +1,5 @@
-// An assembly carried to other dimensions: the loop equation of a four-bar, written here, holds there with its rates, on the
-// side from which it came; the way back ends where it began, for groups too; and what comes apart says so.
+// An assembly carried to other dimensions: the loop equation of a four-bar, written here, holds there with its rates,
+// on the side from which it came; the way back ends where it began, for groups too; and what comes apart says so.
 #include "solve/machine.h"
 #include "compile/variant.h"
 

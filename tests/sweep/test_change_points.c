@@ -246,8 +246,8 @@ static void test_a_creep_within_rounding_of_a_change_point_is_told(void **unused
         for (size_t k = 0; k < sizeof widths / sizeof widths[0]; k++) creep_over(widths[k], steps, false);
 }
 
-// Of three cranks in line the third repeats what two say. The false branch closes up to rounding for 1e-5 rad beyond the change
-// point, which is told where it is all the same.
+// Of three cranks in line the third repeats what two say. The false branch closes up to rounding for 1e-5 rad beyond
+// the change point, which is told where it is all the same.
 static void test_three_cranks_in_line_tell_where_they_pass(void **unused)
 {
     (void)unused;
@@ -284,7 +284,8 @@ static void test_three_cranks_in_line_tell_where_they_pass(void **unused)
     machine_free(&m);
 }
 
-// Wheels with a side rod that start at 0, where all cranks are in line with it: branches meet there already at the start.
+// Wheels with a side rod that start at 0, where all cranks are in line with it: branches meet there already at the
+// start.
 static void test_wheels_with_a_side_rod_start_in_line(void **unused)
 {
     (void)unused;

@@ -1,6 +1,6 @@
-// Dragging with several free inputs where the answer is known: carriages on each other, each with a slide that has stops. The point
-// reaches the sum of the slides' ways; the pose nearest to a target is that of least squares within a box,
-// which has no minimum but the least.
+// Dragging with several free inputs where the answer is known: carriages on each other, each with a slide that has
+// stops. The point reaches the sum of the slides' ways; the pose nearest to a target is that of least squares within a
+// box, which has no minimum but the least.
 #include "solve/machine.h"
 #include <yoke/drag.h>
 

@@ -1,6 +1,6 @@
-// Drives that go over a change point by 1e-9 to 1e-3 rad and come back, by every way to move: where the crank is decides where the
-// machine is. Two linkages whose two motions have closed forms: a parallelogram, which may be crossed, and a slider-crank of equal
-// links, whose piston may stay in the crank's axis.
+// Drives that go over a change point by 1e-9 to 1e-3 rad and come back, by every way to move: where the crank is
+// decides where the machine is. Two linkages whose two motions have closed forms: a parallelogram, which may be
+// crossed, and a slider-crank of equal links, whose piston may stay in the crank's axis.
 #include "../solve/machine.h"
 #include "../parallelogram.h"
 #include <yoke/move.h>
@@ -243,8 +243,8 @@ static void test_both_passages_are_told(void **unused)
     }
 }
 
-// Excursions as high as the narrowest intervals are wide: an interval may begin before the change point and end beyond it, with no
-// pose in it where the margin is much smaller than at its ends.
+// Excursions as high as the narrowest intervals are wide: an interval may begin before the change point and end beyond
+// it, with no pose in it where the margin is much smaller than at its ends.
 static void test_excursions_as_high_as_an_interval_is_wide(void **unused)
 {
     (void)unused;
@@ -280,7 +280,8 @@ static void test_excursions_as_high_as_an_interval_is_wide(void **unused)
     assert_int_equal(wrong, 0);
 }
 
-// Two parallelograms in series come into line together: the second passes its change point each time that the first does.
+// Two parallelograms in series come into line together: the second passes its change point each time that the first
+// does.
 static void test_links_behind_it_pass_with_it(void **unused)
 {
     (void)unused;

@@ -1,5 +1,5 @@
-// Limits of coordinates, at which a motion ends: exactly there, a rounding error before, and where the machine closes again on
-// the other side of a narrow gap.
+// Limits of coordinates, at which a motion ends: exactly there, a rounding error before, and where the machine closes
+// again on the other side of a narrow gap.
 #include "../solve/machine.h"
 #include <yoke/move.h>
 
@@ -23,8 +23,8 @@ static Machine four_bar(const double *l, const char *start)
     return machine_parse(text, false);
 }
 
-// Within 1e-12 rad of its limit the crank's angle is a double zero of the margin for all that samples tell: the rocker still
-// stands on the side where it started, with the sign of its rate.
+// Within 1e-12 rad of its limit the crank's angle is a double zero of the margin for all that samples tell: the rocker
+// still stands on the side where it started, with the sign of its rate.
 static void just_before_a_limit_the_branch_stays(void **unused)
 {
     (void)unused;
@@ -42,8 +42,8 @@ static void just_before_a_limit_the_branch_stays(void **unused)
     }
 }
 
-// With ph at 180 deg crank and coupler reach C by less than coupler and rocker differ: ph stops 1.3 deg before, and goes on
-// 1.3 deg behind, on another circuit. |A B| is then c - d or d - c.
+// With ph at 180 deg crank and coupler reach C by less than coupler and rocker differ: ph stops 1.3 deg before, and
+// goes on 1.3 deg behind, on another circuit. |A B| is then c - d or d - c.
 static void a_gap_is_not_jumped_from_its_edge(void **unused)
 {
     (void)unused;

@@ -49,8 +49,8 @@ static void test_a_copy_knows_where_it_came_from(void **unused)
     machine_free(&m);
 }
 
-// Rates at the change points are the limits of the motion that led there: on the parallelogram those of the crank; on the
-// crossed linkage tan(theta4/2) = -3 tan(theta2/2), where 3 = (4 + 2)/(4 - 2).
+// Rates at the change points are the limits of the motion that led there: on the parallelogram those of the crank; on
+// the crossed linkage tan(theta4/2) = -3 tan(theta2/2), where 3 = (4 + 2)/(4 - 2).
 static void go_on(Machine *m, double to, int branch)
 {
     YkMotion goal = {to, 1, 0};
@@ -125,8 +125,8 @@ static void test_sweeps_from_change_points(void **unused)
     check_sweep(-YK_PI, 2 * YK_PI, 4);
 }
 
-// At a limit the two branches meet as at a change point, but the motion ends there: asked to go on, the machine keeps its
-// branch, and turns back on it. The piston's reach, 3, is a number without rounding.
+// At a limit the two branches meet as at a change point, but the motion ends there: asked to go on, the machine keeps
+// its branch, and turns back on it. The piston's reach, 3, is a number without rounding.
 static void test_a_limit_is_not_passed(void **unused)
 {
     (void)unused;

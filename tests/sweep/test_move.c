@@ -126,6 +126,22 @@ static void test_a_range_of_the_same_labels_is_out_of_reach(void **unused)
     machine_free(&m);
 }
 
+// At the limit that ends a move the input has the rates that were asked for, not rates per part of the way.
+static void test_rates_at_a_limit_are_those_of_the_motion(void **unused)
+{
+    (void)unused;
+    FourBar f = {4, 3, 2, 4.5};
+    double low, high;
+    closing_angles(f, &low, &high);
+    Machine m = four_bar_machine(f, 0.5 * (low + high), 1);
+    YkMotion goal = {high + 1, 0.25, -0.5};
+    assert_int_equal(yk_state_move_to(m.state, &goal, NULL, NULL), YK_LIMIT);
+    CHECK_NEAR(yk_state_input(m.state, 0).position, high, 1e-8);
+    CHECK_NEAR(yk_state_coordinate(m.state, 0).velocity, 0.25, 0);
+    CHECK_NEAR(yk_state_coordinate(m.state, 0).acceleration, -0.5, 0);
+    machine_free(&m);
+}
+
 // --- turns
 // ------------------------------------------------------------------------------------------------------------------
 
@@ -475,6 +491,7 @@ int main(void)
         cmocka_unit_test(test_random_four_bars_keep_their_circuit),
         cmocka_unit_test(test_narrow_gaps_are_not_jumped),
         cmocka_unit_test(test_a_range_of_the_same_labels_is_out_of_reach),
+        cmocka_unit_test(test_rates_at_a_limit_are_those_of_the_motion),
         cmocka_unit_test(test_many_turns_cost_one),
         cmocka_unit_test(test_time_counts_turns),
         cmocka_unit_test(test_another_input_makes_room),

@@ -1,5 +1,5 @@
-// Drives that come to rest exactly at a change point, dwell there, go on or turn back: the motion is decided by where the
-// inputs go, never by the steps in time. A parallelogram stays one, theta4 = theta2.
+// Drives that come to rest exactly at a change point, dwell there, go on or turn back: the motion is decided by where
+// the inputs go, never by the steps in time. A parallelogram stays one, theta4 = theta2.
 #include "../solve/machine.h"
 #include "parallelogram.h"
 #include <yoke/move.h>

@@ -1,5 +1,5 @@
-// A linkage of some centimetres in a model that is up to 1e5 km wide: it passes its change points like any other. Its rack and its
-// piston are driven by lengths, whose way is small compared with the model though the links turn far.
+// A linkage of some centimetres in a model that is up to 1e5 km wide: it passes its change points like any other. Its
+// rack and its piston are driven by lengths, whose way is small compared with the model though the links turn far.
 #include "../parallelogram.h"
 #include "../solve/machine.h"
 #include <yoke/move.h>
@@ -98,7 +98,8 @@ static void test_a_piston_keeps_its_branch(void **unused)
     }
 }
 
-// A lever that slides on a pin which an input moves along a line, with an offset that rounding may have left: it is not a short arm.
+// A lever that slides on a pin which an input moves along a line, with an offset that rounding may have left: it is not
+// a short arm.
 static void test_an_offset_of_rounding_does_not_shorten_the_steps(void **unused)
 {
     (void)unused;

@@ -1,5 +1,6 @@
-// A piston that is driven just as far as its crank lets it go, and back: there the crank goes on through its dead point, with the
-// rate that it has, unless the drive comes to it so gently that the crank stands still. A hair less, and the crank turns back.
+// A piston that is driven just as far as its crank lets it go, and back: there the crank goes on through its dead
+// point, with the rate that it has, unless the drive comes to it so gently that the crank stands still. A hair less,
+// and the crank turns back.
 #include "../solve/machine.h"
 #include <yoke/dynamics.h>
 #include <yoke/move.h>

@@ -1,6 +1,7 @@
-// Two drives that both turn all the time, while what they do together goes over a change point by 1e-9 to 1e-3 rad and comes back.
-// Where the crank is to its frame decides where the machine is. Three linkages whose motions have closed forms (a parallelogram, a
-// slider-crank of equal links, a kite), mounted in three ways: on a crank behind an arm, on a turntable, on a lever that swings.
+// Two drives that both turn all the time, while what they do together goes over a change point by 1e-9 to 1e-3 rad and
+// comes back. Where the crank is to its frame decides where the machine is. Three linkages whose motions have closed
+// forms (a parallelogram, a slider-crank of equal links, a kite), mounted in three ways: on a crank behind an arm, on a
+// turntable, on a lever that swings.
 #include "../solve/machine.h"
 #include <yoke/move.h>
 #include <yoke/simulation.h>

@@ -1,11 +1,12 @@
-// Many linkages that two drives bring to their change points at once: each tells its side by itself, yet the cost must not multiply
-// from one to the next.
+// Many linkages that two drives bring to their change points at once: each tells its side by itself, yet the cost must
+// not multiply from one to the next.
 #include "../solve/machine.h"
 #include <yoke/move.h>
 
 enum { LINKAGES = 12, TEXT = 8192 };
 
-// Parallelograms on one crank, which stands on an arm that turns too; side by side, or each on the rocker of the one before.
+// Parallelograms on one crank, which stands on an arm that turns too; side by side, or each on the rocker of the one
+// before.
 static void write_machine(char *text, bool is_chain)
 {
     int n = snprintf(text, TEXT, "bodies:\n  ground: {points: {O: [0, 0]");
@@ -33,8 +34,8 @@ static void write_machine(char *text, bool is_chain)
     assert_true(n < TEXT);
 }
 
-// Two more parallelograms, each on the rocker before it by a small angle, so that their change points lie close together: whichever is
-// found first, and by whatever, each keeps its own sides.
+// Two more parallelograms, each on the rocker before it by a small angle, so that their change points lie close
+// together: whichever is found first, and by whatever, each keeps its own sides.
 static void test_change_points_close_together(void **unused)
 {
     (void)unused;

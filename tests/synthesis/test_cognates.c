@@ -29,8 +29,8 @@ static double apart(Standing *c, double angle, YkVec P)
     return nearest;
 }
 
-// All poses of both configurations of a machine have their place on the curves of its cognates. Poses beside dead points,
-// where an angle is known to half the digits, are passed over.
+// All poses of both configurations of a machine have their place on the curves of its cognates. Poses beside dead
+// points, where an angle is known to half the digits, are passed over.
 static void check(const char *text, size_t count)
 {
     Standing s = standing(text);

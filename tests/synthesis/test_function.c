@@ -102,8 +102,9 @@ static double power_error(const double l[4], double phi, double psi, double near
     return worst;
 }
 
-// Evened out, the error is below the interpolating one's, changes sign five times or more, and grows whichever dimension changes:
-// a local minimum has six extremes that are alike (Chebyshev), so that the sum of two opposite growths is of first order.
+// Evened out, the error is below the interpolating one's, changes sign five times or more, and grows whichever
+// dimension changes: a local minimum has six extremes that are alike (Chebyshev), so that the sum of two opposite
+// growths is of first order.
 static void errors_that_are_evened_out_are_the_least_nearby(void **state)
 {
     (void)state;
@@ -234,8 +235,9 @@ static void a_four_bar_is_found_again_from_its_pairs(void **state)
     assert_true(found >= 5);
 }
 
-// Freudenstein's equation for theta4 = 65 deg + 0.43 theta2 at Chebyshev's three places of 15 to 165 deg has negative lengths
-// (classical exercise): both links begin half a turn from there. With the angles of what is there nothing is reversed.
+// Freudenstein's equation for theta4 = 65 deg + 0.43 theta2 at Chebyshev's three places of 15 to 165 deg has negative
+// lengths (classical exercise): both links begin half a turn from there. With the angles of what is there nothing is
+// reversed.
 static void negative_lengths_are_links_that_begin_half_a_turn_away(void **state)
 {
     (void)state;

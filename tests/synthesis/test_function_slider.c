@@ -1,4 +1,5 @@
-// Sliders that follow an angle: the machine from which the pairs come, Freudenstein's equation, errors by the closed form.
+// Sliders that follow an angle: the machine from which the pairs come, Freudenstein's equation, errors by the closed
+// form.
 #include "synthesis/answer.h"
 #include <math.h>
 #include "base/vec.h"

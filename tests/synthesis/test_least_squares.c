@@ -1,5 +1,5 @@
-// The damped step within bounds against closed forms: columns that are orthogonal leave each unknown to itself, and any others have the
-// normal equations, which a step fulfils wherever it does not end at a bound.
+// The damped step within bounds against closed forms: columns that are orthogonal leave each unknown to itself, and any
+// others have the normal equations, which a step fulfils wherever it does not end at a bound.
 #include "check.h"
 #include "synthesis/least_squares.h"
 

@@ -68,7 +68,8 @@ static void compare_with_motions(Fit *f, double tolerance)
     for (int k = 0; k < 4; k++) free(miss[k]);
 }
 
-// The height of the point of Hoeken's linkage: the isosceles triangle over the crank's pin and the rocker's pivot, twice.
+// The height of the point of Hoeken's linkage: the isosceles triangle over the crank's pin and the rocker's pivot,
+// twice.
 static double complex height(double complex ground, double complex arm, double theta)
 {
     double complex dx = ground - cos(theta), dy = -sin(theta), dd = dx * dx + dy * dy;
@@ -182,8 +183,8 @@ static size_t operations_of(const YkMechanism *mech)
     return cost;
 }
 
-// Returns what one gradient takes, in motions with forces: its poses, placed and linearised, and the operations of its runs
-// backwards over those of a pose.
+// Returns what one gradient takes, in motions with forces: its poses, placed and linearised, and the operations of its
+// runs backwards over those of a pose.
 static double cost_of(Fit f)
 {
     assert_true(yk_machine_measure(&f.fit, f.fit.miss, &f.at));

@@ -366,7 +366,8 @@ static YkPose crank_rocker_rate(YkVec P, double crank)
     return rate;
 }
 
-// Positions and rates of a crank-rocker give its two dyads again: two positions with a rate and given pivots, or three with two.
+// Positions and rates of a crank-rocker give its two dyads again: two positions with a rate and given pivots, or three
+// with two.
 static void rates_are_limits_of_positions(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-// Points of a path: the published problems, machines found again from their curves, and every answer measured on its file.
+// Points of a path: the published problems, machines found again from their curves, and every answer measured on its
+// file.
 #include "synthesis/answer.h"
 #include "base/codes.h"
 #include "base/mix.h"
@@ -6,8 +7,8 @@
 #include "synthesis/paths/path_fit.h"
 #include "synthesis/synthesis.h"
 
-// Measures a candidate by its file alone: drives it to the told angles, in small steps that jump nowhere, and returns the
-// sum of squared distances from the points.
+// Measures a candidate by its file alone: drives it to the told angles, in small steps that jump nowhere, and returns
+// the sum of squared distances from the points.
 static double measured(const Answer *a, size_t index, const YkVec *point, size_t count)
 {
     enum { STEPS = 200 };

@@ -1,4 +1,5 @@
-// Closed curves of 60 points of random four-bars and slider-cranks, found again, each answer measured by its own equations.
+// Closed curves of 60 points of random four-bars and slider-cranks, found again, each answer measured by its own
+// equations.
 #include "synthesis/answer.h"
 #include "base/vec.h"
 
@@ -48,8 +49,8 @@ static Machine draw(bool is_slider, uint64_t *seed)
     return m;
 }
 
-// Returns the best answer's root mean square distance over the size of the curve. `uneven`: how far the steps of the input
-// differ.
+// Returns the best answer's root mean square distance over the size of the curve. `uneven`: how far the steps of the
+// input differ.
 static double found_again(const Machine *m, double uneven)
 {
     char text[5000];

@@ -1,5 +1,5 @@
-// Curves of six-bars, geared five-bars and inverted slider-cranks: made by complex numbers alone, found again, and driven by
-// the engine on the written file.
+// Curves of six-bars, geared five-bars and inverted slider-cranks: made by complex numbers alone, found again, and
+// driven by the engine on the written file.
 #include "synthesis/answer.h"
 #include <complex.h>
 #include "base/mix.h"

@@ -1,4 +1,5 @@
-// Where a search for paths begins: angles that go round as the points do, and the place, the size and the coupler point that fit best.
+// Where a search for paths begins: angles that go round as the points do, and the place, the size and the coupler point
+// that fit best.
 #include "synthesis/answer.h"
 #include "base/vec.h"
 #include "synthesis/paths/path_search.h"
@@ -97,8 +98,8 @@ static double error_grown(Search *s, double part, double turn)
     return try->error;
 }
 
-// No small change of the pivot, the coupler point, the size or the direction makes the sum of squares smaller: their differences to
-// both sides are equal, and both are above.
+// No small change of the pivot, the coupler point, the size or the direction makes the sum of squares smaller: their
+// differences to both sides are equal, and both are above.
 static void bars_are_placed_where_they_fit_best(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-// Pieces of a search: each depends on its number alone, and a search that gets them from elsewhere gives the same answer.
+// Pieces of a search: each depends on its number alone, and a search that gets them from elsewhere gives the same
+// answer.
 #include "synthesis/answer.h"
 #include <string.h>
 

@@ -51,8 +51,8 @@ void yk_core_forget_sliders(void);
 // Writes the present pose: numbers x, y, angle of each body, then each coordinate; text: the scene's parts. Says
 // `message`, or why the state has the status.
 int yk_core_tell(const YkState *state, YkStatus status, const char *message);
-// Returns the state of the simulation and its time, s (may be NULL); NULL unless the machine was let go. core.wasm has no
-// simulations (small/still.c).
+// Returns the state of the simulation and its time, s (may be NULL); NULL unless the machine was let go. core.wasm has
+// no simulations (small/still.c).
 const YkState *yk_core_simulated(double *time);
 void yk_core_stop(void); // ends the simulation, and leaves the machine where it was let go
 // Returns the state that is shown: the simulation's, or the present one.

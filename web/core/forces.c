@@ -33,8 +33,9 @@ static YkStatus solve(YkDynamics *dynamics, YkState *copy)
 }
 
 // Writes the numbers: for each joint x, y, m, the force that its first body exerts on its second, fx, fy, N, in the
-// ground's axes, and 1 if it is determinate (0: one of many, the least). The inputs move as they do in the pose. Returns
-// a status; where it is negative, or at a dead point or change point, there are no numbers, and the message says why.
+// ground's axes, and 1 if it is determinate (0: one of many, the least). The inputs move as they do in the pose.
+// Returns a status; where it is negative, or at a dead point or change point, there are no numbers, and the message
+// says why.
 YK_DOOR(ys_forces) int ys_forces(void)
 {
     yk_core.number_count = 0;

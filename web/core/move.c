@@ -15,7 +15,8 @@ static void write_numbers(const YkState *state, double *numbers)
 {
     size_t bodies = yk_model_body_count(yk_core.model), coordinates = yk_coordinate_count(yk_core.mech);
     const YkDrawing *drawing = yk_core.drawing;
-    // yk_drawing_parts placed them, and told all angles at once: one by one each costs as many steps as it has ancestors
+    // yk_drawing_parts placed them, and told all angles at once: one by one each costs as many steps as it has
+    // ancestors
     const YkFrame *frames = yk_drawing_frames(drawing, drawing->pose_count - 2);
     for (size_t b = 0; b < bodies; b++) {
         numbers[3 * b] = frames[b].origin.x;

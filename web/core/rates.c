@@ -17,7 +17,8 @@ static double *write_points(const YkState *state, const YkBody *body, double *nu
 }
 
 // Writes the numbers: body by body vx, vy, ax, ay of each of its points in the ground's axes, then the rate and the
-// acceleration of each coordinate; SI. Returns a status; there are no numbers where there is no pose, or where it has no velocities (at a dead point).
+// acceleration of each coordinate; SI. Returns a status; there are no numbers where there is no pose, or where it has
+// no velocities (at a dead point).
 YK_DOOR(ys_rates) int ys_rates(void)
 {
     const YkState *state = yk_core.mech ? yk_core_shown() : NULL;
@@ -52,7 +53,8 @@ static bool is_even(YkState *state, size_t input, YkMotion *first)
     return true;
 }
 
-// Writes the numbers: where a driven coordinate stands at t = 0, and its rate, if its drive moves it evenly; none if not.
+// Writes the numbers: where a driven coordinate stands at t = 0, and its rate, if its drive moves it evenly; none if
+// not.
 YK_DOOR(ys_turn) int ys_turn(size_t coordinate)
 {
     yk_core.number_count = 0;

@@ -168,7 +168,8 @@ void yk_core_write(const YkCore *core, YkProblems *problems)
     yk_json_end(&json);
 }
 
-// Writes the scene. Returns 1, 0 if there is none (no machine, or none that can be put together), -1 when out of memory.
+// Writes the scene. Returns 1, 0 if there is none (no machine, or none that can be put together), -1 when out of
+// memory.
 YK_DOOR(ys_scene) int ys_scene(void)
 {
     yk_text_clear(&yk_core.text);
@@ -179,8 +180,8 @@ YK_DOOR(ys_scene) int ys_scene(void)
     return yk_core.text.failed ? -1 : 1;
 }
 
-// Writes the scene for a view of so many pixels to the metre, and so all scenes after it: lines, pins and names keep their
-// width. Returns as ys_scene.
+// Writes the scene for a view of so many pixels to the metre, and so all scenes after it: lines, pins and names keep
+// their width. Returns as ys_scene.
 YK_DOOR(ys_look) int ys_look(double scale)
 {
     yk_core.scale = scale > 1e-6 && scale < 1e12 ? scale : 0;

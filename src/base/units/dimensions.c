@@ -1,6 +1,5 @@
 // Physical dimensions: their algebra and their names in words.
 #include "base/units/units.h"
-#include <stdint.h>
 
 bool yk_dimension_equal(YkDimension a, YkDimension b)
 {

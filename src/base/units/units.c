@@ -1,4 +1,4 @@
-// What bare numbers mean in a file.
+// The meaning of bare numbers in a file.
 #include "base/units/units.h"
 #include <math.h>
 

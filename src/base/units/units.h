@@ -23,7 +23,7 @@ bool yk_unit_read(const char *text, size_t length, double *size, YkDimension *di
 // Returns the nearest unit name for a hint, or NULL.
 const char *yk_unit_nearest(const char *text, size_t length);
 
-// What bare numbers mean in a file: `units: {length: mm, mass: kg, time: s, angle: deg, force: N}`.
+// The meaning of bare numbers in a file: `units: {length: mm, mass: kg, time: s, angle: deg, force: N}`.
 typedef struct YkUnits {
     double length, mass, time, angle, force; // sizes in SI; force 0: derived from the others
     const char *length_name, *mass_name, *time_name, *angle_name,

@@ -1,5 +1,4 @@
 // Writes the unit of a bare number, as a file would write it.
-#include <string.h>
 #include "base/units/units.h"
 
 typedef struct Factor {

@@ -171,7 +171,8 @@ static const YkPoisson *start_of(YkMeshMaking *m, const Cam *of, YkVec touch)
     return yk_ring_unit(d->ring, symbol);
 }
 
-// A flat face that turns, with the normal n: it touches at h n + h' i n from the cam's centre (design/cams/cam_point.c).
+// A flat face that turns, with the normal n: it touches at h n + h' i n from the cam's centre
+// (design/cams/cam_point.c).
 static void make_turning_flat(YkMeshMaking *m, const Cam *of, const YkPoisson *c, const YkPoisson *n)
 {
     YkRing *ring = m->ring;

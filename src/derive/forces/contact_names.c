@@ -55,14 +55,17 @@ bool yk_derive_find_doubles(YkDerivation *d, bool *is_double)
 const char *yk_derive_between(const YkDeriveForces *f, const int32_t body[2], size_t index, const char *name)
 {
     YkDerivation *d = f->d;
-    const char *mark = d->model->body_count > 10 ? "_" : "";
-    const char *first = yk_derive_numbered(d, "", (size_t)body[0]);
-    const char *pair = yk_derive_numbered(d, yk_derive_text(d, first, mark, ""), (size_t)body[1]);
-    return f->is_double[index] ? yk_derive_text(d, pair, "_", name) : pair;
+    char digits[48] = {0}, *pair = yk_derive_digits(digits + sizeof digits - 1, (size_t)body[1]);
+    if (d->model->body_count > 10) *--pair = '_';
+    pair = yk_derive_digits(pair, (size_t)body[0]);
+    bool is_double = f->is_double[index];
+    return yk_derive_text(d, pair, is_double ? "_" : "", is_double ? name : "");
 }
 
 const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part)
 {
-    const char *mark = f->d->model->body_count > 10 ? "_" : "";
-    return yk_derive_text(f->d, letter, mark, *part ? yk_derive_text(f->d, name, part, "") : name);
+    const char *const parts[] = {letter, f->d->model->body_count > 10 ? "_" : "", name, part};
+    const char *text = yk_page_join(f->d->arena, parts, 4);
+    f->d->failed |= !text;
+    return text ? text : "";
 }

@@ -106,15 +106,15 @@ const char *yk_derive_giver(const YkDeriveForces *f, const YkDeriveContact *cont
 static void put_contact_lines(const YkDeriveForces *f, YkPage *page, const YkDeriveContact *contact)
 {
     YkDerivation *d = f->d;
-    const char *by = yk_derive_text(d, "by ", yk_derive_giver(f, contact), " at ");
-    by = yk_derive_text(d, by, yk_derive_contact_point(d, contact), "");
+    const char *giver = yk_derive_giver(f, contact);
+    const char *const by[] = {"by ", giver, " at ", yk_derive_contact_point(d, contact)};
     if (contact->letter) {
-        YkLine *line = yk_page_formula(page, by);
+        YkLine *line = yk_page_formula_of(page, by, 4);
         put_contact(page, line, contact, true);
         put_column(d, page, line, contact->push.force);
     }
     if (!contact->moment) return;
-    YkLine *line = yk_page_formula(page, by);
+    YkLine *line = yk_page_formula_of(page, by, 4);
     if (contact->is_negative) yk_line_sign(page, line, "-");
     yk_line_vector(page, line, contact->moment, NULL, contact->between);
     put_couple(d, page, line, contact->push.moment);
@@ -131,9 +131,9 @@ static void put_load_lines(const YkDeriveForces *f, YkPage *page, const YkDerive
 {
     YkDerivation *d = f->d;
     const YkDerivePush *push = &load->push[p];
-    const char *at = yk_derive_text(d, yk_derive_load_word(load->kind), " at ", yk_derive_load_point(f, load, p));
+    const char *const at[] = {yk_derive_load_word(load->kind), " at ", yk_derive_load_point(f, load, p)};
     if (!yk_ring_is_zero(push->force)) {
-        YkLine *line = yk_page_formula(page, at);
+        YkLine *line = yk_page_formula_of(page, at, 3);
         yk_derive_put_load(page, line, load, p, true);
         put_column(d, page, line, push->force);
     }

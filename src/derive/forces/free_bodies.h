@@ -273,8 +273,8 @@ bool yk_derive_find_junctions(YkDeriveForces *f); // of contacts; false when out
 bool yk_derive_enter_meshes(YkDeriveForces *f);   // the contacts of relations, after those of joints
 bool yk_derive_sort_contacts(YkDeriveForces *f);  // false when out of memory
 bool yk_derive_sort_pushes(YkDeriveForces *f);
-// contact_names.c: marks joints and relations (behind them) between two bodies that another joint or relation is between,
-// too. Returns false when out of memory.
+// contact_names.c: marks joints and relations (behind them) between two bodies that another joint or relation is
+// between, too. Returns false when out of memory.
 bool yk_derive_find_doubles(YkDerivation *d, bool *is_double);
 // Makes a new symbol of a joint's or relation's force: letter, bodies ("12"), part.
 const char *yk_derive_force_name(const YkDeriveForces *f, const char *letter, const char *name, const char *part);

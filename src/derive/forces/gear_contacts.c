@@ -98,8 +98,8 @@ static const YkPoisson *line_of_action(YkMeshMaking *m, const YkGear *gear)
     return yk_ring_multiply(ring, yk_ring_i(ring), lean);
 }
 
-// Adds the force of the teeth of all equal planets on the one in the file, its opposite on the carrier's axis, and their
-// couple on the wheel about that axis.
+// Adds the force of the teeth of all equal planets on the one in the file, its opposite on the carrier's axis, and
+// their couple on the wheel about that axis.
 static void push_planets(YkMeshMaking *m, const YkGear *gear, const YkMeshAxis axes[2], const YkPoisson *arm[2],
                          const YkPoisson *force)
 {

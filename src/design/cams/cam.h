@@ -55,7 +55,7 @@ typedef double (*YkCamMeasure)(const YkCamPoint *point, const void *context);
 // -INFINITY if the measure is never above that.
 YkCamExtreme yk_cam_greatest(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
                              const void *context);
-// Returns whether a sample of the measure is above zero. It looks first at the one of number WHERE, and leaves there which it found.
+// Returns whether a sample of the measure is above zero. Tries number *where first, and leaves there which it found.
 bool yk_cam_is_above_zero(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
                           const void *context, size_t *where);
 // Finds the ranges in which the measure is negative, with ends to rounding. Returns their count.

@@ -1,5 +1,4 @@
 // Collects the loads on a follower along its coordinate: springs, efforts, weight.
-#include <math.h>
 #include "design/cams/cam.h"
 #include "elementary/elementary.h"
 #include "model/formulas.h"

@@ -81,7 +81,7 @@ static YkCamPoint at(const Finder *finder, double angle)
     return yk_cam_shape_at(finder->shape, angle, d);
 }
 
-// A curvature of rounding is none: beside a straight flank.
+// Beside a straight flank the curvature is only rounding, and does not count.
 static YkCamExtreme radius_of(YkCamExtreme curvature, double sign, double size)
 {
     if (!(curvature.value > 1e-9 / size)) return (YkCamExtreme){sign * (double)INFINITY, 0};

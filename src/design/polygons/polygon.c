@@ -1,7 +1,6 @@
 // Fills velocity and acceleration polygons with the numbers of a pose.
 #include "design/polygons/polygon.h"
 #include <stdlib.h>
-#include <string.h>
 #include "base/problems.h"
 #include "design/polygons/polygon_plan.h"
 #include "loads/loads.h"

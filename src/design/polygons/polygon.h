@@ -33,7 +33,7 @@ static inline YkQuantity yk_polygon_quantity(const YkPolygon *polygon)
     return polygon->kind == YK_POLYGON_VELOCITY ? YK_QUANTITY_SPEED : YK_QUANTITY_ACCELERATION;
 }
 
-// polygon_text.c: adds the words of a step whose vectors begin at `first` and are complete. rate[body]: rad/s or rad/s^2.
+// polygon_text.c: adds the words of a step, whose vectors from `first` on are complete. rate[body]: rad/s or rad/s^2.
 void yk_polygon_tell(YkPolygon *polygon, const YkPolygonPlan *plan, const YkPolygonStep *step, size_t first,
                      const double *rate);
 

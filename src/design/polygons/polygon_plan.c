@@ -84,8 +84,8 @@ static bool is_taken(const YkPolygonPlan *p, const char *name)
     return false;
 }
 
-// Names the image of an end, which is added unless it is there. key: the joint or point that it shows. A name that another image
-// has gets one more dash.
+// Names the image of an end, which is added unless it is there. key: the joint or point that it shows. A name that
+// another image has gets one more dash.
 static YkPolygonEnd add_image(Walk *w, size_t key, const char *head, const char *tail, YkPolygonEnd end)
 {
     YkPolygonPlan *p = w->plan;

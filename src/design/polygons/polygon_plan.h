@@ -1,5 +1,6 @@
 // The plan of a velocity or acceleration polygon: which images are joined by which vectors, in the order in which the
-// machine is solved. It depends on the machine alone, not on its pose, so that numbers and symbols fill in the same one.
+// machine is solved. It depends on the machine alone, not on its pose, so that numbers and symbols fill in the same
+// one.
 #ifndef DESIGN_POLYGON_PLAN_H
 #define DESIGN_POLYGON_PLAN_H
 #include <yoke/polygon.h>
@@ -14,7 +15,7 @@ typedef struct YkPolygonEnd {
     const char *image;  // its name: "o" is the pole
 } YkPolygonEnd;
 
-// From one place to another of the same body, which turns; or, at a slide, from a place of the one body to that of the other.
+// From one place to another of the same turning body; or, at a slide, from a place of one body to that of the other.
 typedef struct YkPolygonLink {
     size_t body;  // which turns; of sliding the one that carries the line
     size_t joint; // of sliding; otherwise YK_NOT_FOUND
@@ -48,8 +49,8 @@ static inline size_t yk_polygon_most_vectors(const YkPolygonPlan *plan)
 }
 
 // polygon_text.c: the words that numbers and symbols share.
-// "rod and piston, which meet at B: the directions are known; closing the polygon gives the sizes, and from them follow the
-// rates", or "crank, whose motion is given".
+// "rod and piston, which meet at B: the directions are known; closing the polygon gives the sizes, and from them follow
+// the rates", or "crank, whose motion is given".
 void yk_polygon_tell_step(const YkPolygonPlan *plan, const YkPolygonStep *step, YkPolygonKind kind, YkText *text);
 // "perpendicular to the line between these points of rod".
 void yk_polygon_tell_direction(YkPolygonPart part, const char *body, YkText *text);

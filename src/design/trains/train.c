@@ -2,7 +2,6 @@
 #include "design/trains/train.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const YkPlace nowhere = {0};
 

@@ -1,5 +1,4 @@
 // The tabular method: finds the turns of wheels on one moving carrier while the carrier stands.
-#include <math.h>
 #include "design/trains/train.h"
 
 static bool is_on(const YkTrainMesh *mesh, int32_t carrier)

@@ -4,7 +4,6 @@
 // longer changes. Sources: Merritt 1971, Gear Engineering; power seen from the carrier: Macmillan 1949.
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/number.h"
 #include "design/trains/train_torques.h"
 

@@ -54,7 +54,7 @@ static bool is_empty_above(Visit *v, size_t level, const YkDiscCoefficients *c)
     return true;
 }
 
-// Where solutions meet, it may still be that none lets the blocks above close.
+// If solutions meet here, the blocks above may still close with none of them.
 static int unless_empty_above(Visit *v, size_t level, const YkDiscCoefficients *c)
 {
     bool can_be = level + 1 < v->tracer->piece_count && !v->is_within_hull;
@@ -104,8 +104,9 @@ static YkDual first_gap(YkTracer *t, const YkBall input[2], int by)
     return yk_dyad_gap(&t->pieces[0].shape, &c);
 }
 
-// Counts the solutions of a dyad by the gap in the middle of the box and its slopes over the box: near a place where they
-// touch, that is sharper than bounds of the lengths. For the first dyad alone, whose coefficients depend on inputs only.
+// Counts the solutions of a dyad by the gap in the middle of the box and its slopes over the box: near a place where
+// they touch, that is sharper than bounds of the lengths. For the first dyad alone, whose coefficients depend on inputs
+// only.
 static int count_by_slopes(Visit *v, size_t level, const YkDiscCoefficients *c)
 {
     YkTracer *t = v->tracer;

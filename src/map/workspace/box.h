@@ -11,16 +11,16 @@ enum { YK_BOX_UNCLEAR = -1, YK_BOX_LEVELS = 64 };
 // Source of the proof: docs/configurations.md, "Two freedoms".
 int yk_box_count(YkTracer *tracer, const double low[2], const double high[2], int *counts);
 
-// What counting keeps from box to box: for every group where its paths begin, and how many solutions it has. A proof that
-// only just succeeds or fails may depend on it; with the same memory a box has the same answer.
+// Kept by counting from box to box: for every group where its paths begin, and how many solutions it has. A proof
+// that only just succeeds or fails may depend on it; with the same memory a box has the same answer.
 typedef struct YkBoxMemory {
     YkGeneric generic[YK_BOX_LEVELS];
     size_t expected[YK_BOX_LEVELS];
 } YkBoxMemory;
 // Notes what is kept now. Returns false when out of memory.
 bool yk_box_remember(const YkTracer *tracer, YkBoxMemory *memory);
-// Keeps what was noted; and the solutions of a box nearby, [piece_count], from which those of the next are found sooner, or
-// none if `near` is NULL. Returns false when out of memory.
+// Keeps what was noted; and the solutions of a box nearby, [piece_count], from which those of the next are found
+// sooner, or none if `near` is NULL. Returns false when out of memory.
 bool yk_box_recall(YkTracer *tracer, const YkBoxMemory *memory, const YkGroupSolutions *near);
 // Returns the solutions of the last box, [piece_count]; NULL if the machine has no groups, or when out of memory, which
 // is noted.

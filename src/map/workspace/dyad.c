@@ -1,7 +1,7 @@
 // Dyads over boxes of coefficients: triangles whose sides are known within bounds.
 //
-// The loop reads a z_1 + b z_2 + c = 0 (two angles), a z + b d + c = 0 (a slide along a known line), a z + b d z + c = 0
-// (a slide along a line that turns) or a d_1 + b d_2 + c = 0 (two slides).
+// The loop reads a z_1 + b z_2 + c = 0 (two angles), a z + b d + c = 0 (a slide along a known line), a z + b d z + c =
+// 0 (a slide along a line that turns) or a d_1 + b d_2 + c = 0 (two slides).
 #include "map/workspace/dyad.h"
 #include <math.h>
 

@@ -1,8 +1,6 @@
 // Divides the plane of two inputs into squares until each has the same number of configurations everywhere.
 #include "map/workspace/field.h"
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "map/workspace/tile.h"
 
 enum { COARSE = 64, ZOOMS = 6 };

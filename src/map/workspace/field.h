@@ -5,7 +5,7 @@
 #include "map/workspace/box.h"
 #include "map/workspace/crossings.h"
 
-// What is known of a cell: PROVED (its number, everywhere in it), LOST (not even at its centre), NEAR (a curve). From
+// The state of a cell: PROVED (its number, everywhere in it), LOST (not even at its centre), NEAR (a curve). From
 // WALKED on, a bit for each of its sides: an outline runs along it.
 enum { YK_CELL_PROVED = 1, YK_CELL_LOST = 2, YK_CELL_NEAR = 4, YK_CELL_WALKED = 8 };
 
@@ -63,14 +63,14 @@ void yk_field_set(YkField *field, const double low[2], const double high[2], siz
 // when out of memory or stopped.
 bool yk_field_fill(YkField *field, double tolerance);
 void yk_field_end(YkField *field); // with its tracer
-// find_crossing.c: counts the configurations at a place; counts[level]: those of each piece. Returns -1 where it cannot.
+// find_crossing.c: counts the configurations at a place, in counts[level] those of each piece. Returns -1 if it cannot.
 int yk_field_count_at(YkField *field, double x, double y, int *counts);
 // Finds where the number changes between the centres of a cell and its right (axis 0) or upper (axis 1) neighbour.
 YkCrossing yk_field_find_crossing(YkField *field, size_t x, size_t y, int axis);
 // Does the same, unless it is known; keeps it.
 YkCrossing yk_field_crossing(YkField *field, size_t x, size_t y, int axis);
-// Returns a cell that is not proved and has none of the curves and of the places of folds near it, as an index; n * n if
-// there is none. Crossings must all have been found; folds are found here.
+// Returns a cell that is not proved and has none of the curves and of the places of folds near it, as an index; n * n
+// if there is none. Crossings must all have been found; folds are found here.
 size_t yk_field_stray(YkField *field);
 
 #endif

@@ -19,7 +19,6 @@ typedef struct Walk {
     uint32_t id;
     YkBorder *outline;
     double last[2], bound_length; // the last corner
-    int last_block;
     bool has_memory;
 } Walk;
 

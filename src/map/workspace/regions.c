@@ -2,8 +2,6 @@
 #include "map/workspace/regions.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include "base/memory.h"
 #include "base/problems.h"
 #include "solve/state.h"
 

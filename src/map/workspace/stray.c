@@ -1,5 +1,5 @@
-// Finds what is not proved and lies neither along the curves nor at places where a dyad turns freely or two of its solutions
-// touch.
+// Finds what is not proved and lies neither along the curves nor at places where a dyad turns freely or two of its
+// solutions touch.
 #include <math.h>
 #include "elementary/elementary.h"
 #include "map/workspace/field.h"
@@ -13,8 +13,8 @@ static void mark_near(YkField *f, size_t x, size_t y)
         for (size_t k = left; k <= x + REACH && k < f->n; k++) f->state[row * f->n + k] |= YK_CELL_NEAR;
 }
 
-// Takes a step towards the place where the ends of a dyad meet. Returns its length in cells; infinity if there is none, or
-// if the ends meet along a curve.
+// Takes a step towards the place where the ends of a dyad meet. Returns its length in cells; infinity if there is none,
+// or if the ends meet along a curve.
 static double approach(YkField *f, double at[2], const YkFold *here)
 {
     YkFold there;
@@ -103,8 +103,8 @@ static bool find_touch(YkField *f, size_t cell, YkFoldPlace *place)
     return false;
 }
 
-// Divides a square finer than cells, to prove its number all over it but within a few of the finest squares from a place, if
-// there is one.
+// Divides a square finer than cells, to prove its number all over it but within a few of the finest squares from a
+// place, if there is one.
 static bool prove_finer(YkField *f, const double low[2], const double high[2], int count, const YkFoldPlace *but)
 {
     if (f->boxes_left == 0) return false;

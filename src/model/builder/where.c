@@ -1,10 +1,10 @@
-// What a place in a builder's text is about, in words.
+// Says in words what a place in a builder's text is about.
 #include <string.h>
 #include "model/builder/builder.h"
 
 enum { DEPTH_MAX = 8 };
 
-// What an entry of a section is called.
+// The name for an entry of each section.
 static const char *noun_of(const char *section)
 {
     static const char *const nouns[][2] = {{"bodies", "body"},

@@ -1,4 +1,4 @@
-// What the files that read `laws:` share; no other file includes it.
+// Shared by the files that read `laws:`; no other file includes it.
 #ifndef MODEL_LAWS_READ_H
 #define MODEL_LAWS_READ_H
 #include "model/laws/laws.h"

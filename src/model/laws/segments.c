@@ -1,5 +1,4 @@
 // Reads the segments of a law: each is a map in which one key gives the kind.
-#include <math.h>
 #include <string.h>
 #include "model/laws/read.h"
 

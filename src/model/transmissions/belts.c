@@ -1,5 +1,4 @@
 // Reads `belts:`, belts and chains between two pulleys, open or crossed.
-#include <math.h>
 #include "model/load.h"
 
 static void read_belt(YkLoader *loader, YkBelt *belt, const YkNode *node)

@@ -66,7 +66,6 @@ typedef struct YkCamContact {
     const YkCam *cam;
     const YkCamSurface *surface;
 } YkCamContact;
-double yk_cam_start(const YkCam *cam);
 bool yk_cam_contact_lift(const void *contact, double angle, double d[YK_LAW_ORDER + 1]);
 // Returns the cam's angle at which the follower touches a point of the surface with this normal; NaN if it cannot.
 double yk_cam_contact_angle(const YkCam *cam, YkVec point, YkVec normal);

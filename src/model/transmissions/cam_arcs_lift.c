@@ -125,7 +125,7 @@ static const char *place(const YkCam *cam, const YkCamSurface *surface, double a
     return surface->is_line ? arm_on_line(cam, &turning, support, result) : arm_on_arc(cam, &turning, reach, result);
 }
 
-double yk_cam_start(const YkCam *cam)
+static double start_of(const YkCam *cam)
 {
     YkSeries start;
     const YkCamSurface circle = {.radius = cam->base};
@@ -139,7 +139,7 @@ bool yk_cam_contact_lift(const void *context, double angle, double d[YK_LAW_ORDE
     YkSeries series;
     if (place(cam, contact->surface, angle, &series)) return false;
     YkJet jet = yk_jet_of_series(&series);
-    double sign = cam->oscillates ? cam->swing : 1, start = yk_cam_start(cam);
+    double sign = cam->oscillates ? cam->swing : 1, start = start_of(cam);
     for (int m = 0; m <= YK_LAW_ORDER; m++) d[m] = sign * jet.d[m];
     d[0] = sign * (cam->oscillates ? yk_remainder(jet.d[0] - start, 2 * YK_PI) : jet.d[0] - start);
     return true;

@@ -10,8 +10,8 @@ typedef struct YkPlanet { // of a body
     const char *why;      // the planets cannot share; with %q for the body
 } YkPlanet;
 
-// Counts the inertia of all copies of a planet, the friction of their pins and, as a body that is welded to the carrier,
-// the masses of the other copies. Sets loader->failed when out of memory.
+// Counts the inertia of all copies of a planet, the friction of their pins and, as a body that is welded to the
+// carrier, the masses of the other copies. Sets loader->failed when out of memory.
 void yk_load_copy_planet(YkLoader *loader, const YkPlanet *planet, int32_t body);
 
 #endif

@@ -40,36 +40,13 @@ LOOP(combine_7, K7, SUM7)
 LOOP(combine_8, K8, SUM8)
 LOOP(combine_9, K9, SUM9)
 
+typedef void (*Combine)(size_t n, const double *restrict a, const size_t *of, const double *const *k, double h,
+                        const double *restrict y, double *restrict z);
+
 void yk_ode_combine(size_t n, size_t terms, const double *a, const size_t *of, const double *const *k, double h,
                     const double *y, double *z)
 {
-    switch (terms) {
-    case 1:
-        combine_1(n, a, of, k, h, y, z);
-        break;
-    case 2:
-        combine_2(n, a, of, k, h, y, z);
-        break;
-    case 3:
-        combine_3(n, a, of, k, h, y, z);
-        break;
-    case 4:
-        combine_4(n, a, of, k, h, y, z);
-        break;
-    case 5:
-        combine_5(n, a, of, k, h, y, z);
-        break;
-    case 6:
-        combine_6(n, a, of, k, h, y, z);
-        break;
-    case 7:
-        combine_7(n, a, of, k, h, y, z);
-        break;
-    case 8:
-        combine_8(n, a, of, k, h, y, z);
-        break;
-    case 9:
-        combine_9(n, a, of, k, h, y, z);
-        break;
-    }
+    static const Combine combine[YK_ODE_MOST_TERMS + 1] = {NULL,      combine_1, combine_2, combine_3, combine_4,
+                                                           combine_5, combine_6, combine_7, combine_8, combine_9};
+    combine[terms](n, a, of, k, h, y, z);
 }

@@ -1,4 +1,4 @@
-// What the steppers share: the memory of a run, and the operations of each method that ode_step.c needs.
+// Shared by the steppers: the memory of a run, and the operations of each method that ode_step.c needs.
 #ifndef NUM_ODE_INTERNAL_H
 #define NUM_ODE_INTERNAL_H
 #include <float.h>

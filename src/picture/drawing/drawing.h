@@ -89,13 +89,13 @@ typedef struct YkShift {
 } YkShift;
 YkShift yk_drawing_shift(const YkDrawing *drawing, size_t body, size_t pose);
 
-// Returns a drawing of which only the bodies move from pose to pose, made with options.moving, in the last of its poses;
-// all poses together say how large it is. What belongs to a body stands in groups <g data-body="NAME"> in the body's
-// own axes, m, y up, whose transform "translate(X Y) rotate(DEGREES)" is the body's pose. Names are left out. NULL when
-// out of memory.
+// Returns a drawing of which only the bodies move from pose to pose, made with options.moving, in the last of its
+// poses; all poses together say how large it is. What belongs to a body stands in groups <g data-body="NAME"> in the
+// body's own axes, m, y up, whose transform "translate(X Y) rotate(DEGREES)" is the body's pose. Names are left out.
+// NULL when out of memory.
 const char *yk_drawing_scene(YkDrawing *drawing);
-// Returns what goes with that drawing at another pose and is not fixed to one body, in pixels of the drawing: springs and
-// names. Empty if there is nothing. NULL when out of memory.
+// Returns what goes with that drawing at another pose and is not fixed to one body, in pixels of the drawing: springs
+// and names. Empty if there is nothing. NULL when out of memory.
 const char *yk_drawing_parts(YkDrawing *drawing, const YkState *state);
 // Returns where the name of a joint or a body is attached, m.
 YkVec yk_drawing_middle(const YkDrawing *drawing, const YkFrame *frames, size_t body);

@@ -1,7 +1,6 @@
-// Instant centres on a drawing: where each lies, the lines that meet there, and in words those that the page cannot show.
+// Instant centres on a drawing: where each lies, the lines that meet there, and, in words, those beyond the page.
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "picture/drawing/drawing.h"
 #include "picture/svg.h"
 

@@ -49,8 +49,8 @@ static void add_numbers(YkText *svg, const char *before, double a, double b)
     yk_text_format(svg, "%s%g %g)", before, a == 0 ? 0.0 : a, b == 0 ? 0.0 : b);
 }
 
-// Opens the group of a body in a scene, which is three nested ones: the world in metres, y up; the body, at its pose; and the
-// way back from the pixels in which everything is written.
+// Opens the group of a body in a scene, which is three nested ones: the world in metres, y up; the body, at its pose;
+// and the way back from the pixels in which everything is written.
 static void open_scene_group(YkDrawing *drawing, size_t body)
 {
     YkText *svg = &drawing->svg;

@@ -1,7 +1,7 @@
 // Elements as values of a graph: in a form to compute rather than to read.
 //
-// A graph computes the sine and cosine of an angle once, derives those of sums of angles by products, and separates what
-// depends on constants alone. Constants are leaves with their names in C; all other symbols are m->NAME.
+// A graph computes the sine and cosine of an angle once, derives those of sums of angles by products, and separates
+// what depends on constants alone. Constants are leaves with their names in C; all other symbols are m->NAME.
 #ifndef RING_GRAPH_ELEMENT_H
 #define RING_GRAPH_ELEMENT_H
 #include "graph/graph.h"

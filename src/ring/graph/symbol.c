@@ -51,8 +51,9 @@ YkRef yk_ring_graph_symbol(YkRingGraph *values, int32_t symbol)
     if (symbol < 0 || !has_room(values)) return 0;
     if (values->defined[symbol] != YK_NONE) return values->defined[symbol];
     const YkRingSymbol *of = &values->ring->symbols[symbol];
-    if (of->pi_over > 0) return yk_graph_number(&values->graph, YK_PI / (double)of->pi_over);
-    if (of->square) return yk_graph_function(&values->graph, YK_SQRT, yk_ring_graph_of(values, of->square), YK_NONE);
+    if (of->meaning->pi_over > 0) return yk_graph_number(&values->graph, YK_PI / (double)of->meaning->pi_over);
+    if (of->meaning->square)
+        return yk_graph_function(&values->graph, YK_SQRT, yk_ring_graph_of(values, of->meaning->square), YK_NONE);
     if (values->leaf[symbol] == YK_NONE) values->leaf[symbol] = new_leaf(values, symbol);
     return values->leaf[symbol];
 }

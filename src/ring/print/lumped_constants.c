@@ -12,7 +12,7 @@ typedef struct Piece {
 bool yk_ring_is_constant(const YkRing *ring, int32_t index)
 {
     const YkRingSymbol *symbol = &ring->symbols[index];
-    return (CONSTANTS & 1 << symbol->kind) && !symbol->rate && !symbol->partials;
+    return (CONSTANTS & 1 << symbol->kind) && !symbol->rate && !symbol->meaning->partials;
 }
 
 static bool is_constant(const void *ring, int32_t symbol)

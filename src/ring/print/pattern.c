@@ -9,8 +9,8 @@
 enum { RING_SYMBOLS_MIN = 128, IN_VAIN_MAX = 100 };
 enum { WORDS_MAX = 128, SYMBOLS_MAX = 16, PLACES = 1024, PATTERNS_MAX = PLACES / 2, PADDING = 16 };
 
-// All that decides how an element is written but for names: its terms, its symbols numbered as they occur, their classes
-// and order, and what replaces them.
+// All that decides how an element is written but for names: its terms, its symbols numbered as they occur, their
+// classes and order, and what replaces them.
 typedef struct Sign {
     uint64_t words[WORDS_MAX], hash;
     size_t word_count, symbol_count;
@@ -96,7 +96,7 @@ static void put_symbols(const YkRing *ring, Sign *sign)
     uint64_t classes[2] = {0}, ranks = 0;
     for (size_t k = 0; k < sign->symbol_count; k++) {
         const YkRingSymbol *symbol = &ring->symbols[sign->symbols[k]];
-        sign->is_good = sign->is_good && symbol->pi_over == 0;
+        sign->is_good = sign->is_good && symbol->meaning->pi_over == 0;
         classes[k / 8] |= ((uint64_t)symbol->kind << 1 | symbol->is_angle) << 8 * (k % 8);
         size_t at = k;
         for (; at > 0 && sign->symbols[order[at - 1]] > sign->symbols[k]; at--) order[at] = order[at - 1];

@@ -93,7 +93,7 @@ uint32_t yk_constant_angles(const YkRing *ring, uint32_t phase)
 {
     uint32_t count, constant = 0;
     const YkPower *powers = yk_powers_of(&ring->phases, phase, &count);
-    for (uint32_t i = 0; i < count; i++) constant += ring->symbols[powers[i].symbol].pi_over > 0;
+    for (uint32_t i = 0; i < count; i++) constant += ring->symbols[powers[i].symbol].meaning->pi_over > 0;
     return constant;
 }
 
@@ -102,7 +102,7 @@ bool yk_angle_shown(const YkSheet *sheet, const YkAtom *atom, uint32_t k, YkAngl
     uint32_t count;
     const YkPower *powers = yk_powers_of(&sheet->ring->phases, atom->phase, &count);
     if (k < count) {
-        int64_t exponent = powers[k].exponent, pi_over = sheet->ring->symbols[powers[k].symbol].pi_over;
+        int64_t exponent = powers[k].exponent, pi_over = sheet->ring->symbols[powers[k].symbol].meaning->pi_over;
         // 3 pi_7 is shown as 3 pi/7, which reads back correctly. 7 pi_7 stays, since 7 pi/7 would read as pi; so does
         // pi_5 + pi_7.
         bool is_pi = pi_over > 0 && sheet->format != YK_RING_C &&

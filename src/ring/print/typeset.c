@@ -166,30 +166,33 @@ static const char *c_name(YkRing *ring, const YkRingSymbol *symbol, const Parts 
     return c;
 }
 
-static bool typeset(YkRing *ring, YkRingSymbol *symbol)
+static bool typeset(YkRing *ring, const YkRingSymbol *symbol, YkTypesetName *names)
 {
     YkText text = {0};
     bool any;
     const Parts parts = take_apart(symbol->name);
-    symbol->latex = symbol->pi_over == 1 ? "\\pi" : latex_name(ring, symbol->name, &parts, &text);
-    symbol->c = c_name(ring, symbol, &parts, &text);
+    names->latex = symbol->meaning->pi_over == 1 ? "\\pi" : latex_name(ring, symbol->name, &parts, &text);
+    names->c = c_name(ring, symbol, &parts, &text);
     yk_text_clear(&text);
     put_mathml(&text, symbol->name, &parts);
-    symbol->mathml = symbol->pi_over == 1 ? "<mi>π</mi>" : keep(ring, NULL, &text, &any);
+    names->mathml = symbol->meaning->pi_over == 1 ? "<mi>π</mi>" : keep(ring, NULL, &text, &any);
     yk_text_free(&text);
-    return symbol->latex && symbol->c && symbol->mathml;
+    return names->latex && names->c && names->mathml;
 }
 
 bool yk_ring_typeset(YkRing *ring)
 {
     for (; ring->typeset_count < ring->symbol_count; ring->typeset_count++)
-        if (!typeset(ring, &ring->symbols[ring->typeset_count])) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
+        if (!YK_ROOM(ring->typeset, ring->typeset_count, ring->typeset_capacity) ||
+            !typeset(ring, &ring->symbols[ring->typeset_count], &ring->typeset[ring->typeset_count]))
+            return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
     return true;
 }
 
 const char *yk_ring_name_in(YkRing *ring, int32_t symbol, YkRingFormat format)
 {
-    const YkRingSymbol *named = &ring->symbols[symbol];
-    if (format == YK_RING_TEXT || format == YK_RING_BOOK || !yk_ring_typeset(ring)) return named->name;
+    bool is_plain = format == YK_RING_TEXT || format == YK_RING_BOOK || !yk_ring_typeset(ring);
+    if (is_plain) return ring->symbols[symbol].name;
+    const YkTypesetName *named = &ring->typeset[symbol];
     return format == YK_RING_LATEX ? named->latex : format == YK_RING_MATHML ? named->mathml : named->c;
 }

@@ -65,7 +65,7 @@ bool yk_field_point_is_loose(const YkFieldPoint *point)
 
 static void draw(const YkRing *ring, YkFieldPoint *point, int32_t symbol, uint64_t *seed)
 {
-    const YkPoisson *number = ring->symbols[symbol].number;
+    const YkPoisson *number = ring->symbols[symbol].meaning->number;
     uint64_t drawn = random_value(seed);
     yk_field_point_set(point, symbol, number ? yk_ring_field(ring, number, point, false) : drawn);
     if (ring->symbols[symbol].is_angle) yk_field_point_set_unit(point, symbol, random_value(seed));
@@ -75,7 +75,8 @@ static void draw(const YkRing *ring, YkFieldPoint *point, int32_t symbol, uint64
 static int32_t free_symbol(const YkRing *ring, const YkPoisson *square, const bool *is_taken)
 {
     int32_t symbol = yk_ring_next_symbol(ring, square, -1);
-    while (symbol >= 0 && (is_taken[symbol] || ring->symbols[symbol].square || ring->symbols[symbol].number))
+    while (symbol >= 0 &&
+           (is_taken[symbol] || ring->symbols[symbol].meaning->square || ring->symbols[symbol].meaning->number))
         symbol = yk_ring_next_symbol(ring, square, symbol);
     return symbol;
 }
@@ -91,7 +92,7 @@ static void take(const YkRing *ring, const YkPoisson *square, bool *is_taken)
 // is then any value.
 static bool find_root(const YkRing *ring, YkFieldPoint *point, size_t root, bool *is_taken, uint64_t *seed)
 {
-    const YkPoisson *square = ring->symbols[root].square;
+    const YkPoisson *square = ring->symbols[root].meaning->square;
     uint64_t value;
     int draws = 0;
     while (!yk_field_sqrt(yk_ring_field(ring, square, point, false), &value)) {
@@ -113,7 +114,7 @@ static bool find_root(const YkRing *ring, YkFieldPoint *point, size_t root, bool
 static bool fill(const YkRing *ring, YkFieldPoint *point, bool *is_taken, uint64_t *seed)
 {
     for (size_t i = 0; i < point->count; i++)
-        if (!ring->symbols[i].square)
+        if (!ring->symbols[i].meaning->square)
             draw(ring, point, (int32_t)i, seed);
         else if (!find_root(ring, point, i, is_taken, seed))
             return false;

@@ -1,5 +1,5 @@
-// Lanes of a machine's vectors, orientations and distances: what the kernels read and write (elementary/kernel.h says how
-// a kernel is written).
+// Lanes of a machine's vectors, orientations and distances: what the kernels read and write (elementary/kernel.h says
+// how a kernel is written).
 #ifndef SOLVE_KERNELS_LANES_H
 #define SOLVE_KERNELS_LANES_H
 #include <stdbool.h>

@@ -75,7 +75,8 @@ typedef struct RrrFound {
     RatePair rates;
 } RrrFound;
 
-// Returns the factor that restores length 1, which rounding changes if the base is long compared with the arm. Not for 0.
+// Returns the factor that restores length 1, which rounding changes if the base is long compared with the arm. Not for
+// 0.
 YK_INLINE double to_length_one(YkVec e)
 {
     double square = yk_dot(e, e), near = 1.5 - 0.5 * square, far = 1 / sqrt(square);

@@ -29,7 +29,7 @@ static YkStatus parse(const char *text, size_t length, const YkLoadOptions *opti
     return *model ? YK_OK : problems ? status : YK_NO_MEMORY;
 }
 
-// Writes the text of a model with the pose at its start as `start:` gives it, so that it assembles as the search moved it.
+// Writes a model's text with its start's pose under `start:`, so that it assembles as the search moved it.
 static bool write_start(YkMachineFit *fit, const double *value, const char *source, YkText *text)
 {
     const YkModel *model = fit->task->machine.model;

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include "synthesis/machines/machine_fit.h"
 
-// The place of a path nearest to a wanted point. Three successive rows are joined by a parabola, at the parameter t from
-// -1 to 1.
+// The place of a path nearest to a wanted point. Three successive rows are joined by a parabola, at the parameter t
+// from -1 to 1.
 typedef struct Nearest {
     size_t middle; // row
     double t, stiff;

@@ -88,7 +88,7 @@ typedef struct Rows {
     size_t first, end; // of the shares at these rows
 } Rows;
 
-// Returns whether the value of a share has exact derivatives; the loops of very large machines are not factored densely.
+// Returns whether a share's value has exact derivatives; the loops of very large machines are not factored densely.
 static bool is_exact(const YkMachineFit *fit, const YkShare *share)
 {
     const YkMachineTask *machine = &fit->task->machine;

@@ -3,10 +3,10 @@
 #include "base/mix.h"
 #include "synthesis/synthesis.h"
 
-enum { RAYS = 48, PIVOTS = 48, LINES = 12, TRY_MICROSECONDS = 600 };
+enum { RAYS = 48, PIVOTS = 48, LINES = 12 };
 
-// Where four-bars are not sought a pair has one slide, and there are few of them: with more rays, or lines, as many pairs are
-// tried as four-bars have.
+// Where four-bars are not sought a pair has one slide, and there are few of them: with more rays, or lines, as many
+// pairs are tried as four-bars have.
 static size_t rays_of(const YkTask *task)
 {
     return task->has_four_bar ? RAYS : 8 * RAYS;

@@ -13,9 +13,9 @@
 
 enum { YK_MONOMIALS = 7, YK_POSES_MAX = 5 };
 
-// A position of the body: where its origin is, and how far it is turned, rad. With is_rate it is the limit of a second position beside
-// this one, in the direction of a velocity (m/s) and a rate of turning (rad/s); only their ratio counts. Lists of positions
-// may end with them.
+// A position of the body: where its origin is, and how far it is turned, rad. With is_rate it is the limit of a second
+// position beside this one, in the direction of a velocity (m/s) and a rate of turning (rad/s); only their ratio
+// counts. Lists of positions may end with them.
 typedef struct YkPose {
     YkVec at;
     double angle;
@@ -52,8 +52,9 @@ typedef struct YkFivePoses {
 } YkFivePoses;
 void yk_five_poses(const YkPose pose[5], YkFivePoses *found);
 
-// RR dyads through four positions: a cubic curve of moving pivots (Burmester's circle-point curve). Rays from one of the
-// poles, which lies on it, meet it in at most two further points each: ray `index` of `count`. Returns how many dyads.
+// RR dyads through four positions: a cubic curve of moving pivots (Burmester's circle-point curve). Rays from one of
+// the poles, which lies on it, meet it in at most two further points each: ray `index` of `count`. Returns how many
+// dyads.
 typedef struct YkFourPoses {
     YkPoseRows rows;
     YkPose first;
@@ -64,8 +65,9 @@ void yk_four_poses(const YkPose pose[4], YkFourPoses *four);
 size_t yk_four_poses_ray(const YkFourPoses *four, double angle, YkDyad dyad[2]);
 // The dyad whose moving pivot goes along a line of the ground through two or three positions; `along` as for a pivot.
 bool yk_pose_slide(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad);
-// The dyad whose line, fixed in the body at a direction in its axes, always goes through the same point of the ground, through two or
-// three positions: the one above, seen from the body. `along` tells a point of the ground on a line where two positions leave one.
+// The dyad whose line, fixed in the body at a direction in its axes, always goes through the same point of the ground,
+// through two or three positions: the one above, seen from the body. `along` tells a point of the ground on a line
+// where two positions leave one.
 bool yk_pose_block(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad);
 // The dyads with a slide through four positions: at most one PR and one RP. Returns how many.
 size_t yk_four_poses_slides(const YkPose pose[4], YkDyad dyad[2]);

@@ -1,12 +1,13 @@
 // Alt's problem: all four-bars whose coupler point passes nine given points, at any angles of the input.
 //
-// Isotropic coordinates: a vector of the plane is a pair of complex numbers, (z, z^) with z^ the conjugate of z for what
-// is real. The coupler point begins at the origin and goes to (d_j, d^_j). A dyad has a fixed pivot at a and a moving
-// pivot that begins at x; the coupler turns by t_j = e^(i angle). The moving pivot is then at d_j + x t_j, and its
-// distance from the fixed one is that of the beginning:
+// Isotropic coordinates: a vector of the plane is a pair of complex numbers, (z, z^) with z^ the conjugate of z for
+// what is real. The coupler point begins at the origin and goes to (d_j, d^_j). A dyad has a fixed pivot at a and a
+// moving pivot that begins at x; the coupler turns by t_j = e^(i angle). The moving pivot is then at d_j + x t_j, and
+// its distance from the fixed one is that of the beginning:
 //   u (t - 1) + v (1/t - 1) + w = 0,  u = d^ x - a^ x,  v = d x^ - a x^,  w = d (x^ - a^) + d^ (x - a) + d d^.
 // Two dyads that share the coupler give two such equations for g = t - 1 and g^ = 1/t - 1; by Cramer's rule g = G/D and
-// g^ = H/D, and g + g^ + g g^ = 0 leaves one equation in the eight unknowns of the two dyads for each point but the first:
+// g^ = H/D, and g + g^ + g g^ = 0 leaves one equation in the eight unknowns of the two dyads for each point but the
+// first:
 //   D G + D H + G H = 0.
 // Source: Wampler, Morgan & Sommese 1992, J. Mechanical Design 114; Alt 1923, Z. angew. Math. Mech. 3.
 #ifndef SYNTHESIS_ALT_H
@@ -27,8 +28,8 @@ enum {
 // The unknowns of a dyad; the second dyad's follow the first's.
 enum { YK_ALT_X, YK_ALT_A, YK_ALT_X_HAT, YK_ALT_A_HAT, YK_ALT_DYAD };
 
-// alt_system.c: evaluates F[8]; its Jacobian J[8][8] by the unknowns; and its derivative by_rate[8] as the places change by
-// rate[16]. J may be NULL, and so may rate with by_rate.
+// alt_system.c: evaluates F[8]; its Jacobian J[8][8] by the unknowns; and its derivative by_rate[8] as the places
+// change by rate[16]. J may be NULL, and so may rate with by_rate.
 void yk_alt_evaluate(const YkVec *places, const YkVec *x, YkVec *F, YkVec *J, const YkVec *rate, YkVec *by_rate);
 // alt_disc.c: evaluates F[8] with twice the precision. Large linkages nearly cancel in the equations.
 void yk_alt_residual(const YkVec *places, const YkVec *x, YkVec *F);
@@ -68,16 +69,18 @@ typedef struct YkAltTask {
 // alt_paths.c: poses the problem. `seed` chooses the routes.
 void yk_alt_pose(const YkVec *point, uint64_t seed, YkAltTask *task);
 
-// The equations keep their form as all z and all z^ are multiplied by a number each: a route begins at the start solutions
-// multiplied by numbers of modulus 1, so that every pair of numbers leads along other places to those of the task.
+// The equations keep their form as all z and all z^ are multiplied by a number each: a route begins at the start
+// solutions multiplied by numbers of modulus 1, so that every pair of numbers leads along other places to those of the
+// task.
 typedef struct YkAltRoute {
     YkVec z, hat;
     YkVec from[YK_ALT_PLACES];
 } YkAltRoute;
 // Lays route `number` of a task, 0 to YK_ALT_ROUTES - 1.
 void yk_alt_lay(const YkAltTask *task, size_t number, YkAltRoute *route);
-// Follows path `piece` of YK_ALT_ROUTES * YK_ALT_TRIPLES: start solution piece % YK_ALT_TRIPLES along one of the routes. If
-// it comes too close to infinity, its other names are tried, which may stay away from it. Returns whether it arrived.
+// Follows path `piece` of YK_ALT_ROUTES * YK_ALT_TRIPLES: start solution piece % YK_ALT_TRIPLES along one of the
+// routes. If it comes too close to infinity, its other names are tried, which may stay away from it. Returns whether it
+// arrived.
 bool yk_alt_path(const YkAltTask *task, size_t piece, YkPace *pace, YkVec *x);
 
 #endif

@@ -12,9 +12,10 @@ typedef struct YkAltProof {
     YkAltReality reality; // UNKNOWN: the places are not real, or the proof does not tell
 } YkAltProof;
 
-// Proves by Krawczyk's operator in complex discs that exactly one solution for these places, as they are rounded, is near
-// x, and improves x to the last digits. If the places are real and the solution seems so, x is first moved to the nearest
-// real point: that the solution is alone there proves that it is its own conjugate. Returns false if no radius succeeds.
+// Proves by Krawczyk's operator in complex discs that exactly one solution for these places, as they are rounded, is
+// near x, and improves x to the last digits. If the places are real and the solution seems so, x is first moved to the
+// nearest real point: that the solution is alone there proves that it is its own conjugate. Returns false if no radius
+// succeeds.
 // Source: Krawczyk 1969; Moore 1977. Cost: some 0.1 ms.
 bool yk_alt_certify(const YkVec *places, YkVec *x, YkAltProof *proof);
 // Returns whether two proved solutions certainly belong to different triples.

@@ -1,7 +1,8 @@
 // Discs in the complex plane that enclose what they stand for, with a centre of twice the precision.
 //
-// Large linkages are solutions that nearly cancel: their equations are proved only where they are evaluated more precisely than
-// to double. Every operation widens the radius by a bound of its own rounding, as in configurations/ball.h.
+// Large linkages are solutions that nearly cancel: their equations are proved only where they are evaluated more
+// precisely than to double. Every operation widens the radius by a bound of its own rounding, as in
+// configurations/ball.h.
 // Source: Dekker 1971; van der Hoeven 2009, "Ball arithmetic".
 #ifndef SYNTHESIS_ALT_DISC_H
 #define SYNTHESIS_ALT_DISC_H
@@ -13,7 +14,7 @@ typedef struct YkDisc {
     double radius;
 } YkDisc;
 
-// Over twice what a product or a sum loses: a double-double's product 8 * 2^-106 of its size, the sum of two 4 * 2^-106 more.
+// Over twice what rounding loses: 8 * 2^-106 of a double-double's product, and 4 * 2^-106 more for the sum of two.
 #define YK_DISC_UNIT 0x1p-101
 
 static inline YkDisc yk_disc(YkVec at, double radius)

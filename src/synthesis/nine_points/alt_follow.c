@@ -1,5 +1,4 @@
 // Predicts and corrects along a path of places.
-#include <string.h>
 #include "num/homotopy.h"
 #include "synthesis/nine_points/alt.h"
 

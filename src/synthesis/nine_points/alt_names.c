@@ -1,7 +1,7 @@
 // The six names of a linkage in Alt's problem.
 //
-// Roberts' third fixed pivot c makes with a and b a triangle similar to the coupler's, the coupler point in the place of c. The
-// cognate on a and c has as dyads the parallelogram's other side, a - x, at a, and z at c.
+// Roberts' third fixed pivot c makes with a and b a triangle similar to the coupler's, the coupler point in the place
+// of c. The cognate on a and c has as dyads the parallelogram's other side, a - x, at a, and z at c.
 #include <string.h>
 #include "synthesis/nine_points/alt.h"
 

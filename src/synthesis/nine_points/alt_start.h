@@ -3,8 +3,8 @@
 #define SYNTHESIS_ALT_START_H
 #include "synthesis/nine_points/alt.h"
 
-// Characters of a solution: 16 numbers of 32 bits (floats, real and imaginary parts of the unknowns in order), six bits a
-// character (RFC 4648, table 1), without padding.
+// Characters of a solution: 16 numbers of 32 bits (floats, real and imaginary parts of the unknowns in order), six bits
+// a character (RFC 4648, table 1), without padding.
 enum { YK_ALT_START_LENGTH = 86 };
 
 extern const YkVec yk_alt_start_at[YK_ALT_PLACES];

@@ -35,7 +35,7 @@ static Cramer cramer_of(const Line *one, const Line *two)
     return c;
 }
 
-// What the equation gains by u, v and w of one line; `sign` is -1 for the second one.
+// Differentiates the equation by u, v and w of one line; `sign` is -1 for the second one.
 static Line gradient(const Line *other, double sign, YkVec by_D, YkVec by_G, YkVec by_H)
 {
     Line g;
@@ -55,7 +55,7 @@ static void fill_row(YkVec d, YkVec hat, const YkVec *x, const Line *by, YkVec *
     row[YK_ALT_A_HAT] = yk_scale(-1, yk_add_product(along_hat, by->u, x[YK_ALT_X]));
 }
 
-// What the equation gains as the place moves at a rate.
+// Differentiates the equation as the place moves at a rate.
 static YkVec moved(YkVec d, YkVec hat, YkVec rate, YkVec rate_hat, const YkVec *x, const Line *by)
 {
     YkVec to = yk_add(yk_sub(x[YK_ALT_X], x[YK_ALT_A]), d);

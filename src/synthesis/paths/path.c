@@ -172,8 +172,8 @@ static YkPathSearch *begin(YkSynthesis *s, YkDesignKind kind, size_t place, size
     return good ? search : NULL;
 }
 
-// Runs one batch of a kind. Returns false when the search is stopped. Machines with a dyad, whose batches take long, are sought
-// only as long as no kind passes all points.
+// Runs one batch of a kind. Returns false when the search is stopped. Machines with a dyad, whose batches take long,
+// are sought only as long as no kind passes all points.
 static bool go_on(YkPathSearch *search, size_t batch, bool *has_exact)
 {
     bool is_chain = search->batches.problem.dimensions > YK_BAR_PLAIN;

@@ -1,7 +1,8 @@
 // The coupler point P = A0 + a e^(i theta) + p e^(i phi) of a four-bar or slider-crank, with exact derivatives.
 //
-// Four-bar: with D from A to B0, |b e^(i phi) - D| = c fixes phi on each branch. Slider-crank: the distance of B from the
-// line through A0 is fixed. Both conditions are linear in the derivative of phi, which is singular only at dead points.
+// Four-bar: with D from A to B0, |b e^(i phi) - D| = c fixes phi on each branch. Slider-crank: the distance of B from
+// the line through A0 is fixed. Both conditions are linear in the derivative of phi, which is singular only at dead
+// points.
 #include <math.h>
 #include "synthesis/paths/path_chain.h"
 

@@ -1,5 +1,5 @@
-// A batch of a path's search: starts are drawn, and the best of them improved, with a part of the points where there are many;
-// then the best of these to the end, with all points.
+// A batch of a path's search: starts are drawn, and the best of them improved, with a part of the points where there
+// are many; then the best of these to the end, with all points.
 #include <math.h>
 #include <string.h>
 #include "base/mix.h"
@@ -52,8 +52,8 @@ static void fill_angles(const YkPathBatches *batches, const YkPathTry *part, YkP
     }
 }
 
-// Makes the part of the points a problem whose angles turn together alone: a bar then does not fold the curve into a part
-// of it. `step` is 0 where the angles are found otherwise.
+// Makes the part of the points a problem whose angles turn together alone: a bar then does not fold the curve into a
+// part of it. `step` is 0 where the angles are found otherwise.
 static YkPathProblem tie_angles(YkPathProblem p, double step)
 {
     p.is_timed = p.shifts = true;
@@ -63,8 +63,8 @@ static YkPathProblem tie_angles(YkPathProblem p, double step)
     return p;
 }
 
-// Gives a try the angles at which it has gone the same part of its curve as the points of theirs. Leaves it as it is where the
-// input does not turn through.
+// Gives a try the angles at which it has gone the same part of its curve as the points of theirs. Leaves it as it is
+// where the input does not turn through.
 static void match_ways(const YkPathProblem *p, YkPathTry *try)
 {
     enum { PARTS = 128 };

@@ -1,7 +1,7 @@
 // Frames of the bodies, one after the other, each with its derivatives; then the dyad that closes the second loop.
 //
-// A dyad from C to D with lengths r and q: |C + r e^(i psi) - D| = q fixes psi on each branch. The condition is linear in
-// every derivative of psi, which is singular only where link and arm lie in one line.
+// A dyad from C to D with lengths r and q: |C + r e^(i psi) - D| = q fixes psi on each branch. The condition is linear
+// in every derivative of psi, which is singular only where link and arm lie in one line.
 #include "synthesis/paths/path_chain.h"
 #include <math.h>
 #include <string.h>

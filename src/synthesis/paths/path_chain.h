@@ -1,15 +1,16 @@
-// The traced point of a machine of two loops, or of one with an input that turns two cranks: the second loop is a dyad of a
-// link and an arm, which joins two points of the ground, input, coupler or output; the traced point lies on the link.
+// The traced point of a machine of two loops, or of one with an input that turns two cranks: the second loop is a dyad
+// of a link and an arm, which joins two points of the ground, input, coupler or output; the traced point lies on the
+// link.
 #ifndef SYNTHESIS_PATH_CHAIN_H
 #define SYNTHESIS_PATH_CHAIN_H
 #include "synthesis/paths/path_bar.h"
 
-// What carries an end of the dyad.
+// The body that carries an end of the dyad.
 typedef enum YkChainBody { YK_CHAIN_GROUND, YK_CHAIN_INPUT, YK_CHAIN_COUPLER, YK_CHAIN_OUTPUT } YkChainBody;
 
-// The ways in which a kind of machine is built. Watt: the coupler and the output, or the coupler and the input, have three
-// joints. Stephenson: the coupler and the ground (III), or the input and the output (I). Geared five-bar: the second
-// crank turns `ratio` times as fast.
+// The ways in which a kind of machine is built. Watt: the coupler and the output, or the coupler and the input, have
+// three joints. Stephenson: the coupler and the ground (III), or the input and the output (I). Geared five-bar: the
+// second crank turns `ratio` times as fast.
 typedef struct YkChainVariant {
     YkChainBody link, arm; // where the dyad's link and arm begin
     int ratio;             // of a geared five-bar; otherwise 0

@@ -1,5 +1,4 @@
 // Nine points at any angles: all four-bars whose coupler point passes them, from the paths of Alt's problem.
-#include <math.h>
 #include <string.h>
 #include "synthesis/nine_points/alt_certify.h"
 #include "synthesis/paths/path_search.h"
@@ -78,9 +77,9 @@ static bool follow_one(Exact *exact, size_t piece)
     return true;
 }
 
-// Follows all paths along one route after the other, until every triple is there or a route shows nothing new: special points
-// have fewer solutions. If the first paths show none at all, as with points on a line or one point given twice, solutions are
-// not isolated, and none can be proved. Returns false if stopped.
+// Follows all paths along one route after the other, until every triple is there or a route shows nothing new: special
+// points have fewer solutions. If the first paths show none at all, as with points on a line or one point given twice,
+// solutions are not isolated, and none can be proved. Returns false if stopped.
 static bool follow_all(Exact *exact)
 {
     for (size_t route = 0, before = 0; route < YK_ALT_ROUTES; route++, before = exact->count) {

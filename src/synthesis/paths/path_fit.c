@@ -35,7 +35,7 @@ static double squared(double x)
     return x * x;
 }
 
-// What the limits add to the cost, m^2.
+// Returns what the limits add to the cost, m^2.
 static double limits_cost(const YkPathProblem *problem, const YkBar *bar, double weight)
 {
     double excess[YK_PATH_LIMITS], by[YK_PATH_LIMITS][YK_BAR_SIZE], cost = 0;

@@ -6,7 +6,7 @@
 
 enum { YK_PATH_UNKNOWNS = YK_BAR_SIZE + 1, YK_PATH_LIMITS = 12 }; // one more shifts angles with a given step
 
-// What is sought: points, bounds of the dimensions, and how the angles follow.
+// The problem: points, bounds of the dimensions, and how the angles follow.
 typedef struct YkPathProblem {
     const YkTask *task;
     const YkVec *point;  // [count], m

@@ -1,4 +1,4 @@
-// Limits of a path's bars that tie several dimensions: an input that turns through, pivots in a box, sizes, transmission.
+// Limits on several dimensions of a path's bars: an input that turns fully, pivots in a box, sizes, transmission.
 #include <math.h>
 #include <string.h>
 #include "synthesis/paths/path_fit.h"

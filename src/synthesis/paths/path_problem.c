@@ -1,4 +1,4 @@
-// What a path's search is about: the bounds of a bar's dimensions, and a part of the points to begin with.
+// Makes the problem of a path's search: the bounds of a bar's dimensions, and a part of the points to begin with.
 #include <math.h>
 #include "synthesis/paths/path_search.h"
 

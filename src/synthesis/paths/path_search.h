@@ -10,7 +10,7 @@ size_t yk_path_batch_count(YkDesignKind kind);
 // Lists the kinds that a task asks for. Returns their number.
 size_t yk_path_kinds(const YkTask *task, YkDesignKind kind[YK_DESIGN_KINDS]);
 
-// What computes batches of starts, each of them by its number alone.
+// Computes batches of starts, each of them by its number alone.
 typedef struct YkPathBatches {
     YkPathProblem problem, coarse; // all points, and every `stride`th
     YkPathWork work;
@@ -37,16 +37,16 @@ bool yk_path_is_exact(const YkTask *task);
 // Pieces of the exact search, before those of other searches: paths of Alt's problem as numbers[yk_path_width].
 size_t yk_path_exact_pieces(const YkTask *task);
 void yk_path_exact_piece(const YkTask *task, uint64_t seed, size_t piece, YkPace *pace, double *numbers);
-// Finds all four-bars and judges those that are real, as the part of the call from 0 to `to`. Returns whether none of the
-// solutions is missing. Cost: 3 to 10 s.
+// Finds all four-bars and judges those that are real, as the part of the call from 0 to `to`. Returns whether none of
+// the solutions is missing. Cost: 3 to 10 s.
 bool yk_synthesise_exact_path(YkSynthesis *s, double to);
 
-// path_problem.c: states the problem of a task for one kind of bar, and a coarse version of it with about 16 of the points,
-// evenly spaced.
+// path_problem.c: states the problem of a task for one kind of bar, and a coarse version of it with about 16 of the
+// points, evenly spaced.
 bool yk_path_batches_new(YkArena *arena, const YkTask *task, YkDesignKind kind, uint64_t seed, YkPathBatches *batches);
 
-// path_batch.c: draws starts, improves the best of them, and then the best of these to the end, in `whole`. Returns false
-// if it does not close.
+// path_batch.c: draws starts, improves the best of them, and then the best of these to the end, in `whole`. Returns
+// false if it does not close.
 bool yk_path_batch(YkPathBatches *batches, size_t batch);
 // Counts its work, microseconds.
 size_t yk_path_batch_work(const YkPathBatches *batches);

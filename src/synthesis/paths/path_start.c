@@ -1,5 +1,5 @@
-// Bars to begin with. The ratios of a bar's lengths and the input's angles from the ground are drawn. The rest, which is
-// the pivot, size and direction of the bar and the coupler point, enters the path linearly, as complex numbers:
+// Bars to begin with. The ratios of a bar's lengths and the input's angles from the ground are drawn. The rest, which
+// is the pivot, size and direction of the bar and the coupler point, enters the path linearly, as complex numbers:
 // P = A0 + S e^(i theta) + Q e^(i phi). If dimensions have bounds, every second bar is drawn within them.
 #include "synthesis/paths/path_chain.h"
 #include "synthesis/paths/path_start.h"
@@ -19,7 +19,7 @@ static double ratio(uint64_t *seed)
     return yk_exp(between(seed, -2, 2));
 }
 
-// Draws the input's angles: given, or a start with a step, or going on and on by the way along the points and their number.
+// Draws the input's angles: given, or a start with a step, or growing with the way along the points and their number.
 static void draw_angles(const YkPathProblem *problem, uint64_t *seed, double *angle)
 {
     const YkPathTask *path = &problem->task->path;
@@ -86,7 +86,7 @@ static bool draw_first_loop(const YkPathProblem *problem, uint64_t *seed, YkBar 
     return false;
 }
 
-// Draws lengths of link and arm with which the dyad closes all round, from the least and the largest distance between its ends.
+// Draws lengths of link and arm with which the dyad closes all round, from the least and largest distance of its ends.
 static void draw_dyad(uint64_t *seed, double least, double most, YkBar *bar)
 {
     double sum = most * (1 + yk_exp(between(seed, -3.5, 0.7))), difference = 0.95 * least * between(seed, -1, 1);
@@ -95,8 +95,8 @@ static void draw_dyad(uint64_t *seed, double least, double most, YkBar *bar)
     bar->bend = yk_mix_next(seed) & 1 ? 1 : -1;
 }
 
-// Draws the shape of a machine with a dyad: an input of length 1, and places in terms of it. The direction of its ground and all
-// angles are those of the try.
+// Draws the shape of a machine with a dyad: an input of length 1, and places in terms of it. The direction of its
+// ground and all angles are those of the try.
 static bool draw_chain(const YkPathProblem *problem, uint64_t *seed, YkPathTry *try)
 {
     double *v = try->bar.v, least = INFINITY, most = 0;

@@ -1,4 +1,4 @@
-// Where a search for paths begins: bars drawn at random, with the rest by linear least squares.
+// Starts of a search for paths: bars drawn at random, with the rest by linear least squares.
 #ifndef SYNTHESIS_PATH_START_H
 #define SYNTHESIS_PATH_START_H
 #include "synthesis/paths/path_fit.h"

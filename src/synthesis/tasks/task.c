@@ -163,8 +163,8 @@ static void refuse_mechanism(const YkTaskReader *reader, const YkNode *item)
                     hint[kind] ? hint[kind] : "write [four-bar], or leave `mechanisms` out");
 }
 
-// `mechanisms:` may only name what the kind gives: four-bars, for functions slider-cranks as well, for motions and paths
-// more.
+// `mechanisms:` may only name what the kind gives: four-bars, for functions slider-cranks as well, for motions and
+// paths more.
 static void read_mechanisms(YkTaskReader *reader)
 {
     YkLoader *loader = reader->loader;

@@ -1,4 +1,4 @@
-// What a machine task says of channels: measures over the motion, and claims about them.
+// Reads what a machine task says of channels: measures over the motion, and claims about them.
 #include <math.h>
 #include <string.h>
 #include "synthesis/tasks/task.h"

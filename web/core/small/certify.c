@@ -1,5 +1,5 @@
-// Motions of groups are proved in yoke.wasm alone: panels.wasm answers for machines of dyads, which need no proof, and leaves
-// it the others. The page asks it again (worker.ts).
+// Motions of groups are proved in yoke.wasm alone: panels.wasm answers for machines of dyads, which need no proof, and
+// leaves it the others. The page asks it again (worker.ts).
 #include "certify.h"
 #include <stdio.h>
 

@@ -1,4 +1,5 @@
-// The modules leave Alt's problem out, whose start solutions alone are 100 KB: nine points are sought in them, not solved.
+// The modules leave Alt's problem out, whose start solutions alone are 100 KB: nine points are sought in them, not
+// solved.
 #include "synthesis/paths/path_search.h"
 
 bool yk_path_is_exact(const YkTask *task)

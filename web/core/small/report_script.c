@@ -1,5 +1,5 @@
-// The report's script is a file of the system in memory, which the worker gives to the verb `report` (worker.ts): embedded it
-// would be fetched with every study, map and synthesis.
+// The report's script is a file of the system in memory, which the worker gives to the verb `report` (worker.ts):
+// embedded it would be fetched with every study, map and synthesis.
 #include <stdio.h>
 #include "report/report.h"
 

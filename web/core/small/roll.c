@@ -1,5 +1,5 @@
-// Configurations are enumerated, and those of groups named, in yoke.wasm alone: panels.wasm leaves it what asks for them. The
-// page asks it again (worker.ts).
+// Configurations are enumerated, and those of groups named, in yoke.wasm alone: panels.wasm leaves it what asks for
+// them. The page asks it again (worker.ts).
 #include "roll.h"
 #include <stdio.h>
 #include "answer.h"

@@ -1,4 +1,5 @@
-// The verbs that panels.wasm leaves to yoke.wasm. The page asks the right module (worker.ts), so that nobody reads this.
+// The verbs that panels.wasm leaves to yoke.wasm. The page asks the right module (worker.ts), so that nobody reads
+// this.
 #include <stdio.h>
 #include "cli.h"
 #include "session.h"

@@ -1,4 +1,5 @@
-// Starts the command in a module whose other functions are called without it: the linker's own start would run before each.
+// Starts the command in a module whose other functions are called without it: the linker's own start would run before
+// each.
 #include <stdlib.h>
 
 int __main_void(void); // of wasi-libc: reads the words and calls main()

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/number.h"
 #include "picture/cam_picture.h"
 #include "picture/plot.h"
 #include "session.h"

@@ -1,5 +1,4 @@
 // Makes the rows of `yoke cam`, whatever the format.
-#include <math.h>
 #include "verbs/cam/cam.h"
 
 static const double full_turn = 6.28318530717958647692;

@@ -1,7 +1,6 @@
 // `yoke cam` for people, in the file's units.
 #include <math.h>
 #include <string.h>
-#include "base/number.h"
 #include "verbs/cam/text.h"
 #include "write/table.h"
 

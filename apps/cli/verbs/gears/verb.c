@@ -1,6 +1,5 @@
 // yoke gears: the speeds and torques of a gear train. It needs the model only, no pose.
 #include <stdlib.h>
-#include <string.h>
 #include "verbs/gears/gears.h"
 
 static const YkPlace nowhere = {0};

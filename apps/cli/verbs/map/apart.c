@@ -1,7 +1,6 @@
 // Hints at a coordinate that tells the configurations of --pose apart.
 #include <math.h>
 #include <stdlib.h>
-#include "session.h"
 #include "verbs/map/map.h"
 
 enum { LISTED_MAX = 8 }; // values: more do not fit a line

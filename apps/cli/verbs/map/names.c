@@ -1,5 +1,4 @@
 // What the events of a map are called after.
-#include "session.h"
 #include "verbs/map/map.h"
 
 const char *yk_map_event_of(const YkMapAnswer *answer, YkMapEvent event)

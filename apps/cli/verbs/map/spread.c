@@ -1,4 +1,4 @@
-// A map over two freedoms on all ranks of mpirun: rank 0 gives out the tiles of each plane and takes them in their order.
+// A map over two freedoms on all ranks of mpirun: rank 0 gives out the tiles of each plane and takes them in order.
 #include <stdlib.h>
 #include "hand_out.h"
 #include "session.h"

@@ -1,6 +1,5 @@
 // The small motions with damping and with loads that follow the machine, for people, where the modes leave them out.
 #include <math.h>
-#include "session.h"
 #include "elementary/elementary.h"
 #include "verbs/rest/rest.h"
 #include "write/table.h"

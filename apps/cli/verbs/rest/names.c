@@ -1,4 +1,4 @@
-// What the formats of `yoke rest` say of stability and modes.
+// Words of `yoke rest` for stability and modes, in all formats.
 #include <math.h>
 #include "verbs/rest/rest.h"
 

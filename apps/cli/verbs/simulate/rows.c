@@ -11,7 +11,7 @@
 
 enum { NUMBER_WIDTH = 12, GAP = 2 }; // "-1.23457e-10"
 
-bool yk_simulate_keeps_rows(const YkSimulationAnswer *answer)
+static bool keeps_rows(const YkSimulationAnswer *answer)
 {
     const YkRequest *request = answer->session->request;
     return request->format == YK_FORMAT_JSON || request->plot;
@@ -143,7 +143,7 @@ bool yk_simulate_row(YkSimulationAnswer *answer)
     answer->row[0] = yk_simulation_time(answer->simulation);
     for (size_t c = 0; c < answer->column_count; c++)
         answer->row[c + 1] = yk_simulation_channel(answer->simulation, answer->columns[c].channel);
-    if (yk_simulate_keeps_rows(answer) && !keep_row(answer)) return false;
+    if (keeps_rows(answer) && !keep_row(answer)) return false;
     look_at_events(answer);
     answer->row_count++;
     if (answer->session->request->format == YK_FORMAT_TEXT) add_text_row(answer, &head);

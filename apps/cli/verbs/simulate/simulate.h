@@ -34,7 +34,6 @@ bool yk_simulate_prepare(YkSimulationAnswer *answer); // --effort and --event
 double yk_simulate_time_of(const YkSimulationAnswer *answer, size_t row); // s
 
 // rows.c: rows as they are computed.
-bool yk_simulate_keeps_rows(const YkSimulationAnswer *answer);
 void yk_simulate_head(YkSimulationAnswer *answer);
 bool yk_simulate_row(YkSimulationAnswer *answer); // reads and writes the present one; false: out of memory, reported
 bool yk_simulate_flush(YkSimulationAnswer *answer);

@@ -135,10 +135,9 @@ void yk_add_equations_json(YkJson *json, YkEquationCount c)
     yk_text_free(&text);
 }
 
-void yk_forces_json(YkSession *session, YkJson *json, const YkState *state)
+void yk_forces_json(YkSession *session, YkJson *json)
 {
     YkEnergy energy = yk_dynamics_energy(session->dynamics);
-    (void)state;
     add_reactions(session, json);
     add_efforts(session, json);
     yk_json_object(json, "energy", YK_JSON_INLINE);
@@ -242,11 +241,10 @@ static void explain_ranges(YkSession *session)
     yk_text_puts(out, "Reactions marked as one of many are those without friction in the joints at rest.\n");
 }
 
-void yk_forces_text(YkSession *session, const YkState *state)
+void yk_forces_text(YkSession *session)
 {
     YkText *out = &session->out;
     YkEnergy energy = yk_dynamics_energy(session->dynamics);
-    (void)state;
     add_reaction_table(session);
     add_effort_table(session, false);
     add_effort_table(session, true);

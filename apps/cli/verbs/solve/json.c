@@ -102,7 +102,7 @@ void yk_solve_json(YkSession *session, YkJson *json, const YkState *state)
     add_bodies(session, json, state);
     add_points(session, json, state);
     add_transmission(session, json, state);
-    if (session->dynamics) yk_forces_json(session, json, state);
+    if (session->dynamics) yk_forces_json(session, json);
     if (session->request->centers) yk_centers_json(session, json, state);
     if (session->request->polygon) yk_polygon_json(session, json, state);
     if (session->columns) yk_solve_of_json(session, json, state);

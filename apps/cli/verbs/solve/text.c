@@ -146,7 +146,7 @@ static void add_all(YkSession *session, const YkState *state)
     add_bodies(session, state);
     add_points(session, state);
     add_transmission(session, state);
-    if (session->dynamics) yk_forces_text(session, state);
+    if (session->dynamics) yk_forces_text(session);
 }
 
 void yk_solve_text(YkSession *session, const YkState *state, size_t index)

@@ -29,8 +29,8 @@ typedef struct YkHttpHandler {
 typedef struct YkHttp {
     int interface;    // YK_HTTP_INTERFACE of the headers that it was built with
     const char *yoke; // the version of yoke that it belongs to
-    // Listens on the loopback address until it is stopped; port 0 takes a free one. Returns NULL, with errno, if it cannot.
-    // The handler is kept, not copied.
+    // Listens on the loopback address until it is stopped; port 0 takes a free one. Returns NULL, with errno, if it
+    // cannot. The handler is kept, not copied.
     void *(*start)(const YkHttpHandler *, unsigned port, unsigned *taken);
     void (*stop)(void *server);
     const char *(*header)(const YkRequestIn *, const char *name);   // NULL if it has none

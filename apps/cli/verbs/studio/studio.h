@@ -15,14 +15,14 @@ typedef struct YkAssets {
     size_t count, capacity;
 } YkAssets;
 
-// Reads the page from where it is installed or built, or from the folder that YOKE_STUDIO names. Returns false where there
-// is none; reported.
+// Reads the page from where it is installed or built, or from the folder that YOKE_STUDIO names. Returns false where
+// there is none; reported.
 bool yk_assets_load(YkAssets *assets, YkSession *session);
 void yk_assets_free(YkAssets *assets);
 const YkAsset *yk_assets_find(const YkAssets *assets, const char *path); // NULL if there is none
 const char *yk_assets_type(const char *path);                            // its media type
 
-// The current text of the machine's file, and a version that changes with its bytes ("none" if the file does not exist).
+// The present text of the machine's file, and a version that changes with its bytes ("none" if there is no file).
 typedef struct YkServed {
     const char *path; // NULL: no file was named
     const char *name; // without folders
@@ -32,8 +32,8 @@ typedef struct YkServed {
 bool yk_served_read(YkServed *served, YkProblems *problems); // a file that does not exist counts as empty
 void yk_served_free(YkServed *served);
 
-// Adds the whole page with the machine in it as one HTML document that fetches nothing. Returns false if the page is not
-// one that can be put into one file; reported.
+// Adds the whole page with the machine in it as one HTML document that fetches nothing. Returns false if the page is
+// not one that can be put into one file; reported.
 bool yk_studio_page(const YkAssets *assets, const YkServed *served, YkSession *session, YkText *html);
 
 // Guards: who may ask. Other pages must not reach the machine through the browser, nor by a name of their own for this

@@ -1,8 +1,6 @@
 // Reads the request for a study: which parameters vary and how, at which poses, with which columns.
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/number.h"
 #include "reach.h"
 #include "session.h"
 #include "stop.h"

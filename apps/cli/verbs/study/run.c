@@ -1,7 +1,6 @@
 // Computes the rows of a study in this process, block by block; takes and shows what is done, wherever it was computed.
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include "ranks.h"
 #include "session.h"
 #include "stop.h"

@@ -1,7 +1,6 @@
 // A rank other than 0: computes the blocks that it is given, and tells nothing itself.
 #include <stdlib.h>
 #include <string.h>
-#include "session.h"
 #include "spread.h"
 #include "stop.h"
 #include "verbs/study/study.h"

@@ -1,8 +1,8 @@
 // Rank 0 of a study: gives blocks of designs to whoever asks, computes some itself, and writes the rows in order.
 //
 // The size of a block follows the speed of the rank that gets it, and shrinks towards the end, so that all finish
-// together (guided self-scheduling: Polychronopoulos & Kuck 1987). Few blocks are out at a time: rows that came too early
-// wait in memory, and a slow rank holds the others up before these are many.
+// together (guided self-scheduling: Polychronopoulos & Kuck 1987). Few blocks are out at a time: rows that came too
+// early wait in memory, and a slow rank holds the others up before these are many.
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -211,8 +211,8 @@ static void end_own(Spread *s)
     free(own->rows);
 }
 
-// Waits for rank 0's own block or for a while, longer from call to call: messages of others can wait, since each rank has
-// a block ahead.
+// Waits for rank 0's own block or for a while, longer from call to call: messages of others can wait, since each rank
+// has a block ahead.
 static void wait_for_news(Spread *s, double *pause)
 {
     struct timespec until;

@@ -64,7 +64,6 @@ typedef struct YkStudyAnswer {
 
 // request.c: reads the whole command line and makes the study. Returns false with problems added.
 bool yk_study_read(YkStudyAnswer *answer);
-void yk_study_parameters(const YkStudyAnswer *answer, size_t design, double *values); // [axis]
 
 // partial.c: keeps what is done beside the output. Reads the rows of an interrupted run; returns false with a problem
 // added if they are of another study.
@@ -114,8 +113,8 @@ static inline size_t yk_study_kinds(const YkStudyAnswer *a) // answers a column 
 void yk_study_name(const YkStudyAnswer *answer, size_t k, YkText *name);
 YkQuantity yk_study_quantity(const YkStudyAnswer *answer, size_t k);
 
-// turns.c: finds whether a drive turns back just at a limit on the way, so that designs must follow their drives in time.
-// Returns false with a problem added if they cannot.
+// turns.c: finds whether a drive turns back just at a limit on the way, so that designs must follow their drives in
+// time. Returns false with a problem added if they cannot.
 bool yk_study_check_turns(YkStudyAnswer *answer);
 // Gathers a row into the sum.
 void yk_study_note(YkStudyAnswer *answer, size_t design, const double *row);

@@ -1,5 +1,5 @@
-// A study moves straight from pose to pose, and so misses that a drive which turns back just at a limit between two poses takes
-// the machine through a dead point. Designs then follow their drives in time.
+// A study moves straight from pose to pose, and so misses that a drive which turns back just at a limit between two
+// poses takes the machine through a dead point. Designs then follow their drives in time.
 #include "session.h"
 #include "stop.h"
 #include "verbs/study/study.h"

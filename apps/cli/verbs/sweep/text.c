@@ -35,8 +35,8 @@ static double shown_at(const YkSweepAnswer *answer, double at)
     return fabs(at) <= 1e-15 * largest ? 0 : yk_amount_of(answer->session->model, at, answer->over.quantity);
 }
 
-// Beside a change point rates and accelerations lose digits, with the sine of the transmission angle to the third power;
-// at one they are limits. So there is more noise there, which is at most taken for 1e-8.
+// Beside a change point rates and accelerations lose digits, with the sine of the transmission angle to the third
+// power; at one they are limits. So there is more noise there, which is at most taken for 1e-8.
 static double blur_of(const YkSweepAnswer *answer, size_t row)
 {
     const double most = 1e5;

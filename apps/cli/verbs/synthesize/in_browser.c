@@ -1,4 +1,4 @@
-// In a browser the search runs in the page's thread, and the pictures for a folder, which nobody writes there, are left out.
+// In a browser the search runs in the page's thread, and there is no folder to write pictures to.
 #include "verbs/synthesize/synthesize.h"
 
 YkSynthesisThreads *yk_synthesis_threads(YkSynthesisAnswer *answer, YkSynthesisOptions *options, YkProblems *problems)

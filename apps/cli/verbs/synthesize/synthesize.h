@@ -1,4 +1,4 @@
-// What the files of `yoke synthesize` share.
+// Shared by the files of `yoke synthesize`.
 #ifndef CLI_SYNTHESIZE_H
 #define CLI_SYNTHESIZE_H
 #include "cli.h"
@@ -31,10 +31,10 @@ bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder);
 typedef struct YkSynthesisSpread YkSynthesisSpread;
 YkSynthesisSpread *yk_synthesis_spread(YkSynthesisAnswer *answer, YkSynthesisOptions *options, YkProblems *problems);
 void yk_synthesis_gather(YkSynthesisSpread *spread); // ends it
-// What ranks other than 0 do, whether the task could be read or not. Returns the exit code.
+// The part of ranks other than 0, whether the task could be read or not. Returns the exit code.
 int yk_synthesis_serve(YkSynthesisAnswer *answer, bool is_read);
 
-// sheets.c: returns the name of a further picture, with its text, or NULL where the task has none; *ran_out: out of memory.
+// sheets.c: returns the name of a further picture, with its text; NULL if the task has none. *ran_out: out of memory.
 enum { YK_SHEET_FILES = 2 };
 const char *yk_synthesis_sheet_file(const YkSynthesisAnswer *answer, size_t index, const char **svg, bool *ran_out);
 

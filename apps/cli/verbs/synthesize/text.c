@@ -1,6 +1,5 @@
 // `yoke synthesize` for people.
 #include <math.h>
-#include "session.h"
 #include "verbs/synthesize/synthesize.h"
 #include "write/table.h"
 

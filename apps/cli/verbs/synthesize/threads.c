@@ -1,5 +1,6 @@
-// A search on several threads: they compute its pieces ahead, and the search takes them in their order. What follows from a
-// piece - which machine is kept, when the search ends - is decided as it is alone, so the answer has the same bits.
+// A search on several threads: they compute its pieces ahead, and the search takes them in their order. What follows
+// from a piece - which machine is kept, when the search ends - is decided as it is alone, so the answer has the same
+// bits.
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
