@@ -266,6 +266,7 @@ typedef struct YkCam {
     // Results of the joints' places, in the carrier's axes:
     double turn;   // +1: the cam turns counterclockwise as its coordinate grows; -1: clockwise
     double swing;  // the same for an oscillating follower
+    double away;   // and where it leaves the cam: that sense, or the other one if the lift falls there
     YkVec along;   // unit direction of a translating follower's lift
     YkVec pivot;   // of an oscillating follower, from the cam's centre, m
     bool is_apart; // its pin does not lie on the cam's

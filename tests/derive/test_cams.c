@@ -379,7 +379,7 @@ static void shapes_are_those_of_the_cam_verb(void **state)
     (void)state;
     static const struct {
         const char *cam, *joints, *points;
-        bool has_roller;
+        bool has_roller, goes_below; // the law, below 0
     } kinds[] = {
         {"roller: 0.1, base: 0.5", "T: {slide: [ground, f], along: y, distance: s}", "", true},
         {"roller: 0.1, base: 0.5, offset: 0.12", "T: {slide: [ground, f], along: 30 deg, distance: s}", "", true},
@@ -388,6 +388,8 @@ static void shapes_are_those_of_the_cam_verb(void **state)
         {"face: flat, base: 0.7", "T: {slide: [ground, f], along: 100 deg, distance: s}", "", false},
         {"roller: 0.1, base: 0.5, at: P", "Q: {pin: [ground, f], angle: phi}",
          "  ground: {points: {O: [0, 0], Q: [1.1, 0.3]}}\n  f: {points: {Q: [0, 0], P: [-0.9, 0]}}\n", true},
+        {"roller: 0.1, base: 0.5, at: P", "Q: {pin: [ground, f], angle: phi}",
+         "  ground: {points: {O: [0, 0], Q: [1.1, -0.3]}}\n  f: {points: {Q: [0, 0], P: [-0.9, 0.6]}}\n", true, true},
         {"face: flat, base: 0.4", "Q: {pin: [ground, f], angle: phi}",
          "  ground: {points: {O: [0, 0], Q: [1.5, 0.3]}}\n  f: {points: {Q: [0, 0]}}\n", false},
     };
@@ -395,12 +397,13 @@ static void shapes_are_those_of_the_cam_verb(void **state)
         char text[3000];
         bool is_angle = *kinds[k].points != '\0';
         snprintf(text, sizeof text,
-                 "laws: {lift: {period: 2*pi, segments: [{rise: {to: 2, by: 0.2 %s, law: cycloidal}},\n"
-                 "  {fall: {to: 5, by: 0.2 %s, law: 4-5-6-7}}, {dwell: {to: 2*pi}}]}}\n"
+                 "laws: {lift: {period: 2*pi, segments: [{%s: {to: 2, by: 0.2 %s, law: cycloidal}},\n"
+                 "  {%s: {to: 5, by: 0.2 %s, law: 4-5-6-7}}, {dwell: {to: 2*pi}}]}}\n"
                  "cams: {c: {cam: shaft, follower: f, law: lift, %s}}\n"
                  "bodies:\n  shaft: {points: {O: [0, 0]}}\n%s"
                  "joints:\n  O: {pin: [ground, shaft], angle: theta}\n  %s\n",
-                 is_angle ? "rad" : "m", is_angle ? "rad" : "m", kinds[k].cam,
+                 kinds[k].goes_below ? "fall" : "rise", is_angle ? "rad" : "m", kinds[k].goes_below ? "rise" : "fall",
+                 is_angle ? "rad" : "m", kinds[k].cam,
                  is_angle ? kinds[k].points : "  ground: {points: {O: [0, 0]}}\n  f: {}\n", kinds[k].joints);
         Machine m = machine_of(text);
         check_shape(&m, kinds[k].has_roller);

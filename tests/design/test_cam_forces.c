@@ -123,6 +123,41 @@ static void a_groove_has_no_jump_speed(void **state)
     cam_free(&cam);
 }
 
+// The mirror image about the x axis: a law below 0, and every effort along the coordinate of the other sign.
+static void a_law_below_zero_presses_as_its_mirror_image(void **state)
+{
+    (void)state;
+    Cam cam[2];
+    for (int k = 0; k < 2; k++) {
+        char text[2000];
+        const char *sign = k == 0 ? "" : "-";
+        snprintf(text, sizeof text,
+                 "gravity: [3 m/s^2, %s9.81 m/s^2]\n"
+                 "laws: {lift: {period: 2*pi, segments: [{%s: {to: pi, by: 20 deg, law: cycloidal}}, "
+                 "{%s: {to: 2*pi, by: 20 deg, law: 3-4-5}}]}}\n"
+                 "cams: {c: {cam: shaft, follower: rocker, law: lift, base: 40 mm, roller: 10 mm, at: P}}\n"
+                 "bodies: {ground: {points: {O: [0, 0], Q: [80 mm, %s30 mm]}}, shaft: {points: {O: [0, 0]}}, rocker: "
+                 "{points: {Q: [0, 0], P: [%s]}, mass: 0.3 kg, center: [-10 mm, %s20 mm], inertia: 2e-4}}\n"
+                 "joints: {O: {pin: %s, angle: theta}, Q: {pin: [ground, rocker], angle: phi}}\n"
+                 "springs: {k: {along: phi, stiffness: 3, angle: %s10 deg}}\ndrives: {theta: 600 rpm * t}\n",
+                 sign, k == 0 ? "rise" : "fall", k == 0 ? "fall" : "rise", sign,
+                 k == 0 ? "-80 mm, -80 mm" : "-80 mm, 80 mm", sign, k == 0 ? "[ground, shaft]" : "[shaft, ground]",
+                 k == 0 ? "-" : "");
+        cam[k] = cam_load(text);
+    }
+    for (double x = 0; x < 6.2; x += 0.1) {
+        YkCamForce one = yk_cam_force(cam[0].design, 60, x), other = yk_cam_force(cam[1].design, 60, x);
+        CHECK_NEAR(one.effort, -other.effort, 1e-13);
+        CHECK_NEAR(one.contact, other.contact, 1e-11);
+        CHECK_NEAR(one.torque, other.torque, 1e-13);
+    }
+    YkCamForceSummary one = yk_cam_force_summary(cam[0].design, 60), other = yk_cam_force_summary(cam[1].design, 60);
+    CHECK_NEAR(one.contact_low.value, other.contact_low.value, 1e-9);
+    CHECK_NEAR(one.jump_speed, other.jump_speed, 1e-9 * one.jump_speed);
+    CHECK_NEAR(one.preload_needed, -other.preload_needed, 1e-12);
+    for (int k = 0; k < 2; k++) cam_free(&cam[k]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -133,6 +168,7 @@ int main(void)
         cmocka_unit_test(the_contact_force_of_a_turning_face_has_its_lever),
         cmocka_unit_test(what_cannot_be_counted_is_told),
         cmocka_unit_test(a_groove_has_no_jump_speed),
+        cmocka_unit_test(a_law_below_zero_presses_as_its_mirror_image),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -66,6 +66,34 @@ static void arm_and_centres_follow_from_points_or_from_keys(void **state)
     yk_model_free(model);
 }
 
+// The arm lies where turning clockwise leads away from the cam.
+static void a_follower_leaves_its_cam_where_its_point_and_law_say(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *first, *second, *arm, *pin;
+        double away;
+    } cases[] = {{"fall", "rise", "at: P", "[ground, rocker]", -1}, // the law goes below 0
+                 {"rise", "fall", "at: P", "[ground, rocker]", 1},  // a point of the wrong side
+                 {"fall", "rise", "arm: 100 mm", "[ground, rocker]", 1},
+                 {"rise", "fall", "at: P", "[rocker, ground]", -1},
+                 {"fall", "rise", "at: P", "[rocker, ground]", -1}}; // lift 0 is the cam's largest radius
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char text[2000];
+        snprintf(text, sizeof text,
+                 "laws: {lift: {period: 2*pi, segments: [{%s: {to: pi, by: 20 deg, law: 3-4-5}}, "
+                 "{%s: {to: 2*pi, by: 20 deg, law: 3-4-5}}]}}\n"
+                 "cams: {c: {cam: shaft, follower: rocker, law: lift, base: 60 mm, %s}}\n"
+                 "bodies: {ground: {points: {O: [0, 0], Q: [80 mm, 60 mm]}}, shaft: {}, "
+                 "rocker: {points: {Q: [10 mm, 0], P: [70 mm, 80 mm]}}}\n"
+                 "joints: {O: {pin: [ground, shaft]}, Q: {pin: %s}}\n",
+                 cases[k].first, cases[k].second, cases[k].arm, cases[k].pin);
+        YkModel *model = fixture_load(text);
+        CHECK_NEAR(model->cams[0].away, cases[k].away, 0);
+        yk_model_free(model);
+    }
+}
+
 // The guide's line passes the shaft at 30 mm on its right; a reversed guide moves the other way.
 static void the_offset_follows_from_the_guide_where_it_is_not_given(void **state)
 {
@@ -276,6 +304,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_cam_of_the_format_loads),
         cmocka_unit_test(arm_and_centres_follow_from_points_or_from_keys),
+        cmocka_unit_test(a_follower_leaves_its_cam_where_its_point_and_law_say),
         cmocka_unit_test(the_offset_follows_from_the_guide_where_it_is_not_given),
         cmocka_unit_test(grooves_and_conjugate_cams_are_read),
         cmocka_unit_test(a_law_without_units_takes_those_of_its_follower),

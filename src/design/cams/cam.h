@@ -15,8 +15,8 @@ typedef struct YkCamShape {
     YkCamFace face;
     bool oscillates;
     double turn;         // sigma
-    double swing;        // +1: an oscillating follower turns counterclockwise with its coordinate
-    double sign;         // +1; -1 for a second follower that approaches the cam as the lift grows
+    double swing;        // +1: an oscillating follower turns counterclockwise where it leaves the cam
+    double sign;         // +1; -1 for a follower that approaches the cam as the lift grows
     double base, roller; // m
     double offset;       // translating: of the line of motion towards -i along; flat oscillating: of the face from the
                          // pivot towards the cam

@@ -14,16 +14,17 @@ static double effort_at(const YkCamDesign *design, double speed, const YkCamSamp
 // Returns the effort along the coordinate over the normal force: the velocity of the contact along the normal per lift.
 static double lever(const YkCamShape *shape, const YkCamPoint *point)
 {
-    if (!shape->oscillates) return yk_cos(point->pressure_angle);
-    return shape->face == YK_CAM_FACE_FLAT ? point->reach : shape->arm * yk_cos(point->pressure_angle);
+    if (!shape->oscillates) return shape->sign * yk_cos(point->pressure_angle);
+    if (shape->face == YK_CAM_FACE_FLAT) return point->reach;
+    return shape->sign * shape->arm * yk_cos(point->pressure_angle);
 }
 
 // Returns the force of the roller that bears, negative if it is the second of a pair.
 static double contact_at(const YkCamDesign *design, double effort, const YkCamPoint *point)
 {
-    if (!design->cam->is_conjugate || effort >= 0) return effort / lever(&design->shape, point);
+    if (!design->cam->is_conjugate || design->shape.sign * effort >= 0) return effort / lever(&design->shape, point);
     YkCamPoint second = yk_cam_shape_at(&design->second, point->angle, point->lift);
-    return effort / lever(&design->second, &second);
+    return -effort / lever(&design->second, &second);
 }
 
 static YkCamForce force_at(const YkCamDesign *design, double speed, const YkCamPoint *point)
@@ -57,10 +58,11 @@ static double torque(const YkCamPoint *point, const void *context)
     return of->sign * force_at(of->design, of->speed, point).torque;
 }
 
+// Measures the effort by which the cam pushes the follower away.
 static double effort(const YkCamPoint *point, const void *context)
 {
     const Case *of = context;
-    return of->sign * force_at(of->design, of->speed, point).effort;
+    return of->sign * of->design->shape.sign * force_at(of->design, of->speed, point).effort;
 }
 
 static YkCamExtreme extreme(const YkCamDesign *design, YkCamMeasure measure, double speed, double sign)
@@ -130,7 +132,7 @@ YkCamForceSummary yk_cam_force_summary(const YkCamDesign *design, double speed)
                                  .torque_low = extreme(design, torque, speed, -1),
                                  .torque_high = extreme(design, torque, speed, 1)};
     summary.torque_mean = mean_torque(design, speed);
-    summary.preload_needed = design->loads.preload - extreme(design, effort, speed, -1).value;
+    summary.preload_needed = design->loads.preload - design->shape.sign * extreme(design, effort, speed, -1).value;
     find_jump(design, &summary);
     return summary;
 }

@@ -168,7 +168,7 @@ static double efforts_at(const YkCamDesign *design, double speed, const YkCamSam
 double yk_cam_static_effort(const YkCamDesign *design, double speed, const YkCamSample *at)
 {
     const YkCamLoad *load = &design->load;
-    double swing = design->shape.swing, s = at->lift[0];
+    double swing = design->cam->swing, s = at->lift[0];
     double weight = load->weight * swing * yk_cos(load->center + swing * s); // moment along the coordinate
     return load->stiffness * s + design->loads.preload + load->constant - weight - efforts_at(design, speed, at);
 }

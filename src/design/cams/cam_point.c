@@ -7,7 +7,7 @@
 // The point of the carrier where the roller's centre or the edge lies, and its derivatives by the cam's angle.
 typedef struct Path {
     YkVec at, d1, d2;
-    YkVec lifts; // unit direction in which a growing lift leads
+    YkVec lifts; // unit direction in which the follower leaves the cam
 } Path;
 
 static Path follow(const YkCamShape *shape, const double lift[])

@@ -22,8 +22,8 @@ YkCamShape yk_cam_shape_of(const YkCam *cam)
     YkCamShape shape = {.face = cam->face,
                         .oscillates = cam->oscillates,
                         .turn = cam->turn,
-                        .swing = cam->swing,
-                        .sign = 1,
+                        .swing = cam->away,
+                        .sign = cam->swing * cam->away,
                         .base = cam->base,
                         .roller = cam->roller,
                         .offset = cam->offset,
@@ -38,7 +38,7 @@ YkCamShape yk_cam_shape_of(const YkCam *cam)
 YkCamShape yk_cam_shape_second(const YkCamShape *first, const YkCam *cam)
 {
     YkCamShape second = *first;
-    second.sign = -1;
+    second.sign = -first->sign;
     second.roller = cam->other_roller;
     if (first->oscillates) {
         second.arm = cam->other_arm;

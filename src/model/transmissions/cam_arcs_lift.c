@@ -7,6 +7,7 @@
 #include "elementary/elementary.h"
 #include "expr/jet.h"
 #include "model/transmissions/cam_arcs.h"
+#include "model/transmissions/cam_place.h"
 
 typedef struct Turning {
     YkSeries x, y;
@@ -58,7 +59,7 @@ static const char *arm_on_arc(const YkCam *cam, const Turning *P, double reach, 
     if (why) return why;
     value = yk_series_sum(&value, &square, -1);
     value = yk_series_scaled(&value, 1 / (2 * cam->arm));
-    return lean(&f, &value, &norm, reach > 0 ? cam->swing : -cam->swing, psi);
+    return lean(&f, &value, &norm, reach > 0 ? cam->away : -cam->away, psi);
 }
 
 // The same on a line: (pivot + a exp(i psi)) . n = support + rho.
@@ -68,7 +69,7 @@ static const char *arm_on_line(const YkCam *cam, const Turning *n, double suppor
     YkSeries value = yk_series_constant(support), norm = yk_series_constant(cam->arm);
     value = yk_series_sum(&value, &x, -1);
     value = yk_series_sum(&value, &y, -1);
-    return lean(n, &value, &norm, cam->swing, psi);
+    return lean(n, &value, &norm, cam->away, psi);
 }
 
 // A flat face that turns with its normal's angle nu: Re(f exp(-i nu)) = r + offset.
@@ -77,7 +78,7 @@ static const char *face_on_arc(const YkCam *cam, const Turning *P, double radius
     Turning f = from_pivot(cam, P);
     YkSeries square = squared(&f), norm, value = yk_series_constant(radius + cam->offset);
     const char *why = yk_series_function(YK_SQRT, &square, NULL, &norm);
-    return why ? why : lean(&f, &value, &norm, cam->swing, nu);
+    return why ? why : lean(&f, &value, &norm, cam->away, nu);
 }
 
 // A roller or edge in a guide, at y along it and -e across: (y - a)^2 + (e + b)^2 = (r + rho)^2 with a + i b = P /
@@ -144,13 +145,6 @@ bool yk_cam_contact_lift(const void *context, double angle, double d[YK_LAW_ORDE
     return true;
 }
 
-// Returns the angle at which f cos(angle - that of f) has this value, on the side where turning by `swing` makes it
-// grow.
-static double angle_of(YkVec f, double value, double swing)
-{
-    return yk_atan2(f.y, f.x) - swing * yk_acos(value / yk_norm(f));
-}
-
 static double argument(YkVec v)
 {
     return yk_atan2(v.y, v.x);
@@ -161,13 +155,12 @@ double yk_cam_contact_angle(const YkCam *cam, YkVec point, YkVec normal)
     YkVec c = yk_add(point, yk_scale(cam->roller, normal)), C;
     double distance = yk_norm(c), a = cam->arm;
     if (cam->face == YK_CAM_FACE_FLAT) {
-        double nu = cam->oscillates ? angle_of(cam->pivot, yk_dot(point, normal) + cam->offset, cam->swing)
+        double nu = cam->oscillates ? yk_cam_face_angle(cam->pivot, yk_dot(point, normal) + cam->offset, cam->away)
                                     : argument(cam->along);
         return cam->turn * (nu - argument(normal));
     }
     if (cam->oscillates) {
-        double f = yk_norm(cam->pivot);
-        C = yk_scale(a, yk_unit(angle_of(cam->pivot, ((distance - a) * (distance + a) - f * f) / (2 * a), cam->swing)));
+        C = yk_scale(a, yk_unit(yk_cam_arm_angle(cam->pivot, a, distance, cam->away)));
         C = yk_add(cam->pivot, C);
     } else {
         double y = sqrt((distance - cam->offset) * (distance + cam->offset));

@@ -6,20 +6,19 @@
 
 enum { LIFT_SAMPLES = 720 };
 
-// The angle nu at which f cos(nu - gamma) has this value, on the side where turning by `swing` makes it grow.
-double yk_cam_face_angle(YkVec pivot, double distance, double swing)
+// The angle nu at which f cos(nu - gamma) has this value, on the side where turning in the sense `away` makes it grow.
+double yk_cam_face_angle(YkVec pivot, double distance, double away)
 {
-    double gamma = yk_atan2(pivot.y, pivot.x), off = yk_acos(distance / yk_norm(pivot));
-    return swing > 0 ? gamma - off : gamma + off;
+    return yk_atan2(pivot.y, pivot.x) - away * yk_acos(distance / yk_norm(pivot));
 }
 
 // Arm, centres and distance R form a triangle with R^2 = f^2 + a^2 + 2 a f cos(psi - gamma).
-double yk_cam_arm_angle(YkVec pivot, double arm, double distance, double swing)
+double yk_cam_arm_angle(YkVec pivot, double arm, double distance, double away)
 {
     double f = yk_norm(pivot);
     double projection =
         ((distance - arm) * (distance + arm) - f * f) / (2 * arm); // of the pivot on the arm's direction
-    return yk_cam_face_angle(pivot, projection, swing);
+    return yk_cam_face_angle(pivot, projection, away);
 }
 
 bool yk_cam_touch(const YkCam *cam, YkVec *touch)
@@ -27,8 +26,8 @@ bool yk_cam_touch(const YkCam *cam, YkVec *touch)
     bool is_flat = cam->face == YK_CAM_FACE_FLAT;
     double distance = cam->base + (is_flat ? cam->offset : cam->roller);
     if (!cam->is_apart) return false;
-    *touch = yk_unit(is_flat ? yk_cam_face_angle(cam->pivot, distance, cam->swing)
-                             : yk_cam_arm_angle(cam->pivot, cam->arm, distance, cam->swing));
+    *touch = yk_unit(is_flat ? yk_cam_face_angle(cam->pivot, distance, cam->away)
+                             : yk_cam_arm_angle(cam->pivot, cam->arm, distance, cam->away));
     if (!is_flat) *touch = yk_scale(cam->arm, *touch);
     return true;
 }
@@ -39,8 +38,7 @@ bool yk_cam_pair_holds(const YkCam *cam)
     YkVec arm;
     if (!cam->oscillates) return cam->other_span > sqrt(fmax(reach * reach - aside * aside, 0));
     if (!yk_cam_touch(cam, &arm)) return true; // nothing tells
-    arm = yk_mul(yk_scale(cam->other_arm / cam->arm, yk_unit(cam->other_angle)), arm);
-    return cam->swing * yk_dot(yk_add(cam->pivot, arm), yk_quarter(arm)) < 0;
+    return cam->away * yk_cross(yk_mul(yk_unit(cam->other_angle), arm), cam->pivot) < 0;
 }
 
 static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
@@ -50,6 +48,14 @@ static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
     if (!cam->offset_expr) cam->offset = yk_dot(apart, yk_scale(-1, yk_quarter(cam->along)));
 }
 
+// Returns whether a falling lift leads away from the cam: the arm lies on that side, and the law goes below 0. Arcs have
+// no law yet, and theirs follows the arm.
+static bool falls_away(const YkModel *model, const YkCam *cam, YkVec arm)
+{
+    const YkLaw *law = cam->law == YK_NONE ? NULL : model->laws[cam->law].law;
+    return cam->swing * yk_cross(arm, cam->pivot) < 0 && !(law && yk_cam_lowest_lift(law) > -1e-9);
+}
+
 // Finds arm and centres from points or keys; if two pins share one place, the file gives their distance.
 static void place_pivot(const YkModel *model, const YkJoint *pin, YkVec apart, YkCam *cam)
 {
@@ -57,7 +63,9 @@ static void place_pivot(const YkModel *model, const YkJoint *pin, YkVec apart, Y
     cam->is_apart = yk_norm(apart) > 1e-12 * (cam->base + cam->roller);
     if (cam->point != YK_NONE) {
         int side = pin->body[0] == cam->follower ? 0 : 1;
-        cam->arm = yk_norm(yk_sub(model->points[cam->point].at, pin->at[side]));
+        YkVec arm = yk_sub(model->points[cam->point].at, pin->at[side]);
+        cam->arm = yk_norm(arm);
+        if (falls_away(model, cam, arm)) cam->away = -cam->swing;
     }
     if (!cam->centers_expr)
         cam->centers = yk_norm(apart);
@@ -72,7 +80,7 @@ void yk_cam_place(const YkModel *model, YkCam *cam)
     int pin_side = pin->body[0] == cam->carrier ? 0 : 1, guide_side = guide->body[0] == cam->carrier ? 0 : 1;
     YkVec apart = yk_sub(guide->at[guide_side], pin->at[pin_side]);
     cam->turn = pin_side == 0 ? 1 : -1;
-    cam->swing = guide_side == 0 ? 1 : -1;
+    cam->away = cam->swing = guide_side == 0 ? 1 : -1;
     if (cam->oscillates)
         place_pivot(model, guide, apart, cam);
     else

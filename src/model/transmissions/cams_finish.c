@@ -63,10 +63,8 @@ static void warn_of_place(YkLoader *loader, const YkCam *cam)
     double asked = cam->base + cam->roller;
     if (cam->point == YK_NONE || cam->face == YK_CAM_FACE_FLAT) return;
     YkVec arm = yk_sub(model->points[cam->point].at, pin->at[pin->body[0] == cam->follower ? 0 : 1]);
-    YkVec at = yk_add(cam->pivot, arm);
-    double found = yk_norm(at);
-    // The law's positive direction leads away from the cam.
-    bool is_lifted = cam->swing * yk_dot(at, yk_quarter(arm)) > 0;
+    double found = yk_norm(yk_add(cam->pivot, arm));
+    bool is_lifted = cam->away * yk_cross(arm, cam->pivot) > 0;
     if (fabs(found - asked) <= 1e-4 * asked && is_lifted) return;
     YkText words = {0};
     yk_text_format(&words, "%s", length_text(loader, found));
