@@ -140,6 +140,7 @@ static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t
     double beside = 1e-10 * rest->scale[0];
     Probe last = {NAN, NAN, NAN}, now;
     if (branch.rows < 2) return true;
+    rest->row = NULL; // where branches meet, moving on from the last one would stay on it, or bring its turns along
     for (size_t k = 0; k < branch.rows; k++) {
         const double *row = yk_map_row(map, circuit, index, k);
         double at = row[c];
