@@ -36,6 +36,7 @@ static YkStatus move_near(YkRest *rest, const double *row, double at)
     const double near = 1e-3; // rad, or machine sizes
     yk_state_set_input(rest->state, (size_t)rest->input[0], (YkMotion){at, 0, 0});
     YkStatus status = yk_state_solve(rest->state);
+    if (status >= 0) yk_state_refer(rest->state); // springs feel how often an angle has turned
     if (status < 0 || rest->row == row) return status;
     for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
         double off = yk_state_coordinate(rest->state, c).position - row[c];
