@@ -53,7 +53,7 @@ static bool stand(YkRest *rest, const double *row, double at, double *accel)
 {
     YkStatus status = YK_NO_ASSEMBLY;
     if (rest->mech->has_groups && rest->row) status = move_near(rest, row, at);
-    if (status == YK_LIMIT && rest->row == row) return false; // the way there ends before; others may close, on other branches
+    if (status == YK_LIMIT && rest->row == row) return false; // the way there ends before; other branches may close
     if (status < 0) status = put_together(rest, row, at);
     bool stands = status >= 0 && yk_rest_accelerations(rest, &at, NULL, accel) && isfinite(*accel);
     rest->row = stands ? row : NULL;

@@ -251,17 +251,18 @@ static void springs_of_groups_are_wound_up(void **unused)
     for (int k = 0; k < 4; k++) {
         double free_angle = (double)(100 + 100 * k) * YK_PI / 180;
         char text[1000];
-        snprintf(text, sizeof text,
-                 "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], S: [0.05, 0.02]}}\n"
-                 "  crank: {points: {O: [0, 0], C: [0.02, 0.03]}, mass: 1, center: [0.5, 0.2], inertia: 0.1}\n"
-                 "  plate: {points: {A: [0, 0], B: [1, 0], E: [1.7, 0.1]}, mass: 1.2, center: [1.1, 0.3], inertia: 0.2}\n"
-                 "joints:\n  O: {pin: [ground, crank], angle: q}\n"
-                 "  A: {pin-slot: [ground, plate], at: A, from: O, along: x, angle: w, distance: d}\n"
-                 "  B: {pin-slot: [ground, plate], at: B, from: S, along: 80 deg}\n"
-                 "  E: {pin-slot: [crank, plate], at: E, from: C, along: 3 deg}\n"
-                 "springs: {k: {along: w, stiffness: 4 N*m/rad, angle: %.17g rad}}\n"
-                 "start: {q: 60 deg, w: 120 deg, d: 0.5}\n",
-                 free_angle);
+        snprintf(
+            text, sizeof text,
+            "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], S: [0.05, 0.02]}}\n"
+            "  crank: {points: {O: [0, 0], C: [0.02, 0.03]}, mass: 1, center: [0.5, 0.2], inertia: 0.1}\n"
+            "  plate: {points: {A: [0, 0], B: [1, 0], E: [1.7, 0.1]}, mass: 1.2, center: [1.1, 0.3], inertia: 0.2}\n"
+            "joints:\n  O: {pin: [ground, crank], angle: q}\n"
+            "  A: {pin-slot: [ground, plate], at: A, from: O, along: x, angle: w, distance: d}\n"
+            "  B: {pin-slot: [ground, plate], at: B, from: S, along: 80 deg}\n"
+            "  E: {pin-slot: [crank, plate], at: E, from: C, along: 3 deg}\n"
+            "springs: {k: {along: w, stiffness: 4 N*m/rad, angle: %.17g rad}}\n"
+            "start: {q: 60 deg, w: 120 deg, d: 0.5}\n",
+            free_angle);
         YkProblems *problems = yk_problems_new();
         YkModel *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
         YkMechanism *mech = model ? yk_mechanism_compile(model, NULL, problems) : NULL;
