@@ -288,10 +288,50 @@ static void springs_of_groups_are_wound_up(void **unused)
     }
 }
 
+// On the one closed circuit of a six-bar minima and maxima of the energy take turns; one is 2e-4 rad from a limit.
+static void minima_and_maxima_take_turns(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "gravity: [0, -9.81]\n"
+        "bodies:\n"
+        "  ground: {points: {O: [0.279, -0.95], G2: [0.473, 0.353], G3: [0.784, -0.826], S: [-0.559, "
+        "0.179], P2: [-0.563, 0.011], P3: [-0.947, -0.602]}}\n"
+        "  crank: {points: {O: [0.279, -0.95], A: [-0.45, -0.554]}, mass: 1.657, center: [-0.987, "
+        "0.612], inertia: 0.212}\n"
+        "  l1: {points: {A: [-0.45, -0.554], P1: [-0.156, -0.94]}, mass: 0.812, center: [-0.689, "
+        "0.914], inertia: 0.108}\n"
+        "  tern: {points: {P1: [-0.156, -0.94], P2: [-0.563, 0.011], P3: [-0.947, -0.602], E: [0.3, "
+        "0.09]}, mass: 0.367, center: [-0.807, 0.695], inertia: 0.185}\n"
+        "joints:\n"
+        "  JO: {pin: [ground, crank], at: O, angle: aO}\n"
+        "  JA: {pin: [crank, l1], at: A, angle: aA}\n"
+        "  JP1: {pin: [l1, tern], at: P1, angle: aP1}\n"
+        "  JP2: {pin-slot: [ground, tern], at: P2, from: P2, along: 145.3 deg}\n"
+        "  JP3: {pin-slot: [ground, tern], at: P3, from: P3, along: 131.4 deg}\n"
+        "springs: {s: {between: [ground.S, tern.E], stiffness: 55.94, length: 0.98, damping: 1.14}}\n"
+        "start: {aO: 0, aA: 0, aP1: 0}\n";
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+    YkRestOptions options = yk_default_rest_options();
+    options.starts = 1;
+    YkRest *rest = model ? yk_rest_find(model, &options, problems) : NULL;
+    if (!rest) print_error("%s", yk_problems_text(problems, 0));
+    assert_non_null(rest);
+    size_t stable = 0;
+    for (size_t k = 0; k < yk_rest_count(rest); k++)
+        stable += yk_rest_equilibrium(rest, k).stability == YK_STABILITY_STABLE;
+    assert_true(stable > 0);
+    assert_int_equal(yk_rest_count(rest), 2 * stable);
+    yk_rest_free(rest);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_equilibria_are_found),
-                                       cmocka_unit_test(equilibria_close_together_are_found),
-                                       cmocka_unit_test(springs_of_groups_are_wound_up)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_equilibria_are_found), cmocka_unit_test(equilibria_close_together_are_found),
+        cmocka_unit_test(springs_of_groups_are_wound_up), cmocka_unit_test(minima_and_maxima_take_turns)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
