@@ -2,6 +2,7 @@
 #include "batch/pose_forces.h"
 #include <math.h>
 #include <stdlib.h>
+#include "dynamics/dynamics.h"
 #include "elementary/kernel.h"
 
 static bool list_channels(YkPoseForces *f, const YkChannel *channels, size_t count)
@@ -143,7 +144,11 @@ static bool make_dynamics(YkPoseForces *f)
 
 static YkStatus by_dynamics(YkPoseForces *f, YkState *state, double *const *outputs, size_t pose)
 {
-    YkStatus status = make_dynamics(f) ? yk_dynamics_solve(f->dynamics, state, YK_METHOD_REDUCED) : YK_NO_MEMORY;
+    YkStatus status = YK_NO_MEMORY;
+    if (make_dynamics(f)) {
+        yk_dynamics_forget_dry(f->dynamics); // a pose has the same bits whatever was solved before it
+        status = yk_dynamics_solve(f->dynamics, state, YK_METHOD_REDUCED);
+    }
     if (status == YK_REDUNDANT) status = YK_OK;
     for (size_t k = 0; status == YK_OK && k < f->count; k++)
         outputs[f->place[k]][pose] = yk_dynamics_channel(f->dynamics, state, f->channels[k]);

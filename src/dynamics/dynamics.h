@@ -64,6 +64,8 @@ enum { YK_DRY_ROUNDS = 400 };
 bool yk_dynamics_find_dry(YkDynamics *dynamics, const YkState *state, int round);
 double yk_dynamics_dry_tolerance(int round);
 YkStatus yk_dynamics_fail_at_dry(YkDynamics *dynamics); // it does not settle: forgets it
+// Forgets the friction of the last pose, from which the next one's is sought otherwise: its last digits depend on it.
+void yk_dynamics_forget_dry(YkDynamics *dynamics);
 double yk_dynamics_dry_limit(const YkDynamics *dynamics, const YkLoadItem *item);
 
 // solved.c: returns the cam of a contact that nothing holds, neither a groove nor a second roller; NULL for all others.

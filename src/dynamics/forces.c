@@ -188,10 +188,15 @@ bool yk_dynamics_find_dry(YkDynamics *d, const YkState *state, int round)
     return stands;
 }
 
+void yk_dynamics_forget_dry(YkDynamics *d)
+{
+    for (size_t k = 0; k < d->loads->item_count; k++)
+        if (d->loads->items[k].kind == YK_LOAD_COULOMB) d->loads->items[k].dry = 0;
+}
+
 YkStatus yk_dynamics_fail_at_dry(YkDynamics *d)
 {
-    for (size_t k = 0; k < d->loads->item_count; k++) // it may have grown without bound: the next pose starts anew
-        if (d->loads->items[k].kind == YK_LOAD_COULOMB) d->loads->items[k].dry = 0;
+    yk_dynamics_forget_dry(d); // it may have grown without bound
     return yk_dynamics_fail(d, YK_NOT_CONVERGED, "dry friction does not settle: the joints jam at this pose", "", "");
 }
 

@@ -30,18 +30,24 @@ static YkStatus put_together(YkRest *rest, const double *row, double at)
     return status;
 }
 
+// Returns whether the machine stands in the configuration of a row. Beside a limit all goes with the root of the step.
+static bool is_near(const YkRest *rest, const double *row)
+{
+    const double near = 0.03; // rad, or machine sizes
+    for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
+        double off = yk_state_coordinate(rest->state, c).position - row[c];
+        if (!(yk_gap(rest->mech, rest->mech->coordinates[c].is_distance, off) < near)) return false;
+    }
+    return true;
+}
+
 // Moves there from where the machine stands. Returns < 0 if it does not come to the configuration of the row.
 static YkStatus move_near(YkRest *rest, const double *row, double at)
 {
-    const double near = 1e-3; // rad, or machine sizes
     yk_state_set_input(rest->state, (size_t)rest->input[0], (YkMotion){at, 0, 0});
     YkStatus status = yk_state_solve(rest->state);
-    if (status < 0 || rest->row == row) return status;
-    for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
-        double off = yk_state_coordinate(rest->state, c).position - row[c];
-        if (!(yk_gap(rest->mech, rest->mech->coordinates[c].is_distance, off) < near)) return YK_NO_ASSEMBLY;
-    }
-    return status;
+    if (status >= 0) yk_state_refer(rest->state); // springs feel how often an angle has turned
+    return status < 0 || rest->row == row || is_near(rest, row) ? status : YK_NO_ASSEMBLY;
 }
 
 // Stands at a value of the free coordinate, in the configuration of a row near to it, and finds how the loads
@@ -52,10 +58,10 @@ static bool stand(YkRest *rest, const double *row, double at, double *accel)
 {
     YkStatus status = YK_NO_ASSEMBLY;
     if (rest->mech->has_groups && rest->row) status = move_near(rest, row, at);
-    if (status == YK_LIMIT && rest->row == row) return false; // the way ends before; another branch may close there
-    if (status < 0) status = put_together(rest, row, at);
+    bool moved = status >= 0;
+    if (!moved) status = put_together(rest, row, at); // just beyond a limit it may be another configuration
     bool stands = status >= 0 && yk_rest_accelerations(rest, &at, NULL, accel) && isfinite(*accel);
-    rest->row = stands ? row : NULL;
+    rest->row = stands && (moved || is_near(rest, row)) ? row : NULL;
     return stands;
 }
 
@@ -140,6 +146,10 @@ static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t
     double beside = 1e-10 * rest->scale[0];
     Probe last = {NAN, NAN, NAN}, now;
     if (branch.rows < 2) return true;
+    // Begins at the second row: at a limit two branches meet, and moving on from the last branch would stay on it.
+    const double *second = yk_map_row(map, circuit, index, 1);
+    bool begins = rest->mech->has_groups && put_together(rest, second, second[c]) >= 0;
+    rest->row = begins ? yk_map_row(map, circuit, index, 0) : NULL;
     for (size_t k = 0; k < branch.rows; k++) {
         const double *row = yk_map_row(map, circuit, index, k);
         double at = row[c];

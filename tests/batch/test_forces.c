@@ -327,6 +327,32 @@ static void test_ratios_are_joined(void **unused)
     machine_free(&m);
 }
 
+// Dry friction is settled by iteration. It begins anew at each pose: the last digits depend on nothing but the pose, in
+// whatever order and company the poses come.
+static void test_dry_friction_has_no_memory(void **unused)
+{
+    (void)unused;
+    static const char *const names[] = {"O.force.x", "R.force.x", "theta.effort"};
+    static double backwards[3][POSES];
+    Machine m = machine_load("crank-press");
+    uint64_t seed = 5;
+    for (size_t k = 0; k < 3; k++) channels[k] = machine_channel(&m, names[k]);
+    YkBatch *batch = yk_batch_new(m.state, channels, 3);
+    assert_non_null(batch);
+    assert_int_equal(yk_input_count(m.mech), 1);
+    draw_inputs(&m, 3, &seed);
+    const double *const all[] = {inputs[0], inputs[1], inputs[2]};
+    assert_int_equal(yk_batch_run(batch, all, (double *[]){outputs[0], outputs[1], outputs[2]}, NULL, POSES), YK_OK);
+    for (size_t k = POSES; k-- > 0;) {
+        const double *const one[] = {inputs[0] + k, inputs[1] + k, inputs[2] + k};
+        double *const here[] = {backwards[0] + k, backwards[1] + k, backwards[2] + k};
+        assert_int_equal(yk_batch_run(batch, one, here, NULL, 1), YK_OK);
+    }
+    for (size_t k = 0; k < 3; k++) assert_memory_equal(backwards[k], outputs[k], sizeof backwards[k]);
+    yk_batch_free(batch);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -336,6 +362,7 @@ int main(void)
         cmocka_unit_test(test_poses_without_forces),
         cmocka_unit_test(test_ratios_are_joined),
         cmocka_unit_test(test_springs_of_a_group),
+        cmocka_unit_test(test_dry_friction_has_no_memory),
         cmocka_unit_test(test_a_motor_feels_a_wheel_by_the_square_of_the_ratio),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

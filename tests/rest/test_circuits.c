@@ -210,9 +210,128 @@ static void equilibria_close_together_are_found(void **unused)
     }
 }
 
+// Potential energy of the machine with three slots at a row of its map, by hand; coordinates q, w, d.
+static double energy_by_hand(const double *row, double free_angle)
+{
+    double q = row[0], w = row[1];
+    double crank = 0.5 * sin(q) + 0.2 * cos(q), plate = 1.1 * sin(w) + 0.3 * cos(w);
+    return 9.81 * (crank + 1.2 * plate) + 0.5 * 4 * (w - free_angle) * (w - free_angle);
+}
+
+// Finds an equilibrium for each extreme of the energy between rows of a circuit. Returns how many there are.
+static size_t check_extremes(YkRest *rest, const YkMap *map, size_t circuit, double free_angle)
+{
+    size_t extremes = 0;
+    assert_int_equal(yk_map_circuit(map, circuit).branches, 1);
+    for (size_t i = 2; i < yk_map_branch(map, circuit, 0).rows; i++) {
+        const double *row[3];
+        double energy[3];
+        for (size_t k = 0; k < 3; k++) {
+            row[k] = yk_map_row(map, circuit, 0, i - 2 + k);
+            energy[k] = energy_by_hand(row[k], free_angle);
+        }
+        if ((energy[1] - energy[0]) * (energy[2] - energy[1]) >= 0) continue;
+        size_t found = 0;
+        for (size_t e = 0; e < yk_rest_count(rest); e++) {
+            double q = yk_state_coordinate(yk_rest_state(rest, e), 0).position;
+            double w = yk_state_coordinate(yk_rest_state(rest, e), 1).position;
+            found += (w - row[0][1]) * (w - row[2][1]) < 0 && fabs(remainder(q - row[1][0], 2 * YK_PI)) < 0.5;
+        }
+        assert_int_equal(found, 1);
+        extremes++;
+    }
+    return extremes;
+}
+
+// A plate in three slots, a group, turns fully, and a spring is wound up by its turning. Along each circuit of the map
+// the energy has extremes, which are equilibria: the search must count turns as the map does.
+static void springs_of_groups_are_wound_up(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 4; k++) {
+        double free_angle = (double)(100 + 100 * k) * YK_PI / 180;
+        char text[1000];
+        snprintf(
+            text, sizeof text,
+            "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], S: [0.05, 0.02]}}\n"
+            "  crank: {points: {O: [0, 0], C: [0.02, 0.03]}, mass: 1, center: [0.5, 0.2], inertia: 0.1}\n"
+            "  plate: {points: {A: [0, 0], B: [1, 0], E: [1.7, 0.1]}, mass: 1.2, center: [1.1, 0.3], inertia: 0.2}\n"
+            "joints:\n  O: {pin: [ground, crank], angle: q}\n"
+            "  A: {pin-slot: [ground, plate], at: A, from: O, along: x, angle: w, distance: d}\n"
+            "  B: {pin-slot: [ground, plate], at: B, from: S, along: 80 deg}\n"
+            "  E: {pin-slot: [crank, plate], at: E, from: C, along: 3 deg}\n"
+            "springs: {k: {along: w, stiffness: 4 N*m/rad, angle: %.17g rad}}\n"
+            "start: {q: 60 deg, w: 120 deg, d: 0.5}\n",
+            free_angle);
+        YkProblems *problems = yk_problems_new();
+        YkModel *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+        YkMechanism *mech = model ? yk_mechanism_compile(model, NULL, problems) : NULL;
+        YkState *state = mech ? yk_state_new(mech) : NULL;
+        if (!state) print_error("%s%s", text, yk_problems_text(problems, 0));
+        assert_non_null(state);
+        assert_true(yk_state_assemble(state) >= 0);
+        YkMap *map = yk_map_new(state, 0, problems);
+        assert_non_null(map);
+        YkRestOptions options = yk_default_rest_options();
+        options.starts = 1;
+        YkRest *rest = yk_rest_find(model, &options, problems);
+        assert_non_null(rest);
+        size_t extremes = 0;
+        for (size_t c = 0; c < yk_map_circuit_count(map); c++) extremes += check_extremes(rest, map, c, free_angle);
+        assert_true(extremes > 2);
+        yk_rest_free(rest);
+        yk_map_free(map);
+        yk_state_free(state);
+        yk_mechanism_free(mech);
+        yk_model_free(model);
+        yk_problems_free(problems);
+    }
+}
+
+// On the one closed circuit of a six-bar minima and maxima of the energy take turns; one is 2e-4 rad from a limit.
+static void minima_and_maxima_take_turns(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "gravity: [0, -9.81]\n"
+        "bodies:\n"
+        "  ground: {points: {O: [0.279, -0.95], G2: [0.473, 0.353], G3: [0.784, -0.826], S: [-0.559, "
+        "0.179], P2: [-0.563, 0.011], P3: [-0.947, -0.602]}}\n"
+        "  crank: {points: {O: [0.279, -0.95], A: [-0.45, -0.554]}, mass: 1.657, center: [-0.987, "
+        "0.612], inertia: 0.212}\n"
+        "  l1: {points: {A: [-0.45, -0.554], P1: [-0.156, -0.94]}, mass: 0.812, center: [-0.689, "
+        "0.914], inertia: 0.108}\n"
+        "  tern: {points: {P1: [-0.156, -0.94], P2: [-0.563, 0.011], P3: [-0.947, -0.602], E: [0.3, "
+        "0.09]}, mass: 0.367, center: [-0.807, 0.695], inertia: 0.185}\n"
+        "joints:\n"
+        "  JO: {pin: [ground, crank], at: O, angle: aO}\n"
+        "  JA: {pin: [crank, l1], at: A, angle: aA}\n"
+        "  JP1: {pin: [l1, tern], at: P1, angle: aP1}\n"
+        "  JP2: {pin-slot: [ground, tern], at: P2, from: P2, along: 145.3 deg}\n"
+        "  JP3: {pin-slot: [ground, tern], at: P3, from: P3, along: 131.4 deg}\n"
+        "springs: {s: {between: [ground.S, tern.E], stiffness: 55.94, length: 0.98, damping: 1.14}}\n"
+        "start: {aO: 0, aA: 0, aP1: 0}\n";
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+    YkRestOptions options = yk_default_rest_options();
+    options.starts = 1;
+    YkRest *rest = model ? yk_rest_find(model, &options, problems) : NULL;
+    if (!rest) print_error("%s", yk_problems_text(problems, 0));
+    assert_non_null(rest);
+    size_t stable = 0;
+    for (size_t k = 0; k < yk_rest_count(rest); k++)
+        stable += yk_rest_equilibrium(rest, k).stability == YK_STABILITY_STABLE;
+    assert_true(stable > 0);
+    assert_int_equal(yk_rest_count(rest), 2 * stable);
+    yk_rest_free(rest);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_equilibria_are_found),
-                                       cmocka_unit_test(equilibria_close_together_are_found)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_equilibria_are_found), cmocka_unit_test(equilibria_close_together_are_found),
+        cmocka_unit_test(springs_of_groups_are_wound_up), cmocka_unit_test(minima_and_maxima_take_turns)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,8 +48,8 @@ static void place_slide(const YkJoint *guide, int side, YkVec apart, YkCam *cam)
     if (!cam->offset_expr) cam->offset = yk_dot(apart, yk_scale(-1, yk_quarter(cam->along)));
 }
 
-// Returns whether a falling lift leads away from the cam: the arm lies on that side, and the law goes below 0. Arcs have
-// no law yet, and theirs follows the arm.
+// Returns whether a falling lift leads away from the cam: the arm lies on that side, and the law goes below 0. Arcs
+// have no law yet, and theirs follows the arm.
 static bool falls_away(const YkModel *model, const YkCam *cam, YkVec arm)
 {
     const YkLaw *law = cam->law == YK_NONE ? NULL : model->laws[cam->law].law;
