@@ -151,7 +151,8 @@ static Printed *read_given(const Case *c)
 
 static void check_lines(const char *text)
 {
-    for (const char *line = text; line; line = strchr(line, '\n'), line += line != NULL) {
+    for (const char *line = text, *end; line; line = end ? end + 1 : NULL) {
+        end = strchr(line, '\n');
         size_t length = strcspn(line, "\n");
         if (length > 120) print_error("a line of %zu columns: %.*s\n", length, (int)length, line);
         assert_true(length <= 120);
