@@ -30,9 +30,9 @@ YK_API const char *yk_complete_reason_name(YkCompleteReason reason); // "none", 
 
 // A continuum of poses with the same inputs: a parallelogram with a bar too many, a dyad whose base has no length.
 typedef struct YkContinuum {
-    // The dimension of the largest part at the pose, or 0 if there is no continuum. It is measured: the Jacobian of all
-    // loops, gears and inputs lacks this much rank at the pose, and still does at the poses to which steps in both
-    // directions of each vector of its kernel lead.
+    // The dimension of the largest part at the pose, or 0 if the pose is isolated. It is measured, not proved: the
+    // Jacobian of all loops, gears and inputs lacks this much rank at the pose, and also at the poses reached by steps
+    // in both directions along each vector of its kernel.
     size_t dimension;
     // Proved. The rank bounds the dimension from above. From below it is bounded where loops repeat each other because
     // bodies keep their angle to each other (as long as dimensions are exact: to 1e-11 of the size); otherwise this is

@@ -44,8 +44,8 @@ bool yk_batch_find_rates_alone(YkBatch *batch);
 // channels.c: prepares the angles of a channel, and finds the lanes that already hold it.
 void yk_batch_prepare_angle(YkBatch *batch, size_t channel);
 double **yk_batch_free_row_of(YkBatch *batch, size_t channel);
-const double *yk_batch_number_of(const YkBatch *batch,
-                                 size_t channel); // the same in the space of one pose, always free
+// Returns where the space of one pose holds a channel as requested; NULL if it has to be computed.
+const double *yk_batch_number_of(const YkBatch *batch, size_t channel);
 // Writes the positions of a coordinate that is an angle.
 void yk_batch_write_angle(const YkBatch *batch, size_t coordinate, double *out, size_t n);
 // Writes a channel that is none of forces. masks: some lanes may not close, or are at a dead point.

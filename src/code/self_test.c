@@ -90,8 +90,8 @@ static bool wanted_at(YkFile *file, YkState *state, YkDynamics *dynamics, const 
     return true;
 }
 
-// Finds the results again with the inputs moved by their last digit. Close to a dead point they are others: there two
-// ways to the same numbers differ by more than the test allows. Returns false if there is no answer.
+// Finds the results again with the inputs moved by their last digit. Close to a dead point this changes them so much
+// that two correct methods would differ by more than the test allows. Returns false if the pose has no results.
 static bool wanted_beside(YkFile *file, YkState *state, YkDynamics *dynamics, const YkRoutine *r, double *moved)
 {
     const YkMechanism *mech = file->program.mech;

@@ -42,8 +42,8 @@ YkChainPose yk_chain_pose_in(const YkChain *chain, double *memory); // of that s
 void yk_chain_copy(const YkChain *chain, const YkChainPose *to, const YkChainPose *from);
 // Reads the unknowns of a pose.
 void yk_chain_read(const YkChain *chain, const YkState *state, YkChainPose *pose);
-// Improves and encloses a pose at a place of the way. Returns false if there is no proof that one solution is there, no
-// farther away than `near`.
+// Improves a pose at a place on the way and encloses it. Returns false unless exactly one solution is proved to lie
+// there, no farther away than `near`.
 bool yk_chain_enclose(YkChain *chain, double at, YkChainPose *pose, double near);
 // Returns whether an enclosed pose is certainly the one that another one stands for at the same inputs, which are known
 // to `off` in every angle and distance.

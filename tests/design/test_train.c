@@ -414,7 +414,7 @@ static void planets_are_spaced_equally_only_where_teeth_fit(void **state)
     }
 }
 
-// At 20 deg a rack undercuts fewer than 17 teeth: 17.1, of which 17 are made in practice. No rack cuts a ring.
+// At 20 deg a rack undercuts a gear of fewer than 17.1 teeth; in practice 17 are cut. Ring gears are not cut by racks.
 static void small_gears_that_a_rack_cuts_are_undercut(void **state)
 {
     (void)state;

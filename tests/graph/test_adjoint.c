@@ -125,7 +125,8 @@ static void solved_equations_hand_their_shares_on(void **state)
     yk_arena_free(arena);
 }
 
-// Laws hand on their next derivative, of which there are two: x (y^3 - y) + (3 (x + y)^2 - 1) y, in closed form.
+// A law is differentiated into its next derivative, up to the second. The sum is x (y^3 - y) + (3 (x + y)^2 - 1) y in
+// closed form.
 static void laws_hand_their_slopes_on(void **state)
 {
     (void)state;
@@ -155,7 +156,7 @@ static void laws_hand_their_slopes_on(void **state)
             CHECK_NEAR(found[way + 1], a * (3 * b * b - 1) + 6 * c * b + 3 * c * c - 1, 1e-13);
         }
     }
-    assert_false(yk_graph_adjoint(&g, result[0][2], leaves, 2, roots)); // there is no third
+    assert_false(yk_graph_adjoint(&g, result[0][2], leaves, 2, roots)); // a law has no third derivative
     yk_graph_end(&g);
     yk_arena_free(arena);
 }

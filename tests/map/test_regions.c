@@ -304,8 +304,8 @@ static void test_small_gaps_are_not_proved(void **unused)
 
 // --- groups
 
-// A triad whose inputs are two cranks: a platform of three legs, of which two hang on cranks. On it, where asked for, a
-// dyad.
+// A triad whose inputs are two cranks: a platform on three legs, two of which are carried by the cranks. If asked, the
+// platform also carries a dyad.
 static Machine two_cranks(uint64_t seed, bool has_dyad)
 {
     double x[6], leg[3];

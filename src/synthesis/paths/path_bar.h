@@ -5,7 +5,7 @@
 
 // Dimensions: a fixed pivot (of the input, or of the output if the bar hangs there), ground length and direction,
 // input, coupler, output, coupler point in the coupler's axes. Slider-crank: the ground length is the distance of the
-// slider's line from the input pivot, to the left of its direction; there is no output. Inverted slider-crank: the
+// slider's line from the input pivot, to the left of its direction; the output is not used. Inverted slider-crank: the
 // output is how far the output pivot lies to the left of the coupler's line; the coupler has no length. Machines with a
 // dyad have more (path_chain.h): where it begins in the axes of its two bodies, C of its link and D of its arm, and its
 // lengths; their coupler point lies on the link. Geared five-bar: CU is the phase of the second crank, rad; its length

@@ -22,7 +22,7 @@ void yk_assets_free(YkAssets *assets);
 const YkAsset *yk_assets_find(const YkAssets *assets, const char *path); // NULL if there is none
 const char *yk_assets_type(const char *path);                            // its media type
 
-// The present text of the machine's file, and a version that changes with its bytes ("none" if there is no file).
+// The machine's file as it is now: its text, and a version that changes whenever its bytes do ("none" without a file).
 typedef struct YkServed {
     const char *path; // NULL: no file was named
     const char *name; // without folders

@@ -1,4 +1,4 @@
-// In a browser the search runs in the page's thread, and there is no folder to write pictures to.
+// Synthesis in a browser: the search runs in the page's own thread, and pictures are refused for want of a folder.
 #include "verbs/synthesize/synthesize.h"
 
 YkSynthesisThreads *yk_synthesis_threads(YkSynthesisAnswer *answer, YkSynthesisOptions *options, YkProblems *problems)
