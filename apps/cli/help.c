@@ -28,7 +28,7 @@ static const Special specials[] = {
     {"at", " map ", "NAME=VALUE", "hold another coordinate of a machine with more freedoms; repeatable"},
     {"over", " map ", "NAME", "the coordinate that is mapped (default: the drive's)"},
     {"tol", " map ", "NUMBER",
-     "with --over A,B: how wide a square may stay unproved, over the map's extent (default 1e-3)"},
+     "with --over A,B: how wide a square may stay unproved, as a part of the map's extent (default 1e-3)"},
     {"of", " map ", "NAME", "the coordinate that --plot draws over it (default: the first other)"},
     {"plot", " map ", "FILE", "draw the map: FILE.svg, .pdf or .png (the last two need rsvg-convert)"},
     {"trace", " map ", "BODY.POINT", "--plot also draws this point's curves on all circuits; repeatable"},
@@ -37,7 +37,7 @@ static const Special specials[] = {
     {"seed", " synthesize ", "N", "the seed of the samples where a task leaves a choice (default 1)"},
     {"output", " studio ", "FILE", "write the page with the machine in it as one HTML file"},
     {"within", " synthesize ", "TIME", "end the search after this time with the best so far, as in 60s"},
-    {"lock", " gears ", "NAME", "engage one of locks: (default: a table of all)"},
+    {"lock", " gears ", "NAME", "engage one of the file's locks: (default: a table of all)"},
 };
 
 static void add_padded(YkText *text, const char *word, size_t length, size_t width)

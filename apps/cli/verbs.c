@@ -26,7 +26,7 @@ const YkVerb yk_verbs[] = {
     {"simulate", "motion in time under loads", "FILE --to TIME [options]",
      "Lets the machine move from `start:` with its masses, gravity, efforts, forces, springs, friction and "
      "stops, and prints the columns of --of row by row; then the events on the way, the work of each load, and "
-     "how well energy was conserved and the loops stayed closed.",
+     "the errors of energy and loops.",
      "yoke simulate examples/double-pendulum.yaml --to 10s --every 0.5s --of theta1,theta2,energy", yk_run_simulate},
     {"rest", "equilibria, and small vibrations about them", "FILE [options]",
      "Finds the poses in which the machine stands still under its loads: with one freedom by searching all circuits of "
@@ -71,7 +71,7 @@ const YkVerb yk_verbs[] = {
      "one of its gears. efforts: or --effort add the torques on all members and the power flow; --efficiency counts "
      "losses.",
      "yoke gears examples/gearbox-8hp70.yaml --in input --out output", yk_run_gears},
-    {"report", "all of it as one page", "FILE [options]",
+    {"report", "everything about the machine on one page", "FILE [options]",
      "Writes one self-contained HTML page: findings in sentences, the machine drawn and moving, diagrams, "
      "forces, gears, cams, dimensions, structure, the equations with their values, and the numerical errors. "
      "It shows the motion of the drives, or that of --over, or the motion under the machine's loads for as long as "
@@ -83,36 +83,35 @@ const YkVerb yk_verbs[] = {
      "one pose or for arrays of poses, with the parameters in a struct. The file needs only the C library, allocates "
      "nothing, and tests itself if it is compiled with -DPREFIX_TEST.",
      "yoke code examples/quick-return.yaml -o quick_return.c", yk_run_code},
-    {"synthesize", "from a task to machines that do it", "TASK [options]",
+    {"synthesize", "from a task to machines that fulfil it", "TASK [options]",
      "Finds machines for a task: a point through points, a body through two to five positions, an angle that follows\n"
      "another, a swing or a stroke with its time ratio, or parameters of a machine that meet goals. Every machine is\n"
-     "written as a model file and driven through the task by the ordinary engine: without changing branch or circuit,\n"
-     "in order. What fails is counted by its reason. -o DIR writes the files, one picture of all, and task.json.",
+     "written as a model file and driven through the task by the ordinary engine, in order, without changing branch\n"
+     "or circuit. Failures are counted by reason. -o DIR writes the files, one picture of all, and task.json.",
      "yoke synthesize examples/tasks/five-positions.yaml -o machines", yk_run_synthesize},
     {"studio", "draw the machine, move it and read it, in the browser", "[FILE] [options]",
-     "Opens Studio, a page on which a machine is drawn, moved and read, for this file: it saves into the file and\n"
-     "follows changes by other programs. The page comes from a small server on this computer alone, at an address\n"
-     "with a secret word in it; Ctrl-C ends it. With -o, writes the page with the machine in it as one HTML file\n"
-     "that opens from disk and needs no server.",
+     "Opens Studio, a page on which you draw, move and read a machine, for this file: it saves into the file and\n"
+     "follows changes by other programs. A small server on this computer serves the page, at an address that contains\n"
+     "a secret word; Ctrl-C ends it. With -o, writes the page with the machine in it as one HTML file that opens\n"
+     "from disk and needs no server.",
      "yoke studio examples/four-bar.yaml -o four-bar.html", yk_run_studio},
     {"map", "all circuits of the motion, or regions over two freedoms", "FILE [options]",
-     "Follows every configuration along one coordinate and shows the whole motion: the circuits on which the machine\n"
-     "can live, in which ranges, where each turns back (limits), where branches cross (change points), where the\n"
-     "drive stands at a dead point, which joints turn fully, and which circuit contains the start. Between events the\n"
-     "number of configurations is proved constant, so that none is missing. --plot draws the map, with --trace the\n"
-     "coupler curves of all circuits. --over A,B maps two freedoms: regions of equally many configurations; over a\n"
-     "point's x and y, its workspace.",
+     "Follows every configuration along one coordinate and shows the whole motion: all circuits of the machine with\n"
+     "their ranges, where each turns back (limits), where branches cross (change points), where the drive is at a dead\n"
+     "point, which joints turn fully, and which circuit contains the start. Between events the number of\n"
+     "configurations is proved constant, so that none is missing. --plot draws the map, with --trace also the coupler\n"
+     "curves of all circuits. --over A,B maps two freedoms: regions of equally many configurations; over a point's x\n"
+     "and y, its workspace.",
      "yoke map examples/four-bar.yaml --over theta4", yk_run_map},
     {"cognates", "other machines with the same coupler curve", "FILE [options]",
      "Finds the two other four-bars, or the other slider-crank, whose couplers trace the same curve (Roberts), and\n"
-     "measures with the engine how far the curves lie apart. --trace BODY.POINT names the coupler's point. -o DIR\n"
+     "measures with the engine the distance between the curves. --trace BODY.POINT names the coupler's point. -o DIR\n"
      "writes a model file for each and a picture of all.",
      "yoke cognates examples/four-bar.yaml -o cognates", yk_run_cognates},
     {"balance", "counterweights and flywheel", "FILE [options]",
-     "Tells how a machine with masses shakes its frame over a cycle: force, moment and torque. Finds the\n"
-     "counterweights that keep its centre of mass still, or as still as they can, and measures the shaking with them\n"
-     "by the engine; then the flywheel for a given fluctuation of speed. -o DIR writes the model with its\n"
-     "counterweights.",
+     "Computes how a machine with masses shakes its frame over a cycle: force, moment and torque. Finds the\n"
+     "counterweights that keep its centre of mass still, or as still as possible, and the shaking with them; then the\n"
+     "flywheel for a given fluctuation of speed. -o DIR writes the model with its counterweights.",
      "yoke balance examples/watt-with-masses.yaml", yk_run_balance},
     {NULL, NULL, NULL, NULL, NULL, NULL},
 };

@@ -12,10 +12,10 @@ extern "C" {
 typedef struct YkBalancingOptions {
     size_t steps;       // poses of a turn of the input, or of its way, default 360, at least 48
     double fluctuation; // of the speed, (largest - least) / mean: for the flywheel; default 0.05
-    // Of shaking force, shaking moment and input effort, each over its root mean square before: what a compromise keeps
-    // small. All 0, the default: the force alone, in full where counterweights can.
+    // How much shaking force, shaking moment and input effort count in a compromise, each relative to its root mean
+    // square before. All 0, the default: the force alone, which is balanced in full if counterweights can do it.
     double weight[3];
-    YkLawWatch *laws; // of the state's model; looks at the cycle's poses, each at its input's position. NULL: none does
+    YkLawWatch *laws; // of the state's model; looks at the cycle's poses, each at its input's position. NULL: no watch
 } YkBalancingOptions;
 YK_API YkBalancingOptions yk_default_balancing_options(void);
 
@@ -25,10 +25,9 @@ typedef struct YkShakingPeaks {
     double force, moment, torque;
 } YkShakingPeaks;
 
-// A part of the shaking force: at `order` times the rate of the input one part turns with the input and another one
-// against it; together they draw an ellipse. A counterweight on the input's body changes the first order's part that
-// turns with it, and nothing else; the other parts need weights on wheels that turn as fast as they do (Lanchester's
-// balancer).
+// A part of the shaking force: at `order` times the rate of the input one part turns with the input and another
+// against it; together they draw an ellipse. A counterweight on the input's body changes only the part of the first
+// order that turns with it; the other parts need weights on wheels that turn at their rate (Lanchester's balancer).
 typedef struct YkShakingOrder {
     double with, against; // N
     double direction;     // of the ellipse's long axis, of length with + against, in the world, rad
@@ -46,11 +45,12 @@ typedef struct YkCounterweight {
 } YkCounterweight;
 
 typedef struct YkBalancing YkBalancing;
-// Finds counterweights: on the bodies pinned to the ground, and where these do not suffice on others. The state is
-// solved and has one input, whose rate, or 1, is that of the cycle. They are a least-squares fit over the cycle's
-// poses, which is exact where a full balance of force exists. With weights, only bodies pinned to the ground get
-// counterweights, and these make the weighted sum of mean squares least. Returns NULL with a problem otherwise. Source:
-// Berkof & Lowen 1969 (four-bars); Tepper & Lowen 1972 (when a full balance exists).
+// Finds counterweights: on the bodies pinned to the ground and, if these do not suffice, on others. The state is
+// solved and has one input; its rate, or 1 if that is 0, is the rate of the cycle. The counterweights are a
+// least-squares fit over the cycle's poses, which is exact if a full balance of force exists. With weights, only bodies
+// pinned to the ground get counterweights, and these minimise the weighted sum of mean squares. Returns NULL with a
+// problem added if the machine has no masses or not one freedom, or when out of memory. Source: Berkof & Lowen 1969
+// (four-bars); Tepper & Lowen 1972 (when a full balance exists).
 YK_API YkBalancing *yk_balancing_new(const YkState *state, const YkBalancingOptions *options, YkProblems *problems);
 YK_API void yk_balancing_free(YkBalancing *balancing);
 YK_API bool yk_balancing_is_full(const YkBalancing *balancing); // the centre of mass stands still
@@ -61,13 +61,14 @@ YK_API YkShakingPeaks yk_balancing_after(const YkBalancing *balancing); // as th
 // Returns the part of the shaking force of an order, 1 to YK_SHAKING_ORDERS, for the file's machine or with the
 // counterweights. NaN for any other order, and if yk_balancing_turns is 0.
 YK_API YkShakingOrder yk_balancing_order(const YkBalancing *balancing, size_t order, bool with_counterweights);
-// The number of turns of the input after which the machine and its efforts repeat: 2 of a four-stroke engine. 0 if
-// the input does not turn through, or if nothing repeats within 12 turns.
+// Returns the number of turns of the input after which the machine and its efforts repeat: 2 for a four-stroke engine.
+// Returns 0 if the input does not turn through, or if nothing repeats within 12 turns.
 YK_API size_t yk_balancing_turns(const YkBalancing *balancing);
-// The moment of inertia of a flywheel on the input, kg m^2, before the counterweights; NaN if
+// Returns the moment of inertia of a flywheel on the input, kg m^2, for the machine without its counterweights; NaN if
 // yk_balancing_turns is 0.
 YK_API double yk_balancing_flywheel(const YkBalancing *balancing);
-// The model with its counterweights, as bodies welded to theirs. Belongs to the balancing.
+// Returns the text of the model with its counterweights, which are bodies welded to those that they balance. It belongs
+// to the balancing.
 YK_API const char *yk_balancing_model(const YkBalancing *balancing);
 
 #ifdef __cplusplus

@@ -21,7 +21,7 @@ YK_API void yk_batch_free(YkBatch *batch);
 // outputs[channel][pose], SI. status[pose] (may be NULL): YK_OK, YK_SINGULAR (rates and forces are 0), YK_LIMIT
 // (outputs are 0, never NaN); where forces have no finite value, that of yk_dynamics_solve.
 // Every pose lies on the batch's branches, whether or not the machine could get there from the state: limits and change
-// points on the way are not looked for (see yk_state_move_to and studies). In machines with groups each pose is tracked
+// points on the way are not sought (see yk_state_move_to and studies). In machines with groups each pose is tracked
 // straight from the pose of the batch's state; YK_LIMIT if that path ends before it.
 // The arrays must not overlap. Returns the worst status. The results have the bits of yk_state_solve; a force has the
 // same bits in any batch, and is that of yk_dynamics_solve up to rounding. Allocates nothing, except for forces of

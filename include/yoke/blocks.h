@@ -1,9 +1,9 @@
-// Studies in blocks, for whoever distributes them - over processes, machines or nights: designs by their numbers, a
-// block of them as rows, and a file of blocks that goes on where it was left.
+// Studies in blocks, for programs that distribute them over processes, machines or nights: designs by their numbers,
+// the rows of a block of designs, and a file of blocks that goes on where it ended.
 //
 // A row is a design: the values of its parameters, its status (yoke/status.h), its number of valid poses, then its
-// answers: the channels at one pose; or least, largest, mean and range of each channel over all poses. What is not
-// valid is NaN, beside a status that says why. A row depends on nothing but the study and its own number.
+// answers: the channels at one pose; or least, largest, mean and range of each channel over all poses. Values that are
+// not valid are NaN, beside a status that says why. A row depends only on the study and its number.
 #ifndef YOKE_BLOCKS_H
 #define YOKE_BLOCKS_H
 
@@ -47,7 +47,7 @@ YK_API YkStatus yk_study_rows(YkStudy *study, const YkRowCase *asked, uint64_t f
 // it.
 typedef struct YkBlocks YkBlocks;
 typedef struct YkBlocksOptions {
-    uint64_t signature; // a hash of all that decides the rows; it tells this study from any other
+    uint64_t signature; // a hash of everything on which the rows depend; it identifies the study
     uint64_t design_count;
     size_t width;  // numbers a row
     bool is_fresh; // start anew, whatever the file has

@@ -31,14 +31,15 @@ typedef struct YkCenter {
 
 typedef struct YkCenters YkCenters;
 // Finds all n (n - 1) / 2 centres of the n bodies, in the order in which they are found: those at joints, then those by
-// Kennedy's theorem, one after the other; where it stalls, one from velocities, and on. The state is solved and has
-// rates at its pose; the machine has one input. Returns NULL with a problem otherwise. Cost O(n^4) at most; at most 200
-// bodies.
+// Kennedy's theorem, one after the other. If it stalls, one centre comes from the velocities, and the theorem goes on.
+// The state is solved and has rates at its pose; the machine has one input. Returns NULL with a problem added if not.
+// Cost O(n^4) at most; at most 200 bodies.
 YK_API YkCenters *yk_centers_new(const YkState *state, YkProblems *problems);
 YK_API void yk_centers_free(YkCenters *centers);
 YK_API size_t yk_centers_count(const YkCenters *centers);
 YK_API YkCenter yk_centers_at(const YkCenters *centers, size_t index);
-// Returns how many centres came from velocities because Kennedy's theorem stalled, without bodies that move as one.
+// Returns how many centres came from velocities because Kennedy's theorem stalled; bodies that move as one do not
+// count.
 YK_API size_t yk_centers_stalled(const YkCenters *centers);
 
 #ifdef __cplusplus

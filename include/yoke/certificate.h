@@ -14,12 +14,13 @@
 extern "C" {
 #endif
 
-// Proves the motions of a state. Use one per state; the mechanism must outlive it. NULL when out of memory.
+// Proves the motions of a state. Use one per state; the mechanism must outlive it. yk_certifier_new returns NULL when
+// out of memory.
 typedef struct YkCertifier YkCertifier;
 YK_API YkCertifier *yk_certifier_new(const YkMechanism *mech);
 YK_API void yk_certifier_free(YkCertifier *certifier);
-// Lets a certifier watch all that moves and sweeps do with a state, from here on; NULL ends this, and the certifier may
-// be freed then. A copy of the state is not watched. Returns YK_BAD_ARGUMENT for the certifier of another machine.
+// Lets a certifier watch all moves and sweeps of a state from now on. NULL ends this; the certifier may then be freed.
+// A copy of the state is not watched. Returns YK_OK, or YK_BAD_ARGUMENT for the certifier of another machine.
 // Cost at every verified pose: some n^3 multiplications for each of three steps, for n unknowns; none without groups.
 YK_API YkStatus yk_state_set_certifier(YkState *state, YkCertifier *certifier);
 
@@ -38,11 +39,11 @@ typedef struct YkMotionCertificate {
     double from_time, to_time; // equal if the motion is not one through time, s
     bool has_run_out;          // of memory, on the way: nothing is proved
 } YkMotionCertificate;
-// Tells what is proved of the motions so far. Between two verified poses, which in sweeps and moves are at most
-// turn_max apart, all inputs are taken to go straight; over time, where that is too far from cubics through their
-// positions and rates at both poses, along chords of these. A move that goes round a limit is proved along the way that
-// it found; ways that it tried in vain do not count. What a state does between two motions (yk_state_solve,
-// yk_state_assemble, other values of a variant) is not proved.
+// Returns what is proved of the motions so far. Between two verified poses, which in sweeps and moves are at most
+// turn_max apart, all inputs are taken to change linearly. Over time, if that is too far from cubics through their
+// positions and rates at both poses, they follow chords of these. A move that goes round a limit is proved along the
+// way that it found; ways that it tried in vain do not count. Changes between two motions (yk_state_solve,
+// yk_state_assemble, other values of a variant) are not proved.
 YK_API YkMotionCertificate yk_certifier_report(const YkCertifier *certifier);
 
 #ifdef __cplusplus

@@ -23,12 +23,12 @@ YK_API YkCSourceOptions yk_default_c_source_options(void);
 
 typedef struct YkCSource YkCSource;
 // Prints C11 for the machine: its parameters as a struct, kinematics, forces, residuals, batches, and a self-test with
-// poses computed here. Returns NULL with problems added if the machine cannot be assembled or has something that cannot
-// be printed (E0660), or if it was stopped. The model may be freed afterwards. Cost: linear in the steps, quadratic in
-// the freedoms.
+// poses computed by the engine. Returns NULL with problems added if the machine cannot be assembled or has a part that
+// cannot be printed (E0660), or if it was stopped. The model may be freed afterwards. Cost: linear in the steps,
+// quadratic in the freedoms.
 YK_API YkCSource *yk_c_source_new(const YkModel *model, const YkCSourceOptions *options, YkProblems *problems);
 YK_API const char *yk_c_source_text(const YkCSource *code);   // the whole file
-YK_API const char *yk_c_source_prefix(const YkCSource *code); // what its names begin with
+YK_API const char *yk_c_source_prefix(const YkCSource *code); // the beginning of its names
 YK_API void yk_c_source_free(YkCSource *code);
 
 #ifdef __cplusplus

@@ -13,8 +13,9 @@
 extern "C" {
 #endif
 
-// What enumerating has learnt about a mechanism: the generic systems of its groups. Keep it from pose to pose: the
-// first pose costs most. Use one per thread; the mechanism must outlive it. NULL when out of memory.
+// Keeps what enumerating has found out about a mechanism: the generic systems of its groups. Keep it from pose to pose,
+// since the first pose costs most. Use one per thread; the mechanism must outlive it. yk_configurations_new returns NULL
+// when out of memory.
 typedef struct YkConfigurations YkConfigurations;
 YK_API YkConfigurations *yk_configurations_new(const YkMechanism *mech);
 YK_API void yk_configurations_free(YkConfigurations *configurations);

@@ -31,10 +31,10 @@ YK_API void yk_drawing_free(YkDrawing *drawing);
 YK_API YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state);
 YK_API YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state);
 // Adds instant centres, those of the last pose: marks with the names of both bodies, with the lines of Kennedy's
-// theorem; centres far away or at infinity are told below. NULL: none. Returns YK_OK or YK_NO_MEMORY.
+// theorem; centres far away or at infinity are listed below. NULL: none. Returns YK_OK or YK_NO_MEMORY.
 YK_API YkStatus yk_drawing_centers(YkDrawing *drawing, const YkCenters *centers);
-// Adds centrodes, as they lie at the last pose: the first body's solid, the second's dashed. What lies farther than the
-// machine's size from it is left out. Returns YK_OK or YK_NO_MEMORY.
+// Adds centrodes, as they lie at the last pose: the first body's solid, the second's dashed. Parts farther than the
+// machine's size from it are left out. Returns YK_OK or YK_NO_MEMORY.
 YK_API YkStatus yk_drawing_centrodes(YkDrawing *drawing, const YkCentrodes *centrodes);
 YK_API const char *yk_drawing_svg(YkDrawing *drawing); // a whole SVG document; NULL when out of memory
 // Returns the drawing, made with options.moving, at a pose. The elements of body 3 have class b3; the

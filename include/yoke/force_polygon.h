@@ -37,11 +37,11 @@ YK_API YkForcePolygons *yk_force_polygons_new(const YkDynamics *dynamics, YkProb
 YK_API void yk_force_polygons_free(YkForcePolygons *polygons);
 YK_API size_t yk_force_polygons_vector_count(const YkForcePolygons *polygons);
 YK_API YkForceVector yk_force_polygons_vector(const YkForcePolygons *polygons, size_t index);
-// Returns what the polygon of a body says, one body after the other; NULL for an index past the last.
+// Returns the words below the polygons, one body after the other; NULL for an index past the last.
 YK_API size_t yk_force_polygons_step_count(const YkForcePolygons *polygons);
 YK_API const char *yk_force_polygons_step(const YkForcePolygons *polygons, size_t index);
-// Returns the polygons as a picture, an SVG document, each to a scale of its own, with the words below; it lives as
-// long as they do. NULL when out of memory.
+// Returns the polygons as a picture, an SVG document, each at its own scale, with the words below; it lives as long as
+// they do. NULL when out of memory.
 YK_API const char *yk_force_polygons_svg(YkForcePolygons *polygons);
 
 #ifdef __cplusplus

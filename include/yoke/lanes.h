@@ -28,8 +28,8 @@ typedef struct YkLanesCase {
 // which is cut. A copy that cannot go on keeps its last good state and time, and its status becomes YK_NOT_CONVERGED,
 // or YK_BAD_ARGUMENT for an effort that is not finite. Returns the worst status; YK_BAD_ARGUMENT, and nothing changes,
 // for a span that is negative, not finite, or beyond 1e14 steps; YK_STOPPED if goes_on ended it. A copy has the same
-// bits whatever the others do. It agrees with a simulation of its own up to rounding. Allocates nothing; use lanes of
-// its own for each thread.
+// bits whatever the others do, and agrees with a single simulation up to rounding. Allocates nothing; each thread needs
+// its own lanes.
 YK_API YkStatus yk_lanes_step(YkLanes *lanes, const YkLanesCase *asked, size_t from, size_t to, double span);
 
 #ifdef __cplusplus

@@ -36,8 +36,8 @@ typedef struct YkLawWatch YkLawWatch;
 YK_API YkLawWatch *yk_law_watch_new(const YkModel *model);
 YK_API void yk_law_watch_free(YkLawWatch *watch);
 // Looks at a state that is solved. The laws of loads are looked at only if `dynamics` is given (of the state's
-// mechanism) and the state has rates; a drive that a host, `--at` or a sweep replaces is not in use. `at` tells the
-// pose later: a time, or the coordinate that is swept. An argument less than 1e-9 of the range beyond an end is
+// mechanism) and the state has rates; a drive that a host, `--at` or a sweep replaces is not in use. `at` identifies
+// the pose later: a time, or the coordinate that is swept. An argument less than 1e-9 of the range beyond an end is
 // rounding. Returns how many uses are outside the range of their law at this pose. Allocates nothing; returns at once
 // if all laws have periods.
 YK_API size_t yk_law_watch_look(YkLawWatch *watch, const YkState *state, YkDynamics *dynamics, double at);

@@ -51,8 +51,8 @@ YK_API YkRegions *yk_regions_new(YkState *start, size_t first, size_t second, co
                                  YkProblems *problems);
 YK_API void yk_regions_free(YkRegions *regions);
 
-// The tiles of a map, for whoever distributes it over threads, processes or machines. A tile is a square of the plane,
-// of which there are some hundreds; it depends on the machine, the plane and its own number alone, so it does not
+// The tiles of a map, for programs that distribute it over threads, processes or machines. A tile is a square of the
+// plane, of which there are some hundreds; it depends only on the machine, the plane and its number, so it does not
 // matter who computes it, or when.
 typedef struct YkTiles YkTiles;
 // Prepares to compute tiles, with arguments, progress and errors as for yk_regions_new. The state must outlive them.
@@ -73,8 +73,8 @@ YK_API YkRange yk_regions_domain(const YkRegions *regions, int axis);    // rad 
 YK_API double yk_regions_tolerance(const YkRegions *regions, int axis);  // how wide squares may stay unproved, rad or m
 // Returns which part of the domain's area is proved, from 0 to 1.
 YK_API double yk_regions_proved(const YkRegions *regions);
-// Returns the number of configurations at a pose within the domain, which is read from the map; *proved (may be NULL)
-// tells whether it is proved there. -1 outside the domain.
+// Returns the number of configurations at a pose within the domain, read from the map, or -1 outside the domain.
+// *proved (may be NULL) becomes whether it is proved there.
 YK_API int yk_regions_at(const YkRegions *regions, double first, double second, bool *proved);
 
 // The regions in which the machine closes, the one that contains the start first, then the largest first. Regions that

@@ -53,8 +53,8 @@ typedef struct YkEquilibrium {
 // reach are reported as not reachable.
 YK_API YkStatus yk_rest_reach(YkRest *rest);
 YK_API YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index);
-// Returns the pose itself, valid until the next call. Its forces come from yk_dynamics_solve with a dynamics of its
-// own.
+// Returns the pose itself, valid until the next call. For its forces, make a dynamics of yk_rest_mechanism and call
+// yk_dynamics_solve.
 YK_API YkState *yk_rest_state(YkRest *rest, size_t index);
 // M q'' + C q' + K q = 0 over the free inputs, linearised at the equilibrium: f x f, row-major, SI.
 YK_API const double *yk_rest_mass(const YkRest *rest, size_t index);

@@ -1,4 +1,4 @@
-// Synthesis: from what a machine must do to machines that do it.
+// Synthesis: from a task to machines that fulfil it.
 //
 // A task says what is wanted: points of a path, positions of a body, a function between two angles, a stroke. Every
 // machine that the methods find is written as a model file, and the file is judged by the ordinary engine: assembled
@@ -39,9 +39,9 @@ typedef struct YkPieceSource {
 } YkPieceSource;
 
 typedef struct YkCandidate YkCandidate;
-// Hears of machines while a search runs. `tell` takes a machine that passed and is among the best so far, unlike all
-// better ones, and its place among those that were told: 0, the best, to `best` - 1. Its texts are valid during the
-// call; it has no `file` yet. The parameters of a task's own machine are not told.
+// Receives machines while a search runs. `tell` takes a machine that passed and is among the best so far, unlike all
+// better ones, and its place among those received: 0, the best, to `best` - 1. Its texts are valid during the call; it
+// has no `file` yet, and the parameters of a task's machine are not available.
 typedef struct YkFindings {
     void (*tell)(void *context, const YkCandidate *candidate, size_t place, size_t best);
     void *context;
@@ -52,7 +52,7 @@ typedef struct YkSynthesisOptions {
     size_t best;   // how many candidates are kept; 0: as the task says, or 10
     // Watches the search; {NULL}: not watched. Where it ends the search, the candidates found so far are the answer.
     YkProgress progress;
-    YkFindings findings;  // {NULL}: machines are told at the end only
+    YkFindings findings;  // {NULL}: there are machines at the end only
     YkPieceSource pieces; // {NULL}: the search computes them itself
 } YkSynthesisOptions;
 YK_API YkSynthesisOptions yk_default_synthesis_options(void);
@@ -65,25 +65,25 @@ typedef struct YkSynthesis YkSynthesis;
 YK_API YkSynthesis *yk_synthesis_run(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
 YK_API void yk_synthesis_free(YkSynthesis *synthesis);
 YK_API bool yk_synthesis_was_stopped(const YkSynthesis *synthesis);
-// Returns whether every solution was sought: false where a task leaves a choice, which is sampled, and for all paths
-// but those through exactly nine points.
+// Returns whether every solution was sought: false if a task leaves a choice, which is sampled, and for all paths
+// except those through exactly nine points.
 YK_API bool yk_synthesis_is_complete(const YkSynthesis *synthesis);
 // Finds how many solutions the task's equations have. Returns false if that number is not finite.
 YK_API bool yk_synthesis_solutions(const YkSynthesis *synthesis, size_t *complex_count, size_t *real_count);
 
-// The pieces of a search, for whoever distributes it over threads, processes or machines. A piece is a start of the
-// search, improved to its end, as numbers. It depends on the task, the seed and its own number alone, so it does not
-// matter who computes it, or when. Paths and machines are sought in pieces.
+// The pieces of a search, for programs that distribute it over threads, processes or machines. A piece is a start of the
+// search, improved to its end, as numbers. It depends only on the task, the seed and its number, so it does not matter
+// who computes it, or when. Paths and machines are sought in pieces.
 typedef struct YkPieces YkPieces;
 // Prepares to compute pieces of a task, which must outlive them. `progress` and `seed` of the options count. Returns
 // NULL with problems added when out of memory or when the task's machine cannot be assembled.
 YK_API YkPieces *yk_pieces_new(const YkTask *task, const YkSynthesisOptions *options, YkProblems *problems);
 YK_API void yk_pieces_free(YkPieces *pieces);
-// Returns how many numbers a piece has; 0 where the task is not sought in pieces.
+// Returns how many numbers a piece has; 0 if the task is not sought in pieces.
 YK_API size_t yk_pieces_width(const YkPieces *pieces);
 // Returns how many pieces there are at most.
 YK_API size_t yk_pieces_count(const YkPieces *pieces);
-// Returns a number that tells these pieces from those of another task, seed or version.
+// Returns a number that distinguishes these pieces from those of another task, seed or version.
 YK_API uint64_t yk_pieces_signature(const YkPieces *pieces);
 // Computes a piece: numbers[yk_pieces_width]. Returns YK_OK, YK_STOPPED or YK_BAD_ARGUMENT. Cost: some milliseconds;
 // cheapest in ascending order.
@@ -163,7 +163,7 @@ YK_API size_t yk_synthesis_curve(const YkSynthesis *synthesis, size_t candidate,
 YK_API const char *yk_synthesis_picture(YkSynthesis *synthesis);
 // Further pictures, as SVG: Burmester's curves of a motion through four or five positions, with the pivots of the dyads
 // to choose from; the errors of function generators over the range, evened out and before. The text belongs to the
-// synthesis. NULL where the task has none, or when out of memory: *ran_out (may be NULL) tells.
+// synthesis. NULL if the task has none, or when out of memory: then *ran_out (may be NULL) becomes true.
 typedef enum YkSynthesisSheet { YK_SHEET_BURMESTER, YK_SHEET_ERRORS } YkSynthesisSheet;
 YK_API const char *yk_synthesis_sheet(YkSynthesis *synthesis, YkSynthesisSheet sheet, bool *ran_out);
 

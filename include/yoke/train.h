@@ -156,7 +156,7 @@ typedef struct YkTrainPower {
     bool is_known;
     double in, out, loss; // W
     double efficiency;    // out / in; NaN if no power comes in
-    double circulating;   // by how much the largest power through a mesh exceeds what comes in, W; 0: none
+    double circulating;   // the excess of the largest power through a mesh over the power that comes in, W; 0: none
     const char *mesh;     // the mesh of that power; NULL if none
 } YkTrainPower;
 YK_API YkTrainPower yk_train_power(const YkTrain *train);

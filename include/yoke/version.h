@@ -1,4 +1,4 @@
-// The version of these headers; yk_version() tells that of the library which is loaded.
+// The version of these headers; yk_version() returns that of the library that is loaded.
 #ifndef YOKE_VERSION_H
 #define YOKE_VERSION_H
 

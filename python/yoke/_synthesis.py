@@ -1,4 +1,4 @@
-"""Synthesis: from what a machine must do to machines that do it."""
+"""Synthesis: from a task to machines that fulfil it."""
 from __future__ import annotations
 
 import os

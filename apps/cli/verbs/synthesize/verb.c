@@ -1,4 +1,4 @@
-// yoke synthesize: from what a machine must do to machines that do it.
+// yoke synthesize: from a task to machines that fulfil it.
 #include "verbs/synthesize/synthesize.h"
 #include <math.h>
 #include <string.h>
