@@ -14,8 +14,8 @@ extern "C" {
 #endif
 
 // Keeps what enumerating has found out about a mechanism: the generic systems of its groups. Keep it from pose to pose,
-// since the first pose costs most. Use one per thread; the mechanism must outlive it. yk_configurations_new returns NULL
-// when out of memory.
+// since the first pose costs most. Use one per thread; the mechanism must outlive it. yk_configurations_new returns
+// NULL when out of memory.
 typedef struct YkConfigurations YkConfigurations;
 YK_API YkConfigurations *yk_configurations_new(const YkMechanism *mech);
 YK_API void yk_configurations_free(YkConfigurations *configurations);

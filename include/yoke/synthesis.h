@@ -71,9 +71,9 @@ YK_API bool yk_synthesis_is_complete(const YkSynthesis *synthesis);
 // Finds how many solutions the task's equations have. Returns false if that number is not finite.
 YK_API bool yk_synthesis_solutions(const YkSynthesis *synthesis, size_t *complex_count, size_t *real_count);
 
-// The pieces of a search, for programs that distribute it over threads, processes or machines. A piece is a start of the
-// search, improved to its end, as numbers. It depends only on the task, the seed and its number, so it does not matter
-// who computes it, or when. Paths and machines are sought in pieces.
+// The pieces of a search, for programs that distribute it over threads, processes or machines. A piece is a start of
+// the search, improved to its end, as numbers. It depends only on the task, the seed and its number, so it does not
+// matter who computes it, or when. Paths and machines are sought in pieces.
 typedef struct YkPieces YkPieces;
 // Prepares to compute pieces of a task, which must outlive them. `progress` and `seed` of the options count. Returns
 // NULL with problems added when out of memory or when the task's machine cannot be assembled.
