@@ -1,9 +1,9 @@
 // Synthesis: from a task to machines that fulfil it.
 //
-// A task says what is wanted: points of a path, positions of a body, a function between two angles, a stroke. Every
-// machine that the methods find is written as a model file, and the file is judged by the ordinary engine: assembled
-// once, driven through the whole task without changing branch or circuit, in order. Only what passes is a candidate;
-// what does not is counted by its reason, and kept.
+// A task asks for points of a path, positions of a body, a function between two angles, a stroke, or goals that a given
+// machine meets by other parameters. Every machine that the methods find is written as a model file, and the ordinary
+// engine judges the file: it assembles the machine once, and drives it through the whole task, in order, without
+// changing branch or circuit. Machines that pass are candidates; the others are counted by reason, and kept.
 #ifndef YOKE_SYNTHESIS_H
 #define YOKE_SYNTHESIS_H
 
@@ -22,7 +22,7 @@ YK_API YkTask *yk_task_load(const char *path, YkProblems *problems);
 YK_API YkTask *yk_task_parse(const char *text, size_t length, const char *name, YkProblems *problems);
 YK_API void yk_task_free(YkTask *task);
 YK_API const char *yk_task_name(const YkTask *task);
-YK_API const char *yk_task_kind(const YkTask *task); // "path", "motion", "function", "stroke"
+YK_API const char *yk_task_kind(const YkTask *task); // "path", "motion", "function", "stroke", "machine"
 // Returns the unit in which the file gives lengths or angles: its name ("mm"), and its size in SI.
 YK_API const char *yk_task_unit(const YkTask *task, YkQuantity quantity, double *size);
 
@@ -108,7 +108,7 @@ YK_API YkDyad yk_synthesis_dyad(const YkSynthesis *synthesis, size_t index);
 // Why a machine was left out.
 typedef enum YkDefect {
     YK_DEFECT_NONE,
-    YK_DEFECT_ASSEMBLY,     // the written file does not stand where it should
+    YK_DEFECT_ASSEMBLY,     // the written file does not assemble at its first position
     YK_DEFECT_CIRCUIT,      // some positions can only be reached by taking the machine apart
     YK_DEFECT_BRANCH,       // a dead point of the input lies between the positions
     YK_DEFECT_ORDER,        // the positions are not passed in their order
@@ -125,7 +125,7 @@ YK_API const char *yk_defect_name(YkDefect defect); // "branch"
 struct YkCandidate {
     const char *file;       // "01-four-bar.yaml"; NULL for one that was left out
     const char *model;      // the model file
-    const char *mechanism;  // "four-bar", "slider-crank", "machine" (which has parameters and no other dimensions)
+    const char *mechanism;  // "four-bar", "slider-crank", ...; "machine" has parameters and no other dimensions
     const char *type;       // "crank-rocker", ...: as driven
     double error;           // sum of squares: of distances (path, m^2), angles (rad^2), or both by weight (motion)
     double worst;           // largest single deviation: m, or rad of a function
