@@ -97,8 +97,8 @@ const YkVerb yk_verbs[] = {
      "yoke studio examples/four-bar.yaml -o four-bar.html", yk_run_studio},
     {"map", "all circuits of the motion, or regions over two freedoms", "FILE [options]",
      "Follows every configuration along one coordinate and shows the whole motion: all circuits of the machine with\n"
-     "their ranges, where each turns back (limits), where branches cross (change points), where the drive is at a dead\n"
-     "point, which joints turn fully, and which circuit contains the start. Between events the number of\n"
+     "their ranges, where each turns back (limits), where branches cross (change points), where the drive is at a\n"
+     "dead point, which joints turn fully, and which circuit contains the start. Between events the number of\n"
      "configurations is proved constant, so that none is missing. --plot draws the map, with --trace also the coupler\n"
      "curves of all circuits. --over A,B maps two freedoms: regions of equally many configurations; over a point's x\n"
      "and y, its workspace.",
