@@ -47,9 +47,9 @@ typedef enum YkStability {
 } YkStability;
 typedef struct YkEquilibrium {
     YkStability stability;
-    double potential;  // J
-    double force;      // residual: largest effort that would be needed, over the largest load
-    bool is_reachable; // after yk_rest_reach: the machine can get there from its start in its own assembly
+    double potential;     // J
+    double force;         // residual: largest effort that would be needed, over the largest load
+    bool is_reachable;    // after yk_rest_reach: the machine can get there from its start in its own assembly
     bool is_higher_order; // K is 0: the force of a machine with one freedom grows with a higher power of the distance
 } YkEquilibrium;
 // Finds out which equilibria the machine can reach from its start without being taken apart, by moving it there, also

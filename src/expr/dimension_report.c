@@ -47,9 +47,8 @@ static void report_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension 
 {
     const YkDimName *name = &dims->names[expr->parameter];
     const char *here = describe(dims, dims->current), *there = describe(dims, name->origin);
-    yk_problem(dims->problems, code, expr->place,
-               "%q is used as %s here (%s) but as %s elsewhere (%s)", expr->name, yk_dimension_name(wanted), here,
-               yk_dimension_name(name->dimension), there);
+    yk_problem(dims->problems, code, expr->place, "%q is used as %s here (%s) but as %s elsewhere (%s)", expr->name,
+               yk_dimension_name(wanted), here, yk_dimension_name(name->dimension), there);
     if (name->origin_place.line > 0)
         yk_problem_hint(dims->problems, "the other use is on line %u, column %u; give %q a unit, or use two parameters",
                         (unsigned)name->origin_place.line, (unsigned)name->origin_place.column, expr->name);
@@ -62,7 +61,8 @@ void yk_dim_report_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension 
     if (!is_silent(dims)) report_two_ways(dims, expr, wanted, YK_CODE_TWO_DIMENSIONS);
 }
 
-// Returns a factor of which a use has made an angle; NULL if there is none. Terms that agree in their angles are meant so.
+// Returns a factor of which a use has made an angle; NULL if there is none. Terms that agree in their angles are meant
+// so.
 static const YkExpr *angle_in(const YkDimensions *dims, const YkExpr *expr)
 {
     if (!expr || expr->kind == YK_EXPR_CALL || expr->kind == YK_EXPR_NUMBER) return NULL;

@@ -13,7 +13,8 @@ static inline size_t yk_size_room(const YkModel *model)
 }
 double yk_size_of_body(const YkModel *model, size_t body, bool has_origin, YkVec *room);
 double yk_size_of_start(const YkModel *model);
-// Returns the largest length among parameters and cams, for a machine without another; the file's unit if there is none.
+// Returns the largest length among parameters and cams, for a machine without another; the file's unit if there is
+// none.
 double yk_size_of_values(const YkModel *model);
 
 #endif

@@ -89,10 +89,10 @@ struct YkSimulation {
     bool is_in_control;
     YkSampling sampling;
     double *y, *dense, *rate, *work; // [2 free + works]; work[work_count] at `time`
-    double time, pace; // pace: of the fastest free input so far, rad or machine sizes per second
-    bool has_drives, is_lean; // lean: an open tree with nothing to watch between rows
-    bool has_forces;          // the dynamics' forces are those of `time`
-    bool forces_are_known;    // false at a dead point or change point
+    double time, pace;               // pace: of the fastest free input so far, rad or machine sizes per second
+    bool has_drives, is_lean;        // lean: an open tree with nothing to watch between rows
+    bool has_forces;                 // the dynamics' forces are those of `time`
+    bool forces_are_known;           // false at a dead point or change point
     // Singular positions:
     YkNear *near, *near_next, *near_memory;
     YkSearch *searches; // [block], scratch

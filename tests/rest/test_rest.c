@@ -250,7 +250,8 @@ static void a_wheel_is_neutral(void **unused)
 
 // An arm of J = 0.6 kg m^2 that turns under an effort of its angle alone.
 #define TURNED_BY(effort)                                                                                              \
-    "bodies:\n  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0]}, mass: 2, center: [0.5, 0], inertia: 0.1}\n"  \
+    "bodies:\n  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0]}, mass: 2, center: [0.5, 0], inertia: "      \
+    "0.1}\n"                                                                                                           \
     "joints: {O: {pin: [ground, arm], angle: q}}\nefforts: {q: '" effort "'}\nstart: {q: 0.3}\n"
 
 // Their forces are rounding far from the place where they vanish, and have no slope there, or one at a corner.

@@ -50,8 +50,8 @@ static void check_extremes(double tilt, bool has_third, double from, size_t step
         CHECK_NEAR(e.channel == 1 ? sin(e.at) : cos(e.at), 0, 1e-7);
     }
     if (found[0] || found[1] != 2 || found[2] != 2 || found[3])
-        print_error("tilt %.17g, from %.17g, %zu steps: %zu of an angle that stays, %zu, %zu, %zu\n", tilt, from,
-                    steps, found[0], found[1], found[2], found[3]);
+        print_error("tilt %.17g, from %.17g, %zu steps: %zu of an angle that stays, %zu, %zu, %zu\n", tilt, from, steps,
+                    found[0], found[1], found[2], found[3]);
     assert_true(found[0] == 0 && found[1] == 2 && found[2] == 2 && found[3] == 0);
     yk_sweep_free(sweep);
     machine_free(&m);

@@ -47,8 +47,8 @@ void yk_ode_free(YkOde *ode);
 void yk_ode_archive(YkOde *ode, YkArchive *archive);
 // Gives f another context: whoever owns the stepper has moved.
 void yk_ode_set_context(YkOde *ode, void *context);
-// Sets the least pace of a motion: how often its scale a place goes per time. A short step has a larger one of its own, so
-// that no unit of time matters.
+// Sets the least pace of a motion: how often its scale a place goes per time. A short step has a larger one of its own,
+// so that no unit of time matters.
 void yk_ode_set_pace(YkOde *ode, double pace);
 // Starts or restarts at (t, y), towards t_end (which may lie before t). Evaluates f once. With `keep_step` it continues
 // with the current step size (after a small change of y) instead of choosing anew. Returns YK_ODE_FAILED when f fails

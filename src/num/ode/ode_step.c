@@ -39,8 +39,8 @@ static double time_of(double x, int power)
     return ldexp(1, (exponent + 3000) / 3 - 1000);
 }
 
-// Returns a first step in proportion to the time in which the fastest component goes by its scale, or by itself where it
-// has none.
+// Returns a first step in proportion to the time in which the fastest component goes by its scale, or by itself where
+// it has none.
 static double first_length(const YkOde *ode)
 {
     const YkOdeOptions *o = &ode->options;

@@ -122,7 +122,8 @@ static void add_equilibrium(const YkRestAnswer *answer, size_t index)
     yk_add_value(session, out, rest.potential, YK_QUANTITY_ENERGY, YK_DIGITS);
     yk_text_puts(out, rest.is_reachable ? "\n" : "; not reachable from the start in its own assembly\n");
     if (rest.is_higher_order)
-        yk_text_puts(out, "K is 0: the force grows with a higher power of the distance, and a frequency with the swing\n");
+        yk_text_puts(out,
+                     "K is 0: the force grows with a higher power of the distance, and a frequency with the swing\n");
     add_coordinates(answer, state, false);
     add_coordinates(answer, state, true);
     add_modes(answer, index);
