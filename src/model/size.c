@@ -116,9 +116,11 @@ double yk_size_of_start(const YkModel *model)
 double yk_size_of_values(const YkModel *model)
 {
     double largest = 0;
-    for (size_t i = 0; i < model->parameter_count; i++)
-        if (yk_dimension_equal(model->parameters[i].dimension, YK_DIM_LENGTH))
-            largest = fmax(largest, fabs(model->parameters[i].value));
+    for (size_t i = 0; i < model->parameter_count; i++) {
+        const YkParameter *p = &model->parameters[i];
+        if (p->dimension.length == 1 && !p->dimension.mass && !p->dimension.time)
+            largest = fmax(largest, fabs(p->value));
+    }
     for (size_t i = 0; i < model->cam_count; i++) largest = fmax(largest, model->cams[i].base + model->cams[i].roller);
     return largest > 0 ? largest : model->units.length;
 }

@@ -98,9 +98,8 @@ static double energy_span(const YkSimulation *sim)
 bool yk_simulation_has_lost_energy(const YkSimulation *sim)
 {
     double most = fmax(1e-3, 1e3 * sim->options.tolerance) * energy_span(sim);
-    double weight = sim->model->has_gravity ? yk_hypot(sim->model->gravity.x, sim->model->gravity.y) : 0, mass = 0;
-    for (size_t b = 1; b < sim->model->body_count; b++) mass += sim->model->bodies[b].mass;
-    double potential = fmax(fabs(sim->energy_low), fabs(sim->energy_high)) + mass * weight * sim->mech->size;
+    double weight = (fabs(sim->model->gravity.x) + fabs(sim->model->gravity.y)) / sim->mech->size; // of an inertia
+    double potential = fmax(fabs(sim->energy_low), fabs(sim->energy_high)) + yk_simulation_energy_scale(sim) * weight;
     double rounding = 1e-8 * potential; // of a machine that has hardly begun to move
     return sim->options.integrator != YK_INTEGRATOR_RK4 && sim->energy_off > fmax(most, rounding);
 }
