@@ -32,6 +32,9 @@ YK_API size_t yk_rest_count(const YkRest *rest);
 // Returns whether all circuits were searched: only two equilibria of one circuit, less than about 0.05 rad apart, can
 // then have been missed. Otherwise there may be others.
 YK_API bool yk_rest_is_complete(const YkRest *rest);
+// Returns whether the loads of a machine with one freedom, which turns fully, are others a turn later, as those of
+// torsional springs are: only one turn was searched.
+YK_API bool yk_rest_is_wound(const YkRest *rest);
 YK_API const YkMechanism *yk_rest_mechanism(const YkRest *rest);
 YK_API size_t yk_rest_freedom(const YkRest *rest);         // f, the number of free inputs
 YK_API size_t yk_rest_input(const YkRest *rest, size_t k); // the coordinate that is free input k
@@ -44,9 +47,10 @@ typedef enum YkStability {
 } YkStability;
 typedef struct YkEquilibrium {
     YkStability stability;
-    double potential;  // J
-    double force;      // residual: largest effort that would be needed, over the largest load
-    bool is_reachable; // after yk_rest_reach: the machine can get there from its start in its own assembly
+    double potential;     // J
+    double force;         // residual: largest effort that would be needed, over the largest load
+    bool is_reachable;    // after yk_rest_reach: the machine can get there from its start in its own assembly
+    bool is_higher_order; // K is 0: the force of a machine with one freedom grows with a higher power of the distance
 } YkEquilibrium;
 // Finds out which equilibria the machine can reach from its start without being taken apart, by moving it there, also
 // through dead points, and in both directions. Returns YK_OK, YK_NO_MEMORY or YK_STOPPED. Equilibria that it could not

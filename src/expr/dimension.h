@@ -95,6 +95,8 @@ void yk_dim_report_argument(YkDimensions *dims, const YkExpr *call, YkDimension 
 void yk_dim_report_power(YkDimensions *dims, const YkExpr *expr);
 void yk_dim_report_exponent(YkDimensions *dims, const YkExpr *exponent);
 void yk_dim_report_two_ways(YkDimensions *dims, const YkExpr *name, YkDimension wanted);
+// Warns that a parameter without a unit is an angle by another use, and multiplies here what must have no angle.
+void yk_dim_warn_of_factor(YkDimensions *dims, const YkExpr *expr);
 // Gives a bare number this dimension; warns if the file's units then make a unit that no one would mean.
 void yk_dim_warn_of_unit(YkDimensions *dims, const YkExpr *number, YkDimension dimension);
 

@@ -254,7 +254,9 @@ void yk_dim_down(YkDimensions *dims, YkExpr *expr, const YkDimension *want, bool
     YkDimension own = expr->dimension;
     if (expr->state == YK_DIM_SKIP) want = NULL;
     if (expr->state == YK_DIM_KNOWN) {
-        if (want && yk_dimension_equal(*want, own) && expr->kind != YK_EXPR_NAME) own = yk_dim_richer(*want, own);
+        bool is_same = want && yk_dimension_equal(*want, own) && expr->kind != YK_EXPR_NAME;
+        if (is_same && want->angle != own.angle) yk_dim_warn_of_factor(dims, expr);
+        if (is_same) own = yk_dim_richer(*want, own);
         if (!want || !yk_dimension_equal(*want, own) || expr->kind != YK_EXPR_NAME) want = &own;
     }
     bool is_sum = expr->kind == YK_EXPR_ADD || expr->kind == YK_EXPR_SUBTRACT || expr->kind == YK_EXPR_NEGATE ||

@@ -43,19 +43,43 @@ static const YkExpr *parameter_in(const YkDimensions *dims, const YkExpr *expr)
     return expr->parameter >= 0 && dims->names[expr->parameter].origin ? expr : NULL;
 }
 
-void yk_dim_report_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension wanted)
+static void report_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension wanted, YkCode code)
 {
-    if (is_silent(dims)) return;
     const YkDimName *name = &dims->names[expr->parameter];
     const char *here = describe(dims, dims->current), *there = describe(dims, name->origin);
-    yk_problem(dims->problems, YK_CODE_TWO_DIMENSIONS, expr->place,
-               "%q is used as %s here (%s) but as %s elsewhere (%s)", expr->name, yk_dimension_name(wanted), here,
-               yk_dimension_name(name->dimension), there);
+    yk_problem(dims->problems, code, expr->place, "%q is used as %s here (%s) but as %s elsewhere (%s)", expr->name,
+               yk_dimension_name(wanted), here, yk_dimension_name(name->dimension), there);
     if (name->origin_place.line > 0)
         yk_problem_hint(dims->problems, "the other use is on line %u, column %u; give %q a unit, or use two parameters",
                         (unsigned)name->origin_place.line, (unsigned)name->origin_place.column, expr->name);
     else
         yk_problem_hint(dims->problems, "give %q a unit, or use two parameters", expr->name);
+}
+
+void yk_dim_report_two_ways(YkDimensions *dims, const YkExpr *expr, YkDimension wanted)
+{
+    if (!is_silent(dims)) report_two_ways(dims, expr, wanted, YK_CODE_TWO_DIMENSIONS);
+}
+
+// Returns a factor of which a use has made an angle; NULL if there is none. Terms that agree in their angles are meant
+// so.
+static const YkExpr *angle_in(const YkDimensions *dims, const YkExpr *expr)
+{
+    if (!expr || expr->kind == YK_EXPR_CALL || expr->kind == YK_EXPR_NUMBER) return NULL;
+    if (expr->kind == YK_EXPR_NAME) {
+        const YkDimName *name = expr->parameter >= 0 ? &dims->names[expr->parameter] : NULL;
+        return name && name->origin && name->dimension.angle != 0 ? expr : NULL;
+    }
+    bool is_sum = expr->kind == YK_EXPR_ADD || expr->kind == YK_EXPR_SUBTRACT;
+    if (is_sum && expr->a->dimension.angle == expr->b->dimension.angle) return NULL;
+    const YkExpr *found = angle_in(dims, expr->a);
+    return found ? found : angle_in(dims, expr->b);
+}
+
+void yk_dim_warn_of_factor(YkDimensions *dims, const YkExpr *expr)
+{
+    const YkExpr *name = dims->problems && dims->units.angle != 1 ? angle_in(dims, expr) : NULL;
+    if (name) report_two_ways(dims, name, YK_DIM_NONE, YK_CODE_ANGLE_FACTOR);
 }
 
 // Returns whether the dimension is wrong because a parameter in it has got its dimension elsewhere.

@@ -489,7 +489,7 @@ static void finish_size(YkRedesign *r)
         size_t body = (size_t)r->extended[k];
         size = fmax(size, yk_size_of_body(r->model, body, r->has_origin[body], r->room));
     }
-    r->model->size = size > 0 ? size : 1;
+    r->model->size = size > 0 ? size : yk_size_of_values(r->model);
 }
 
 YkStatus yk_redesign_set(YkRedesign *r, const double *values)

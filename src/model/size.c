@@ -113,6 +113,18 @@ double yk_size_of_start(const YkModel *model)
     return largest;
 }
 
+double yk_size_of_values(const YkModel *model)
+{
+    double largest = 0;
+    for (size_t i = 0; i < model->parameter_count; i++) {
+        const YkParameter *p = &model->parameters[i];
+        if (p->dimension.length == 1 && !p->dimension.mass && !p->dimension.time)
+            largest = fmax(largest, fabs(p->value));
+    }
+    for (size_t i = 0; i < model->cam_count; i++) largest = fmax(largest, model->cams[i].base + model->cams[i].roller);
+    return largest > 0 ? largest : model->units.length;
+}
+
 void yk_size_origins(const YkModel *model, bool *has_origin)
 {
     for (size_t i = 0; i < model->joint_count; i++)
@@ -128,7 +140,7 @@ bool yk_load_size(YkModel *model)
     if (done) yk_size_origins(model, has_origin);
     for (size_t i = 0; done && i < model->body_count; i++)
         size = fmax(size, yk_size_of_body(model, i, has_origin[i], room));
-    model->size = size > 0 ? size : 1;
+    model->size = size > 0 ? size : yk_size_of_values(model);
     free(room);
     free(has_origin);
     return done;

@@ -1,4 +1,5 @@
-// The size of a machine: the largest extent of a body, or distance of a slide at the start; for tolerances and scales.
+// The size of a machine: the largest extent of a body, or distance of a slide at the start; where both are 0, the
+// largest length of the file. For tolerances and scales.
 #ifndef MODEL_SIZE_H
 #define MODEL_SIZE_H
 #include "model/model.h"
@@ -12,5 +13,8 @@ static inline size_t yk_size_room(const YkModel *model)
 }
 double yk_size_of_body(const YkModel *model, size_t body, bool has_origin, YkVec *room);
 double yk_size_of_start(const YkModel *model);
+// Returns the largest length among parameters and cams, for a machine without another; the file's unit if there is
+// none.
+double yk_size_of_values(const YkModel *model);
 
 #endif

@@ -141,10 +141,11 @@ static bool search_between(YkRest *rest, const double *row, Probe p, Probe q, in
 static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t index)
 {
     enum { DEPTH = 16, HALVINGS = 100 };
+    const double DIFFERENT = 1e-9;
     YkMapBranch branch = yk_map_branch(map, circuit, index);
     size_t c = yk_rest_free_coordinate(rest, 0);
     double beside = 1e-10 * rest->scale[0];
-    Probe last = {NAN, NAN, NAN}, now;
+    Probe first = {NAN, NAN, NAN}, last = first, now;
     if (branch.rows < 2) return true;
     // Begins at the second row: at a limit two branches meet, and moving on from the last branch would stay on it.
     const double *second = yk_map_row(map, circuit, index, 1);
@@ -166,7 +167,10 @@ static bool search_branch(YkRest *rest, const YkMap *map, size_t circuit, size_t
         int left = HALVINGS;
         if (isfinite(last.at) && !search_between(rest, row, last, now, DEPTH, &left)) return false;
         last = now;
+        if (k == 0) first = now;
     }
+    bool is_other = fabs(last.accel - first.accel) > DIFFERENT * rest->force_scale * rest->scale[0];
+    rest->is_wound |= branch.is_closed && is_other; // in the same pose
     return true;
 }
 
@@ -187,5 +191,6 @@ bool yk_rest_search_circuits(YkRest *rest, const YkMap *map)
         for (size_t k = 0; k < yk_map_circuit(map, circuit).branches; k++)
             if (!search_branch(rest, map, circuit, k)) return false;
     }
+    rest->is_complete = rest->is_complete && !rest->is_wound;
     return true;
 }

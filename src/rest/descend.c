@@ -86,9 +86,30 @@ static YkRestPoint new_point(YkRest *rest)
     return p;
 }
 
+// Goes, where a machine with one freedom meets hardly any force, to the place at which it changes its direction: what
+// grows with a power of the distance is rounding long before.
+static void narrow(YkRest *rest)
+{
+    const double FLAT = 1e-7;
+    double here = rest->q[0], unit = rest->scale[0], a, b;
+    for (double h = 1e-4; h < 0.05; h *= 10) {
+        double low = here - h * unit, high = here + h * unit;
+        if (!yk_rest_accelerations(rest, &low, NULL, &a) || !yk_rest_accelerations(rest, &high, NULL, &b)) return;
+        if (h == 1e-4 && fmax(fabs(a), fabs(b)) > FLAT * rest->force_scale * unit) return;
+        for (int k = 0; k < 60 && a * b < 0; k++) {
+            double middle = rest->q[0] = 0.5 * (low + high), now;
+            if (!yk_rest_accelerations(rest, &middle, NULL, &now)) return;
+            if (now * a >= 0) low = middle;
+            if (now * a <= 0) high = middle;
+        }
+        if (a * b < 0) return;
+    }
+}
+
 bool yk_rest_keep(YkRest *rest)
 {
     YkState *s = rest->state;
+    if (rest->freedom == 1) narrow(rest);
     if (!yk_rest_accelerations(rest, rest->q, NULL, rest->a) || yk_state_solve(s) < 0) return true;
     YkRestPoint p = new_point(rest);
     if (yk_arena_failed(rest->arena) || !YK_ROOM(rest->points, rest->count, rest->capacity)) return false;

@@ -5,6 +5,8 @@
 #include "num/eigen.h"
 #include "rest/rest.h"
 
+static const double NOISE = 1e-12; // of the largest accelerations, over a radian or the machine's size
+
 enum { REDUCE = 20 }; // work of forces and inertia, for each step and each pair of freedoms
 
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a)
@@ -81,44 +83,45 @@ static double gap_of(const YkRest *rest, const double *A, const double *B)
     return size > 0 ? distance(rest, A, B) / size : 0;
 }
 
-// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts
-// them again; `finer` is room for another matrix.
-static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
-{
-    size_t f = rest->freedom;
-    double unit = step_here(rest->state), last = HUGE_VAL;
-    if (!differences_within(rest, rest->q, &unit, matrix)) return false;
-    for (int k = 0; k < 8; k++) {
-        if (!differences(rest, rest->q, false, unit /= 4, finer)) return true; // the last one stands
-        double gap = gap_of(rest, matrix, finer);
-        if (gap <= 1e-9 || gap >= last) return true; // the finer one has more rounding
-        memcpy(matrix, finer, f * f * sizeof *matrix);
-        last = gap;
-    }
-    return true;
-}
-
-// Differentiates by rates at rest->q, where accelerations are quadratic in them unless a load has a corner at rest, as
-// a drag by rate*abs(rate) has, or changes within small rates. Then takes ever shorter steps, removes what is in
-// proportion to the step, and keeps the matrix that agrees best with the one before. `size` is that of rates of change
-// here.
-static bool differentiate_by_rates(YkRest *rest, double size, double *matrix)
+// Differentiates by positions or rates at rest->q where a load may have a corner, as a drag by rate*abs(rate) has, or
+// change within small rates. Then takes ever shorter steps, removes what is in proportion to the step, and keeps the
+// matrix that agrees best with the one before. `size` is that of rates of change here.
+static bool differentiate_at_corner(YkRest *rest, bool of_rates, double unit, double size, double *matrix)
 {
     enum { SHORTENED = 10 };
     size_t entries = rest->freedom * rest->freedom;
     double *coarse = YK_NEW(rest->arena, double, entries), *fine = YK_NEW(rest->arena, double, entries);
     double *limit = YK_NEW(rest->arena, double, entries), *last = YK_NEW(rest->arena, double, entries);
-    double unit = size > 0 ? 1e-3 * size : 1e-3, best = HUGE_VAL;
-    if (!coarse || !fine || !limit || !last || !differences(rest, rest->q, true, unit, matrix)) return false;
+    double best = HUGE_VAL;
+    if (!coarse || !fine || !limit || !last || !differences(rest, rest->q, of_rates, unit, matrix)) return false;
     memcpy(coarse, matrix, entries * sizeof *coarse);
     for (int k = 0; k < SHORTENED && best > 1e-9; k++) {
-        if (!differences(rest, rest->q, true, unit /= 4, fine)) return false;
+        if (!differences(rest, rest->q, of_rates, unit /= 4, fine)) return false;
         if (k == 0 && distance(rest, coarse, fine) <= 1e-9 * fmax(size, distance(rest, fine, NULL))) return true;
         for (size_t i = 0; i < entries; i++) limit[i] = fine[i] + (fine[i] - coarse[i]) / 3;
         double gap = k > 0 ? distance(rest, limit, last) / fmax(size, distance(rest, limit, NULL)) : HUGE_VAL;
         if (k == 0 || gap < best) memcpy(matrix, limit, entries * sizeof *matrix), best = gap;
         memcpy(last, limit, entries * sizeof *last);
         memcpy(coarse, fine, entries * sizeof *coarse);
+    }
+    return true;
+}
+
+// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts
+// them again; `finer` is room for another matrix.
+static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
+{
+    const double CORNER = 0.1;
+    size_t f = rest->freedom;
+    double unit = step_here(rest->state), last = HUGE_VAL;
+    if (!differences_within(rest, rest->q, &unit, matrix)) return false;
+    for (int k = 0; k < 8; k++) {
+        if (!differences(rest, rest->q, false, unit /= 4, finer)) return true; // the last one stands
+        double gap = gap_of(rest, matrix, finer);
+        if (gap >= last && gap > CORNER) return differentiate_at_corner(rest, false, 4 * unit, 0, matrix);
+        if (gap <= 1e-9 || gap >= last) return true; // the finer one has more rounding
+        memcpy(matrix, finer, f * f * sizeof *matrix);
+        last = gap;
     }
     return true;
 }
@@ -258,16 +261,40 @@ static YkStability judge(const YkRest *rest, const YkRestPoint *p)
     return size > 0 ? stability : YK_STABILITY_NEUTRAL;
 }
 
+// Judges a pose of a machine with one freedom that meets no force in proportion to the distance, by the first forces
+// beside it that are more than rounding: they grow with a higher power.
+static YkStability judge_beside(YkRest *rest, YkEquilibrium *at)
+{
+    double a[2], x, unit = rest->scale[0], noise = NOISE * rest->force_scale * unit;
+    for (double h = 1e-4; h < 1; h *= 10) {
+        for (int k = 0; k < 2; k++) {
+            x = rest->q[0] + (k ? h : -h) * unit;
+            if (!yk_rest_accelerations(rest, &x, NULL, &a[k])) return YK_STABILITY_NEUTRAL;
+        }
+        if (fmax(fabs(a[0]), fabs(a[1])) <= noise) continue;
+        at->is_higher_order = true;
+        if (a[0] > noise && a[1] < -noise) return YK_STABILITY_STABLE;
+        return a[0] < -noise || a[1] > noise ? YK_STABILITY_UNSTABLE : YK_STABILITY_NEUTRAL;
+    }
+    return YK_STABILITY_NEUTRAL;
+}
+
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
 {
     size_t f = rest->freedom;
     double *by_position = YK_NEW(rest->arena, double, f *f), *by_rate = YK_NEW(rest->arena, double, f *f);
     if (!by_position || !by_rate || !find_mass(rest, p->mass)) return false;
     if (!differentiate_finely(rest, by_position, by_rate)) return false;
-    if (!differentiate_by_rates(rest, sqrt(distance(rest, by_position, NULL)), by_rate)) return false;
+    double rate = sqrt(distance(rest, by_position, NULL));
+    bool is_flat = rate * rate <= NOISE * rest->force_scale;
+    if (is_flat) memset(by_position, 0, f * f * sizeof *by_position);
+    if (!differentiate_at_corner(rest, true, rate > 0 ? 1e-3 * rate : 1e-3, rate, by_rate)) return false;
+    if (is_flat && distance(rest, by_rate, NULL) <= NOISE * sqrt(rest->force_scale))
+        memset(by_rate, 0, f * f * sizeof *by_rate);
     times_mass(f, p->mass, by_position, p->stiffness);
     times_mass(f, p->mass, by_rate, p->damping);
     if (!find_modes(rest, p) || !find_roots(rest, p, by_position, by_rate)) return false;
     p->at.stability = judge(rest, p);
+    if (is_flat && f == 1 && p->at.stability == YK_STABILITY_NEUTRAL) p->at.stability = judge_beside(rest, &p->at);
     return true;
 }

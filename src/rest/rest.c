@@ -151,6 +151,10 @@ bool yk_rest_is_complete(const YkRest *rest)
 {
     return rest->is_complete;
 }
+bool yk_rest_is_wound(const YkRest *rest)
+{
+    return rest->is_wound;
+}
 const YkMechanism *yk_rest_mechanism(const YkRest *rest)
 {
     return rest->mech;
@@ -166,7 +170,7 @@ size_t yk_rest_input(const YkRest *rest, size_t k)
 }
 YkEquilibrium yk_rest_equilibrium(const YkRest *rest, size_t index)
 {
-    if (index >= rest->count) return (YkEquilibrium){YK_STABILITY_NONE, (double)NAN, (double)NAN, false};
+    if (index >= rest->count) return (YkEquilibrium){YK_STABILITY_NONE, (double)NAN, (double)NAN, false, false};
     return rest->points[index].at;
 }
 

@@ -35,6 +35,7 @@ struct YkRest {
     double force_scale; // the largest acceleration seen: the scale for zero
     bool has_inertia;   // in some pose from which the search started
     bool is_complete;   // all circuits were searched
+    bool is_wound;      // the loads of a pose are others a turn later
     bool ran_out;       // of memory, in that search
     const double *row;  // of the map, beside which the state stands; NULL elsewhere
     YkReport lack;      // report of the first such pose without accelerations

@@ -8,13 +8,17 @@ static bool is_smooth(YkChannel c)
 }
 
 // Returns the derivative of a channel along the path, or 0 if it is not above rounding, or could be another branch's.
+// Near a change point the pose is known to the rounding over the sine of the transmission angle, rates to that over its
+// square.
 static double slope_here(const YkSweep *w, YkChannel c)
 {
+    const double ROUNDING = 1e-15;
     const YkState *s = w->walk.path.state;
-    if (!s->has_rates || (s->space.margin[0] < YK_BRANCH_MARGIN && !s->is_regular)) return 0;
+    double margin = s->space.margin[0], noise = s->is_regular ? 0 : ROUNDING / margin;
+    if (!s->has_rates || (margin < YK_BRANCH_MARGIN && !s->is_regular)) return 0;
     double value = yk_state_channel(s, c), unit = c.quantity == YK_QUANTITY_ANGLE ? 2 * YK_PI : s->mech->size;
     c.order = 1;
-    double slope = yk_state_channel(s, c), least = 1e-10 * (unit + fabs(value));
+    double slope = yk_state_channel(s, c), least = fmax(1e-10, noise) * (unit + fabs(value));
     return fabs(slope) * yk_path_scale(&w->walk.path) > least ? slope : 0;
 }
 
@@ -42,30 +46,35 @@ YkStatus yk_sweep_look_back(YkSweep *w, double at, bool along)
     return status;
 }
 
-// Handles a change point that leaves no rates next to it: the motion turns round in it.
-static double at_change_point(const YkSweep *w, double at)
+// Handles a change point between two places that leaves no rates next to it: the motion turns round in it.
+static double at_change_point(const YkSweep *w, double at, double from, double to)
 {
-    for (size_t k = w->walk.event_count; k-- > 0;)
-        if (w->walk.events[k].kind == YK_EVENT_CHANGE_POINT &&
-            yk_path_way(&w->walk.path, w->walk.events[k].at, at) < 1e-4)
-            return w->walk.events[k].at;
+    for (size_t k = w->walk.event_count; k-- > 0;) {
+        const YkEvent *e = &w->walk.events[k];
+        if (e->kind == YK_EVENT_CHANGE_POINT && (e->at - from) * (to - e->at) >= 0 &&
+            yk_path_way(&w->walk.path, e->at, at) < 1e-4)
+            return e->at;
+    }
     return at;
 }
 
+// Notes the extreme between two places that the sweep has passed on its branch; none where a pose between them does not
+// close on that branch.
 static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, double slope)
 {
     YkChannel value = w->channels[channel], rate = value;
+    double first = from, last = to;
     rate.order = 1;
     for (int k = 0; k < 60 && fabs(to - from) > 1e-13 * yk_path_scale(&w->walk.path); k++) {
         double middle = 0.5 * (from + to);
-        if (yk_sweep_look_back(w, middle, true) < 0) break;
+        if (yk_sweep_look_back(w, middle, true) < 0) return;
         if (yk_state_channel(w->walk.path.state, rate) * slope > 0)
             from = middle;
         else
             to = middle;
     }
     double at = 0.5 * (from + to);
-    if (w->walk.path.state->space.margin[0] < 2 * YK_BLUR_MARGIN) at = at_change_point(w, at);
+    if (w->walk.path.state->space.margin[0] < 2 * YK_BLUR_MARGIN) at = at_change_point(w, at, first, last);
     if (yk_sweep_look_back(w, at, true) < 0) return;
     yk_walk_note(&w->walk, (YkEvent){.kind = YK_EVENT_EXTREME,
                                      .at = at,

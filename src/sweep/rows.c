@@ -165,10 +165,5 @@ void yk_sweep_try_change_row(YkSweep *w)
     }
     if (row == 0) w->walk.from = *yk_sweep_row(w, row);
     if (is_told && !was_flipped(w, row)) w->walk.event_count = before;
-    for (size_t k = 0; k < w->walk.margin_count; k++) // a limit after all: restores the signs
-        if (yk_walk_was_flipped_near(&w->walk, k, *yk_sweep_row(w, row))) {
-            s->branch[k] = (signed char)-s->branch[k];
-            w->walk.flipped_at[k] = NAN;
-            w->walk.event_count--;
-        }
+    w->walk.event_count -= yk_walk_unflip(&w->walk, *yk_sweep_row(w, row));
 }

@@ -243,17 +243,16 @@ static bool closes_ahead(YkWalk *w, double a, double way)
     return closes;
 }
 
-// Takes back the flips at a place that proved to be a limit, not a change point.
-static void unflip(YkWalk *w, double a, size_t events, size_t more)
+size_t yk_walk_unflip(YkWalk *w, double a)
 {
+    size_t count = 0;
     for (size_t k = 0; k < w->margin_count; k++) {
         if (!yk_walk_was_flipped_near(w, k, a)) continue;
         w->path.state->branch[k] = (signed char)-w->path.state->branch[k];
         w->flipped_at[k] = NAN;
+        count++;
     }
-    w->event_count = events;
-    w->more_events = more;
-    w->path.side = 0;
+    return count;
 }
 
 void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
@@ -267,7 +266,11 @@ void yk_walk_flip_at(YkWalk *w, double a, const double *margins)
         tried++;
         flips += flip(w, k, a, way);
     }
-    if (tried > 0 && !closes_ahead(w, a, way) && flips > 0) unflip(w, a, events, more);
+    if (tried == 0 || closes_ahead(w, a, way) || flips == 0) return;
+    yk_walk_unflip(w, a);
+    w->event_count = events;
+    w->more_events = more;
+    w->path.side = 0;
 }
 
 // Returns whether, over time, the drives go farther between a and b than the path may go unchecked.

@@ -59,6 +59,8 @@ bool yk_walk_refuses(YkWalk *walk, double a, double b);
 // Flips blocks that are singular at `a`, which the motion has reached and passes: double zeros, passed with the other
 // sign.
 void yk_walk_flip_at(YkWalk *walk, double a, const double *margins);
+// Takes back the flips at a place that proved to be a limit, not a change point. Returns how many there were.
+size_t yk_walk_unflip(YkWalk *walk, double a);
 
 // --- touch.c
 

@@ -20,6 +20,20 @@ joints:
   A: {pin: [arm, bare], angle: q}
 start: {p: 0, q: 0}
 """
+DEAD = """\
+bodies:
+  ground: {points: {O: [0, 0]}}
+  crank:  {points: {O: [0, 0], A: [0.05, 0]}}
+  rod:    {points: {A: [0, 0], B: [0.18, 0]}, mass: 1}
+  piston: {points: {B: [0, 0]}}
+joints:
+  O: {pin: [ground, crank], angle: th}
+  A: {pin: [crank, rod], angle: ph}
+  B: {pin: [rod, piston]}
+  S: {slide: [ground, piston], along: x, distance: s}
+drives: {s: 0.23}
+start: {th: 0, ph: 0}
+"""
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -343,6 +357,14 @@ class Polygons(Pictures):
             self.assertIn("no acceleration polygon can be drawn", run.err)
             self.assertNotIn("whose motion is given", run.out)
             self.assertIn("whose motion is given: 0 rad/s.", Run(verb, light, "--polygon", "velocity").out)
+
+    def test_a_dead_point_is_the_reason_why_there_are_no_forces(self):
+        """The piston drives the crank, which is in line with the rod."""
+        dead = self.write("dead.yaml", DEAD)
+        for verb in ("solve", "draw"):
+            run = Run(verb, dead, "--polygon", "force")
+            self.assertEqual(run.code, 1, run.err)
+            self.assertIn("no force polygon can be drawn: dead point at joint `B`", run.err)
 
     def test_forces_close_a_polygon_for_each_body(self):
         """In newtons, where the file's units of length and mass would make kg*mm/s^2."""

@@ -49,6 +49,21 @@ static void a_bare_gravity_unlike_any_planets_warns_and_says_what_may_be_meant(v
     warns("gravity: [0, -32.17]\n", "`-32.17 ft/s^2`");
 }
 
+static void the_message_converts_gravity_only_where_the_file_has_other_units(void **state)
+{
+    (void)state;
+    static const char *const heads[] = {"gravity: [0, -981]\n", "units: {length: mm}\ngravity: [0, -9.81]\n"};
+    for (int k = 0; k < 2; k++) {
+        char text[512];
+        YkProblems *problems;
+        snprintf(text, sizeof text, "%s" CRANK, heads[k]);
+        const YkProblem *problem = warning(text, &problems);
+        assert_non_null(problem);
+        assert_int_equal(strstr(problem->message, "which is") != NULL, k);
+        yk_problems_free(problems);
+    }
+}
+
 static void gravity_with_a_unit_or_of_a_planet_is_taken_as_it_is(void **state)
 {
     (void)state;
@@ -96,6 +111,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bad_units_are_no_reason_to_doubt_gravity),
         cmocka_unit_test(a_bare_gravity_unlike_any_planets_warns_and_says_what_may_be_meant),
+        cmocka_unit_test(the_message_converts_gravity_only_where_the_file_has_other_units),
         cmocka_unit_test(gravity_with_a_unit_or_of_a_planet_is_taken_as_it_is),
         cmocka_unit_test(gravity_of_a_long_chain_of_doubled_parameters_is_read),
     };

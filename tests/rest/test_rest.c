@@ -248,6 +248,60 @@ static void a_wheel_is_neutral(void **unused)
     yk_model_free(model);
 }
 
+// An arm of J = 0.6 kg m^2 that turns under an effort of its angle alone.
+#define TURNED_BY(effort)                                                                                              \
+    "bodies:\n  ground: {points: {O: [0, 0]}}\n  arm: {points: {O: [0, 0]}, mass: 2, center: [0.5, 0], inertia: "      \
+    "0.1}\n"                                                                                                           \
+    "joints: {O: {pin: [ground, arm], angle: q}}\nefforts: {q: '" effort "'}\nstart: {q: 0.3}\n"
+
+// Their forces are rounding far from the place where they vanish, and have no slope there, or one at a corner.
+static void forces_that_grow_with_a_power_have_one_equilibrium_without_stiffness(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *text;
+        double at;
+        YkStability stability;
+    } cases[] = {{TURNED_BY("-3 N*m * q*abs(q)"), 0, YK_STABILITY_STABLE},
+                 {TURNED_BY("3 N*m * q*abs(q)"), 0, YK_STABILITY_UNSTABLE},
+                 {TURNED_BY("-3 N*m * q^3"), 0, YK_STABILITY_STABLE},
+                 {TURNED_BY("-3 N*m * (q - 1)^3"), 1, YK_STABILITY_STABLE},
+                 {TURNED_BY("-3 N*m * q^5"), 0, YK_STABILITY_STABLE}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        YkModel *model;
+        YkRest *rest = rest_of(cases[k].text, &model);
+        assert_int_equal(yk_rest_count(rest), 1);
+        YkEquilibrium e = yk_rest_equilibrium(rest, 0);
+        CHECK_NEAR(yk_state_coordinate(yk_rest_state(rest, 0), 0).position, cases[k].at, 1e-12);
+        assert_int_equal(e.stability, cases[k].stability);
+        assert_true(e.is_higher_order && yk_rest_stiffness(rest, 0)[0] == 0 && yk_rest_mode(rest, 0, 0).frequency == 0);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
+// A weak torsional spring holds a pendulum in several turns; one that turns against gravity alone repeats itself.
+static void only_loads_that_repeat_are_searched_whole(void **unused)
+{
+    (void)unused;
+    static const char *const springs[] = {"", "springs: {k: {along: q, stiffness: 0.5 N*m, angle: 0}}\n"};
+    for (int k = 0; k < 2; k++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"
+                 "  arm: {points: {O: [0, 0]}, mass: 2, center: [0.5, 0], inertia: 0.1}\n"
+                 "joints: {O: {pin: [ground, arm], angle: q}}\n%sstart: {q: 0.3}\n",
+                 springs[k]);
+        YkModel *model;
+        YkRest *rest = rest_of(text, &model);
+        assert_int_equal(yk_rest_count(rest), 2);
+        assert_true(yk_rest_is_wound(rest) == (k == 1) && yk_rest_is_complete(rest) == (k == 0));
+        assert_false(yk_rest_equilibrium(rest, 0).is_higher_order);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
 // A bead on a light arm, held by a spring: where the arm has no length nothing resists its turning. That it has none at
 // coordinates of 0 does not matter, nor that the machine starts there.
 static void inertia_is_judged_where_the_machine_stands(void **unused)
@@ -344,6 +398,8 @@ int main(void)
         cmocka_unit_test(every_equilibrium_keeps_its_mesh),
         cmocka_unit_test(a_damped_spring_has_its_roots),
         cmocka_unit_test(a_wheel_is_neutral),
+        cmocka_unit_test(forces_that_grow_with_a_power_have_one_equilibrium_without_stiffness),
+        cmocka_unit_test(only_loads_that_repeat_are_searched_whole),
         cmocka_unit_test(inertia_is_judged_where_the_machine_stands),
         cmocka_unit_test(a_freedom_that_never_has_inertia_is_refused),
         cmocka_unit_test(a_mode_is_how_it_swings),

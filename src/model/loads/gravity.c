@@ -72,7 +72,8 @@ void yk_load_check_gravity(YkLoader *loader)
     yk_units_name(&model->units, YK_DIM_ACCELERATION, &unit);
     const YkExpr *expr = fabs(model->gravity.y) >= fabs(model->gravity.x) ? model->gravity_y : model->gravity_x;
     yk_problem(loader->problems, YK_CODE_ODD_GRAVITY, expr ? expr->place : (YkPlace){0},
-               "gravity is %e %s here, which is %e m/s^2", in_file, yk_text_get(&unit), g);
+               size == 1 ? "gravity is %e %s here" : "gravity is %e %s here, which is %e m/s^2", in_file,
+               yk_text_get(&unit), g);
     if (meant)
         yk_problem_hint(loader->problems, "did you mean `%e %s`? A bare number is in %s", down, meant,
                         yk_text_get(&unit));

@@ -1,5 +1,7 @@
 // yoke draw --polygon: the polygon of the pose in place of the machine.
 #include "verbs/draw/polygons.h"
+#include <string.h>
+#include "session.h"
 #include "verbs/solve/solve.h"
 
 // Writes a picture; NULL: out of memory.
@@ -28,7 +30,9 @@ static bool draw_motion(YkSession *session, YkFileKind kind)
 bool yk_draw_polygon(YkSession *session, YkFileKind kind)
 {
     YkDynamics *dynamics = session->dynamics;
-    bool good = yk_solve_forces(session, dynamics, YK_METHOD_REDUCED, session->state) != YK_NO_MEMORY;
+    bool needs_forces = strcmp(session->request->polygon, "velocity") != 0;
+    YkStatus status = needs_forces ? yk_solve_forces(session, dynamics, YK_METHOD_REDUCED, session->state) : YK_OK;
+    bool good = status != YK_NO_MEMORY;
     if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
     good = good && (yk_wants_force_polygons(session) ? draw_forces(session, kind) : draw_motion(session, kind));
     session->dynamics = dynamics; // the session frees it

@@ -51,6 +51,7 @@ static void add_equilibrium(const YkRestAnswer *answer, YkJson *json, size_t ind
     yk_json_object(json, NULL, YK_JSON_LINES);
     yk_json_string(json, "stability", yk_stability_word(rest.stability));
     yk_json_bool(json, "reachable", rest.is_reachable);
+    if (rest.is_higher_order) yk_json_bool(json, "higher_order", true);
     yk_json_number(json, "potential", rest.potential);
     yk_json_number(json, "force", rest.force);
     yk_json_object(json, "coordinates", YK_JSON_INLINE);
@@ -80,6 +81,7 @@ void yk_rest_json(const YkRestAnswer *answer)
         yk_json_string(&json, "code", "E0830");
     }
     yk_json_bool(&json, "all_circuits", yk_rest_is_complete(answer->rest));
+    if (yk_rest_is_wound(answer->rest)) yk_json_bool(&json, "one_turn", true);
     yk_json_list(&json, "free", YK_JSON_INLINE);
     for (size_t k = 0; k < yk_rest_freedom(answer->rest); k++) yk_json_string(&json, NULL, input_name(answer, k));
     yk_json_end(&json);

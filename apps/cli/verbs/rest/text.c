@@ -121,6 +121,9 @@ static void add_equilibrium(const YkRestAnswer *answer, size_t index)
     yk_text_format(out, "\nEquilibrium %z: %s, potential energy ", index + 1, yk_stability_word(rest.stability));
     yk_add_value(session, out, rest.potential, YK_QUANTITY_ENERGY, YK_DIGITS);
     yk_text_puts(out, rest.is_reachable ? "\n" : "; not reachable from the start in its own assembly\n");
+    if (rest.is_higher_order)
+        yk_text_puts(out,
+                     "K is 0: the force grows with a higher power of the distance, and a frequency with the swing\n");
     add_coordinates(answer, state, false);
     add_coordinates(answer, state, true);
     add_modes(answer, index);
@@ -151,6 +154,8 @@ void yk_rest_text(const YkRestAnswer *answer)
     find_scale(answer);
     yk_text_format(&answer->session->out, "%s: %z equilibri%s found%s\n", yk_model_name(session->model), count,
                    count == 1 ? "um" : "a",
-                   yk_rest_is_complete(answer->rest) ? " on all circuits" : "; there may be others");
+                   yk_rest_is_complete(answer->rest) ? " on all circuits"
+                   : yk_rest_is_wound(answer->rest)  ? " in one turn; its loads are others in other turns"
+                                                     : "; there may be others");
     for (size_t i = 0; i < count; i++) add_equilibrium(answer, i);
 }

@@ -9,8 +9,9 @@ static const char *const parts[] = {"weight", "loads", "inertia", "planets", "co
 YkForcePolygons *yk_force_polygons_of(YkSession *session, const YkDynamics *dynamics, const char *why)
 {
     if (dynamics) return yk_force_polygons_new(dynamics, session->problems);
+    if (!why && session->state) why = yk_state_report(session->state)->message; // without rates none were looked for
     yk_session_refuse(session, YK_CODE_NO_POLYGON, "no force polygon can be drawn: %s",
-                      why ? why : "the forces are not determined at this pose");
+                      why && *why ? why : "the forces are not determined at this pose");
     return NULL;
 }
 
