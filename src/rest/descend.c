@@ -68,8 +68,8 @@ static bool is_known(const YkRest *rest, const double *coordinates)
     return false;
 }
 
-// Returns whether the machine rests all the way from the pose in rest->q, in which it stands, to a known point: they are
-// poses of one continuum.
+// Returns whether the machine rests all the way from the pose in rest->q, in which it stands, to a known point: both
+// are poses of one continuum.
 static bool rests_until(YkRest *rest, const YkRestPoint *p)
 {
     enum { POSES = 8 };

@@ -272,13 +272,13 @@ static void shafts_turn_together_without_force(void **unused)
 {
     (void)unused;
     YkModel *model;
-    YkRest *rest = rest_of(
-        "bodies:\n  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0]}, mass: 1, inertia: 2}\n"
-        "  b: {points: {O: [0, 0]}, mass: 1, inertia: 3}\njoints:\n  A: {pin: [ground, a], at: O, angle: x}\n"
-        "  B: {pin: [ground, b], at: O, angle: y}\n"
-        "springs:\n  k: {along: x, torque: '4 N*m/rad * (x - y) + 0.3 N*m*s/rad * (x.rate - y.rate)'}\n"
-        "  c: {along: y, torque: '4 N*m/rad * (y - x) + 0.3 N*m*s/rad * (y.rate - x.rate)'}\n",
-        &model);
+    YkRest *rest =
+        rest_of("bodies:\n  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0]}, mass: 1, inertia: 2}\n"
+                "  b: {points: {O: [0, 0]}, mass: 1, inertia: 3}\njoints:\n  A: {pin: [ground, a], at: O, angle: x}\n"
+                "  B: {pin: [ground, b], at: O, angle: y}\n"
+                "springs:\n  k: {along: x, torque: '4 N*m/rad * (x - y) + 0.3 N*m*s/rad * (x.rate - y.rate)'}\n"
+                "  c: {along: y, torque: '4 N*m/rad * (y - x) + 0.3 N*m*s/rad * (y.rate - x.rate)'}\n",
+                &model);
     assert_int_equal(yk_rest_count(rest), 1);
     assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_NEUTRAL);
     CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 0, 0);

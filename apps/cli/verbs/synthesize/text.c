@@ -76,8 +76,8 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
     yk_text_format(&both, "%s, sliders %s", u->angle, u->length);
     const char *deviation = turning == count ? u->angle : turning == 0 ? u->length : yk_text_get(&both);
     YkTable *table = yk_table_new(10 + (size_t)has_offset + is_evened);
-    static const char *const heads[] = {"rank",  "type",    "worst",  "transmission from", "to", "ground",
-                                        "input", "coupler", "output", "offset",            "circuits"};
+    static const char *const heads[] = {"rank",    "type",   "worst",  "transmission from", "to", "ground", "input",
+                                        "coupler", "output", "offset", "circuits"};
     const char *units[] = {NULL,      NULL,      deviation, u->angle,  u->angle, u->length,
                            u->length, u->length, u->length, u->length, NULL};
     for (size_t k = 0; k < 11; k++)
