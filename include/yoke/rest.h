@@ -22,7 +22,8 @@ YK_API YkRestOptions yk_default_rest_options(void);
 typedef struct YkRest YkRest;
 // Searches for equilibria: from `start:` by Newton's method; on all circuits of a machine with one freedom, where the
 // effort of the loads changes sign; and from seeded random poses of all configurations. Returns all that it finds:
-// first that of `start:`, if there is one, then the others by energy. None found is not an error.
+// first that of `start:`, if there is one, then the others by energy. None found is not an error. Where the machine
+// rests everywhere along a line of its free inputs, one pose stands for all.
 // The model must outlive the answer. Returns NULL with problems added: no assembly, a freedom without inertia, stopped.
 // Cost: about starts * 20 * freedom^2 evaluations, and for one freedom the machine's map (yoke/map.h) of up to 8
 // blocks.

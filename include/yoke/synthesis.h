@@ -134,6 +134,8 @@ struct YkCandidate {
     size_t circuits;
     double pivots[2][2]; // of the ground: input's, output's, m
     double lengths[4];   // ground, input, coupler, output, m
+    double offset;       // slider-crank: of the slider's line from the input's pivot, to the left of the line, m;
+                         // inverted: of the output's pivot from the coupler's line; others: NaN
     double point[2];     // coupler point in the coupler's axes: x along the coupler from the input side, m
     int dyads[2];        // those of the input and of the output side; -1: none
     YkDefect defect;     // why it was left out; NONE for candidates

@@ -68,6 +68,37 @@ static bool is_known(const YkRest *rest, const double *coordinates)
     return false;
 }
 
+// Returns whether the machine rests all the way from the pose in rest->q, in which it stands, to a known point: both
+// are poses of one continuum.
+static bool rests_until(YkRest *rest, const YkRestPoint *p)
+{
+    enum { POSES = 8 };
+    double *x = rest->trial;
+    for (int k = 1; k <= POSES; k++) {
+        for (size_t i = 0; i < rest->freedom; i++)
+            x[i] = rest->q[i] + (p->inputs[3 * rest->input[i]] - rest->q[i]) * k / POSES;
+        if (!yk_rest_accelerations(rest, x, NULL, rest->a) || norm(rest, rest->a) > 1e-9 * rest->force_scale)
+            return false;
+    }
+    if (yk_state_solve(rest->state) < 0) return false;
+    for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
+        double off = yk_state_coordinate(rest->state, c).position - p->coordinates[c];
+        if (yk_gap(rest->mech, rest->mech->coordinates[c].is_distance, off) > 1e-5) return false;
+    }
+    return true;
+}
+
+static bool is_of_known_continuum(YkRest *rest, const YkRestPoint *point)
+{
+    if (point->at.stability != YK_STABILITY_NEUTRAL) return false;
+    for (size_t p = 0; p < rest->count; p++) {
+        if (rest->points[p].at.stability != YK_STABILITY_NEUTRAL) continue;
+        if (!yk_rest_accelerations(rest, rest->q, NULL, rest->a)) return false; // back to the pose
+        if (rests_until(rest, &rest->points[p])) return true;
+    }
+    return false;
+}
+
 static YkRestPoint new_point(YkRest *rest)
 {
     size_t f = rest->freedom, inputs = 3 * rest->mech->input_count + 1;
@@ -119,6 +150,6 @@ bool yk_rest_keep(YkRest *rest)
     memcpy(p.branch, s->branch, rest->mech->block_count);
     p.at.potential = yk_dynamics_energy_at(rest->dynamics, s).potential;
     p.at.force = rest->force_scale > 0 ? norm(rest, rest->a) / rest->force_scale : 0;
-    if (yk_rest_linearise(rest, &p)) rest->points[rest->count++] = p;
+    if (yk_rest_linearise(rest, &p) && !is_of_known_continuum(rest, &p)) rest->points[rest->count++] = p;
     return true;
 }

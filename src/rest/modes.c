@@ -5,7 +5,7 @@
 #include "num/eigen.h"
 #include "rest/rest.h"
 
-static const double NOISE = 1e-12; // of the largest accelerations, over a radian or the machine's size
+static const double NOISE = 1e-12; // of the loads, over inertia and a radian or the machine's size
 
 enum { REDUCE = 20 }; // work of forces and inertia, for each step and each pair of freedoms
 
@@ -83,45 +83,45 @@ static double gap_of(const YkRest *rest, const double *A, const double *B)
     return size > 0 ? distance(rest, A, B) / size : 0;
 }
 
-// Differentiates by positions or rates at rest->q where a load may have a corner, as a drag by rate*abs(rate) has, or
-// change within small rates. Then takes ever shorter steps, removes what is in proportion to the step, and keeps the
-// matrix that agrees best with the one before. `size` is that of rates of change here.
-static bool differentiate_at_corner(YkRest *rest, bool of_rates, double unit, double size, double *matrix)
+// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts
+// them again; `finer` is room for another matrix. Finds by how much they differ then, over the largest entry.
+static bool differentiate_finely(YkRest *rest, double *matrix, double *finer, double *gap)
+{
+    size_t f = rest->freedom;
+    double unit = step_here(rest->state), last = HUGE_VAL;
+    *gap = 0;
+    if (!differences_within(rest, rest->q, &unit, matrix)) return false;
+    for (int k = 0; k < 8; k++) {
+        if (!differences(rest, rest->q, false, unit /= 4, finer)) return true; // the last one stands
+        *gap = gap_of(rest, matrix, finer);
+        if (*gap <= 1e-9 || *gap >= last) return true; // the finer one has more rounding
+        memcpy(matrix, finer, f * f * sizeof *matrix);
+        last = *gap;
+    }
+    return true;
+}
+
+// Differentiates by rates at rest->q, where accelerations are quadratic in them unless a load has a corner at rest, as
+// a drag by rate*abs(rate) has, or changes within small rates. Then takes ever shorter steps, removes what is in
+// proportion to the step, and keeps the matrix that agrees best with the one before. `size` is that of rates of change
+// here.
+static bool differentiate_by_rates(YkRest *rest, double size, double *matrix)
 {
     enum { SHORTENED = 10 };
     size_t entries = rest->freedom * rest->freedom;
     double *coarse = YK_NEW(rest->arena, double, entries), *fine = YK_NEW(rest->arena, double, entries);
     double *limit = YK_NEW(rest->arena, double, entries), *last = YK_NEW(rest->arena, double, entries);
-    double best = HUGE_VAL;
-    if (!coarse || !fine || !limit || !last || !differences(rest, rest->q, of_rates, unit, matrix)) return false;
+    double unit = size > 0 ? 1e-3 * size : 1e-3, best = HUGE_VAL;
+    if (!coarse || !fine || !limit || !last || !differences(rest, rest->q, true, unit, matrix)) return false;
     memcpy(coarse, matrix, entries * sizeof *coarse);
     for (int k = 0; k < SHORTENED && best > 1e-9; k++) {
-        if (!differences(rest, rest->q, of_rates, unit /= 4, fine)) return false;
+        if (!differences(rest, rest->q, true, unit /= 4, fine)) return false;
         if (k == 0 && distance(rest, coarse, fine) <= 1e-9 * fmax(size, distance(rest, fine, NULL))) return true;
         for (size_t i = 0; i < entries; i++) limit[i] = fine[i] + (fine[i] - coarse[i]) / 3;
         double gap = k > 0 ? distance(rest, limit, last) / fmax(size, distance(rest, limit, NULL)) : HUGE_VAL;
         if (k == 0 || gap < best) memcpy(matrix, limit, entries * sizeof *matrix), best = gap;
         memcpy(last, limit, entries * sizeof *last);
         memcpy(coarse, fine, entries * sizeof *coarse);
-    }
-    return true;
-}
-
-// Differentiates by position at rest->q. Takes ever shorter steps until two in a row agree, or until rounding parts
-// them again; `finer` is room for another matrix.
-static bool differentiate_finely(YkRest *rest, double *matrix, double *finer)
-{
-    const double CORNER = 0.1;
-    size_t f = rest->freedom;
-    double unit = step_here(rest->state), last = HUGE_VAL;
-    if (!differences_within(rest, rest->q, &unit, matrix)) return false;
-    for (int k = 0; k < 8; k++) {
-        if (!differences(rest, rest->q, false, unit /= 4, finer)) return true; // the last one stands
-        double gap = gap_of(rest, matrix, finer);
-        if (gap >= last && gap > CORNER) return differentiate_at_corner(rest, false, 4 * unit, 0, matrix);
-        if (gap <= 1e-9 || gap >= last) return true; // the finer one has more rounding
-        memcpy(matrix, finer, f * f * sizeof *matrix);
-        last = gap;
     }
     return true;
 }
@@ -138,6 +138,33 @@ static bool find_energy(YkRest *rest, size_t i, size_t j, double *energy)
     if (yk_state_solve(s) < 0 || !yk_state_has_rates(s)) return false;
     *energy = yk_dynamics_energy_at(rest->dynamics, s).kinetic;
     return true;
+}
+
+// Returns the power of all loads, as the last energy had the bodies move, if none took any. 0 where one has no value.
+static double power_of_loads(const YkRest *rest)
+{
+    const YkModel *model = rest->mech->model;
+    YkDynamics *d = rest->dynamics;
+    size_t culprit;
+    double power = 0;
+    memset(d->load, 0, model->body_count * sizeof *d->load);
+    if (!yk_loads_add(d->loads, rest->state, &rest->state->space, d->load, d->power, &culprit)) return 0;
+    for (size_t i = 0; i < d->loads->item_count; i++) power += fabs(d->power[i]);
+    for (size_t b = 0; b < model->body_count; b++) {
+        YkVec velocity = yk_body_motion(rest->mech, &rest->state->space, b).velocity;
+        power += model->bodies[b].mass * fabs(yk_dot(model->gravity, velocity));
+    }
+    return power;
+}
+
+bool yk_rest_weigh_loads(YkRest *rest)
+{
+    double energy;
+    rest->loads = 0;
+    for (size_t i = 0; i < rest->freedom; i++)
+        if (find_energy(rest, i, i, &energy) && energy > 0)
+            rest->loads = fmax(rest->loads, power_of_loads(rest) / (2 * energy));
+    return !yk_pace_is_stopped(rest->pace);
 }
 
 // Finds M, whose form is twice the kinetic energy.
@@ -215,7 +242,8 @@ static void find_shape(YkRestPoint *p, size_t f, size_t mode, const double *L, c
     p->ratio[mode] = omega > 0 ? damping / (2 * mass * omega) : 0;
 }
 
-static bool find_modes(YkRest *rest, YkRestPoint *p)
+// noise: what rounding leaves of the square of a frequency.
+static bool find_modes(YkRest *rest, YkRestPoint *p, double noise)
 {
     size_t f = rest->freedom;
     double *L = YK_NEW(rest->arena, double, f *f), *S = YK_NEW(rest->arena, double, f *f),
@@ -224,11 +252,40 @@ static bool find_modes(YkRest *rest, YkRestPoint *p)
     to_standard(f, L, p->stiffness, S);
     if (!yk_eigen_symmetric(f, S, p->frequency, vectors)) return false;
     for (size_t k = 0; k < f; k++) {
-        double square = p->frequency[k];
+        double square = fabs(p->frequency[k]) > noise ? p->frequency[k] : 0;
         p->frequency[k] = square < 0 ? -sqrt(-square) : sqrt(square);
         find_shape(p, f, k, L, vectors);
     }
     return true;
+}
+
+// Returns how many directions of the inputs meet no force: eigenvalues of the derivatives of the accelerations that are
+// no more than noise. `real` and `imaginary` are room for them. SIZE_MAX when out of memory.
+static size_t count_forceless(YkRest *rest, const double *by_position, double noise, double *real, double *imaginary)
+{
+    size_t f = rest->freedom, count = 0;
+    double *A = YK_NEW(rest->arena, double, f *f);
+    if (!A) return SIZE_MAX;
+    memcpy(A, by_position, f * f * sizeof *A);
+    if (!yk_eigen_general(f, A, real, imaginary)) return SIZE_MAX;
+    for (size_t k = 0; k < f; k++) count += yk_hypot(real[k], imaginary[k]) <= noise;
+    return count;
+}
+
+// Each direction without force has a root 0 and, without damping, a second one: rounding parts two that are alike by
+// its own root.
+static void clear_roots(const YkRest *rest, YkRestPoint *p, size_t forceless, double noise)
+{
+    size_t n = 2 * rest->freedom;
+    for (size_t left = 2 * forceless; left > 0; left--) {
+        size_t least = 0;
+        double size = HUGE_VAL;
+        for (size_t k = 0; k < n; k++) {
+            double r = yk_hypot(p->real[k], p->imaginary[k]);
+            if (r > 0 && r < size) size = r, least = k;
+        }
+        if (size <= 4 * sqrt(noise)) p->real[least] = p->imaginary[least] = 0;
+    }
 }
 
 // Finds the roots of the damped motion: eigenvalues of [0 I; -M^-1 K, -M^-1 C], whose lower blocks are the derivatives
@@ -248,24 +305,24 @@ static bool find_roots(YkRest *rest, YkRestPoint *p, const double *by_position, 
     return yk_eigen_general(n, A, p->real, p->imaginary);
 }
 
-static YkStability judge(const YkRest *rest, const YkRestPoint *p)
+// A motion grows if the square of its root differs from that of one that does not by more than noise.
+static YkStability judge(const YkRest *rest, const YkRestPoint *p, size_t forceless, double noise)
 {
     size_t n = 2 * rest->freedom;
     double size = 0;
-    YkStability stability = YK_STABILITY_STABLE;
     for (size_t k = 0; k < n; k++) size = fmax(size, yk_hypot(p->real[k], p->imaginary[k]));
     for (size_t k = 0; k < n; k++) {
-        if (p->real[k] > 1e-5 * size) return YK_STABILITY_UNSTABLE;
-        if (yk_hypot(p->real[k], p->imaginary[k]) <= 1e-5 * size) stability = YK_STABILITY_NEUTRAL;
+        double r = yk_hypot(p->real[k], p->imaginary[k]);
+        if (p->real[k] > 1e-10 * size && p->real[k] * r > noise) return YK_STABILITY_UNSTABLE;
     }
-    return size > 0 ? stability : YK_STABILITY_NEUTRAL;
+    return forceless > 0 || n == 0 ? YK_STABILITY_NEUTRAL : YK_STABILITY_STABLE;
 }
 
 // Judges a pose of a machine with one freedom that meets no force in proportion to the distance, by the first forces
 // beside it that are more than rounding: they grow with a higher power.
 static YkStability judge_beside(YkRest *rest, YkEquilibrium *at)
 {
-    double a[2], x, unit = rest->scale[0], noise = NOISE * rest->force_scale * unit;
+    double a[2], x, unit = rest->scale[0], noise = NOISE * rest->loads * unit;
     for (double h = 1e-4; h < 1; h *= 10) {
         for (int k = 0; k < 2; k++) {
             x = rest->q[0] + (k ? h : -h) * unit;
@@ -282,19 +339,22 @@ static YkStability judge_beside(YkRest *rest, YkEquilibrium *at)
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
 {
     size_t f = rest->freedom;
-    double *by_position = YK_NEW(rest->arena, double, f *f), *by_rate = YK_NEW(rest->arena, double, f *f);
-    if (!by_position || !by_rate || !find_mass(rest, p->mass)) return false;
-    if (!differentiate_finely(rest, by_position, by_rate)) return false;
-    double rate = sqrt(distance(rest, by_position, NULL));
-    bool is_flat = rate * rate <= NOISE * rest->force_scale;
+    double *by_position = YK_NEW(rest->arena, double, f *f), *by_rate = YK_NEW(rest->arena, double, f *f), gap;
+    if (!by_position || !by_rate || !yk_rest_weigh_loads(rest) || !find_mass(rest, p->mass)) return false;
+    if (!differentiate_finely(rest, by_position, by_rate, &gap)) return false;
+    double size = distance(rest, by_position, NULL), noise = fmax(10 * fmax(gap, 1e-15) * size, NOISE * rest->loads);
+    bool is_flat = size <= noise;
+    if (!differentiate_by_rates(rest, sqrt(size), by_rate)) return false;
     if (is_flat) memset(by_position, 0, f * f * sizeof *by_position);
-    if (!differentiate_at_corner(rest, true, rate > 0 ? 1e-3 * rate : 1e-3, rate, by_rate)) return false;
-    if (is_flat && distance(rest, by_rate, NULL) <= NOISE * sqrt(rest->force_scale))
+    if (is_flat && distance(rest, by_rate, NULL) <= NOISE * sqrt(rest->loads))
         memset(by_rate, 0, f * f * sizeof *by_rate);
     times_mass(f, p->mass, by_position, p->stiffness);
     times_mass(f, p->mass, by_rate, p->damping);
-    if (!find_modes(rest, p) || !find_roots(rest, p, by_position, by_rate)) return false;
-    p->at.stability = judge(rest, p);
+    size_t forceless = count_forceless(rest, by_position, noise, p->real, p->imaginary);
+    if (forceless == SIZE_MAX || !find_modes(rest, p, noise) || !find_roots(rest, p, by_position, by_rate))
+        return false;
+    clear_roots(rest, p, forceless, noise);
+    p->at.stability = judge(rest, p, forceless, noise);
     if (is_flat && f == 1 && p->at.stability == YK_STABILITY_NEUTRAL) p->at.stability = judge_beside(rest, &p->at);
     return true;
 }

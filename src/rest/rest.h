@@ -33,6 +33,7 @@ struct YkRest {
     double *q, *a, *jacobian, *step, *trial, *scale; // scratch
     int *pivot;
     double force_scale; // the largest acceleration seen: the scale for zero
+    double loads;       // what the loads would accelerate at most if none balanced another, 1/s^2 in units of inputs
     bool has_inertia;   // in some pose from which the search started
     bool is_complete;   // all circuits were searched
     bool is_wound;      // the loads of a pose are others a turn later
@@ -68,6 +69,8 @@ bool yk_rest_search_circuits(YkRest *rest, const YkMap *map);
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a);
 // Differentiates the accelerations at q, the state's pose, by the free inputs, f x f: central differences of order 4.
 bool yk_rest_differentiate(YkRest *rest, const double *q, double *matrix);
+// Finds rest->loads in the pose with free inputs rest->q. Returns false if stopped.
+bool yk_rest_weigh_loads(YkRest *rest);
 // Finds M, C, K, modes and roots at a point whose inputs are in rest->q. False when out of memory or without inertia.
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *point);
 

@@ -25,10 +25,13 @@ static YkStatus stand_anywhere(YkRest *rest, uint64_t *seed)
     return yk_state_assemble(s);
 }
 
-// Looks for an equilibrium from the pose in which the state stands.
+// Looks for an equilibrium from the pose in which the state stands. Where loads balance each other in every pose, as
+// on an arm that a spring carries, the accelerations are rounding alone: the loads themselves say what is none.
 static bool search_here(YkRest *rest)
 {
     for (size_t i = 0; i < rest->freedom; i++) rest->q[i] = rest->state->input[3 * rest->input[i]];
+    if (rest->force_scale == 0 && !yk_rest_weigh_loads(rest)) return false;
+    rest->force_scale = fmax(rest->force_scale, 1e-2 * rest->loads);
     return !yk_rest_descend(rest) || yk_rest_keep(rest);
 }
 

@@ -41,6 +41,7 @@ YkCandidate yk_found_candidate(const YkFound *found)
         c.error = found->error;
         c.worst = found->worst;
         c.dyads[0] = c.dyads[1] = -1;
+        c.offset = NAN;
         return c;
     }
     c.mechanism = yk_design_kind_name(design->kind);
@@ -54,6 +55,10 @@ YkCandidate yk_found_candidate(const YkFound *found)
         c.pivots[i][1] = design->pivot[i].y;
         c.dyads[i] = design->dyad[i];
     }
+    YkVec line = yk_vec(yk_cos(design->along), yk_sin(design->along));
+    c.offset = design->kind == YK_DESIGN_SLIDER_CRANK ? yk_cross(line, yk_sub(design->pivot[1], design->pivot[0]))
+               : design->kind == YK_DESIGN_INVERTED   ? design->length[3]
+                                                      : NAN;
     for (size_t i = 0; i < 4; i++) {
         c.lengths[i] = i == 3 && design->kind == YK_DESIGN_INVERTED ? 0 : design->length[i];
         c.size = fmax(c.size, design->length[i]);

@@ -100,6 +100,18 @@ units: {length: mm}
         answer = self.good("synthesize", self.write("slide.yaml", "".join(lines)), "--format", "json").json()
         self.assertEqual({candidate["mechanism"] for candidate in answer["candidates"]}, {"slider-crank"})
 
+    def test_a_slider_crank_is_told_with_its_offset(self):
+        path = self.write("stroke.yaml", "synthesis: stroke\nstroke: 100 mm\ntime_ratio: 1.25\nunits: {length: mm, angle: deg}\n")
+        length = self.good("synthesize", path, "--format", "json").json()["candidates"][0]["lengths"]
+        a, b, e = length["input"], length["coupler"], length["offset"]
+        far, near = math.sqrt((b + a) ** 2 - e * e), math.sqrt((b - a) ** 2 - e * e)
+        self.assertAlmostEqual(far - near, 0.1)  # the stroke, and the angle between the dead centres
+        self.assertAlmostEqual(abs(math.atan2(e, near) - math.atan2(e, far)), math.pi * 0.25 / 2.25)
+        table = self.good("synthesize", path).out
+        self.assertIn("offset [mm]", table)
+        self.assertIn("%.4f" % (1000 * e), table)
+        self.assertNotIn("offset", self.good("synthesize", FIVE).out)
+
     def test_a_folder_holds_the_machines_the_picture_and_the_answer(self):
         folder = self.path("machines")
         run = self.good("synthesize", FIVE, "-o", folder)

@@ -37,6 +37,21 @@ static void a_flat_faced_follower_has_its_published_sizes(void **state)
 #define ROCKER(base)                                                                                                   \
     SWING "cams: {c: {cam: shaft, follower: rocker, law: lift, base: " base ", roller: 9 mm, at: P}}\n" PIVOT
 
+// All along a dwell the cam is as wide as where it begins, but for rounding.
+static void an_extreme_of_a_dwell_is_where_it_begins(void **state)
+{
+    (void)state;
+    const char *texts[] = {ROLLER("40 mm", "9 mm", "7 mm"), ROLLER("40 mm", "8 mm", "6 mm"), ROCKER("40 mm"),
+                           ROCKER("37 mm")};
+    for (size_t i = 0; i < 4; i++) {
+        Cam cam = cam_load(texts[i]);
+        YkCamSummary s = yk_cam_summary(cam.design);
+        CHECK_NEAR(s.far.angle, 120 * DEG, 1e-12);
+        CHECK_NEAR(s.near.angle, 0, 1e-12);
+        cam_free(&cam);
+    }
+}
+
 // Every extreme against a plain scan with steps far smaller than the samples'.
 static void extremes_are_those_of_a_fine_scan(void **state)
 {
@@ -206,6 +221,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_flat_faced_follower_has_its_published_sizes),
         cmocka_unit_test(extremes_are_those_of_a_fine_scan),
+        cmocka_unit_test(an_extreme_of_a_dwell_is_where_it_begins),
         cmocka_unit_test(undercut_lies_between_its_cusps),
         cmocka_unit_test(a_groove_may_be_undercut_outside),
         cmocka_unit_test(a_roller_a_little_larger_than_the_pitch_curve_is_undercut),

@@ -123,6 +123,33 @@ static void a_slider_crank_by_hand(void **state)
     assembled_close(&m);
 }
 
+// The coupler of a parallelogram only shifts: what rounding leaves of its rates is told as 0, in numbers and words.
+static void rounding_is_told_as_nothing(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "bodies:\n  ground: {points: {O: [0, 0], C: [0.1, 0]}}\n  a: {points: {O: [0, 0], A: [0.05, 0]}}\n"
+        "  b: {points: {A: [0, 0], B: [0.1, 0]}}\n  c: {points: {C: [0, 0], B: [0.05, 0]}}\n"
+        "joints:\n  O: {pin: [ground, a], angle: q}\n  A: {pin: [a, b], angle: p}\n  C: {pin: [ground, c], angle: r}\n"
+        "  B: {pin: [b, c]}\ndrives: {q: 60 deg + 100 rpm * (t - 0.02 s)}\nstart: {p: -60 deg, r: 60 deg}\n";
+    for (int kind = 0; kind < 2; kind++) {
+        Assembled m;
+        assert_true(open_moving(&m, NULL, text));
+        YkPolygon *p = yk_polygon_new(m.state, kind ? YK_POLYGON_ACCELERATION : YK_POLYGON_VELOCITY, NULL);
+        size_t of_coupler = 0;
+        for (size_t k = 0; k < yk_polygon_vector_count(p); k++) {
+            YkPolygonVector v = yk_polygon_vector(p, k);
+            if (strcmp(yk_model_body_name(m.model, v.body), "b") != 0) continue;
+            assert_true(v.value[0] == 0 && v.value[1] == 0);
+            of_coupler++;
+        }
+        assert_true(of_coupler > 0);
+        for (size_t k = 0; k < yk_polygon_step_count(p); k++) assert_null(strstr(yk_polygon_step(p, k), "e-"));
+        yk_polygon_free(p);
+        assembled_close(&m);
+    }
+}
+
 // A block on a turning line: what slides outwards at 0.5 m/s while the line turns at 2 rad/s has Coriolis' 2 m/s^2.
 static void coriolis_is_told_on_turning_lines(void **state)
 {
@@ -196,6 +223,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_vector_of_the_gallery_is_the_engines),
         cmocka_unit_test(a_slider_crank_by_hand),
+        cmocka_unit_test(rounding_is_told_as_nothing),
         cmocka_unit_test(coriolis_is_told_on_turning_lines),
         cmocka_unit_test(the_picture_is_to_scale),
         cmocka_unit_test(what_is_not_there_is_said),

@@ -242,7 +242,7 @@ static void a_wheel_is_neutral(void **unused)
         "gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0]}}\n  w: {points: {O: [0, 0]}, mass: 1, inertia: 1}\n"
         "joints:\n  O: {pin: [ground, w], angle: x}\n",
         &model);
-    assert_true(yk_rest_count(rest) >= 1);
+    assert_int_equal(yk_rest_count(rest), 1); // all poses are one continuum
     assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_NEUTRAL);
     yk_rest_free(rest);
     yk_model_free(model);
@@ -297,6 +297,79 @@ static void only_loads_that_repeat_are_searched_whole(void **unused)
         assert_int_equal(yk_rest_count(rest), 2);
         assert_true(yk_rest_is_wound(rest) == (k == 1) && yk_rest_is_complete(rest) == (k == 0));
         assert_false(yk_rest_equilibrium(rest, 0).is_higher_order);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
+// A spring without a free length carries an arm in every pose, k a b = m g l: what is left of the forces is rounding.
+static void a_balanced_arm_rests_anywhere(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest = rest_of(
+        "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], W: [0, 0.17]}}\n"
+        "  arm: {points: {O: [0, 0], Q: [0.25, 0]}, mass: 2, center: [0.3, 0], inertia: 0.02}\n"
+        "joints: {O: {pin: [ground, arm], angle: q}}\n"
+        "springs: {k: {between: [ground.W, arm.Q], stiffness: 2*9.81*0.3/(0.17*0.25), length: 0}}\nstart: {q: 0.3}\n",
+        &model);
+    assert_int_equal(yk_rest_count(rest), 1);
+    assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_NEUTRAL);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 0, 0);
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
+// Two shafts with a spring and a damper between them: they turn together without force, and against each other with
+// 4 (1/2 + 1/3) = w^2.
+static void shafts_turn_together_without_force(void **unused)
+{
+    (void)unused;
+    YkModel *model;
+    YkRest *rest =
+        rest_of("bodies:\n  ground: {points: {O: [0, 0]}}\n  a: {points: {O: [0, 0]}, mass: 1, inertia: 2}\n"
+                "  b: {points: {O: [0, 0]}, mass: 1, inertia: 3}\njoints:\n  A: {pin: [ground, a], at: O, angle: x}\n"
+                "  B: {pin: [ground, b], at: O, angle: y}\n"
+                "springs:\n  k: {along: x, torque: '4 N*m/rad * (x - y) + 0.3 N*m*s/rad * (x.rate - y.rate)'}\n"
+                "  c: {along: y, torque: '4 N*m/rad * (y - x) + 0.3 N*m*s/rad * (y.rate - x.rate)'}\n",
+                &model);
+    assert_int_equal(yk_rest_count(rest), 1);
+    assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_NEUTRAL);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 0, 0);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 1).frequency, sqrt(4 * (1.0 / 2 + 1.0 / 3)), 1e-9);
+    int still = 0;
+    for (size_t k = 0; k < 4; k++) {
+        double real, imaginary;
+        yk_rest_root(rest, 0, k, &real, &imaginary);
+        still += real == 0 && imaginary == 0;
+    }
+    assert_int_equal(still, 2);
+    yk_rest_free(rest);
+    yk_model_free(model);
+}
+
+// A weak spring beside a strong damper, or beside a spring a million times as fast, still decides.
+static void a_weak_spring_decides_beside_what_is_strong(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *springs;
+        YkStability stability;
+    } cases[] = {{"{k: {along: x, stiffness: 1, damping: 1000}, l: {along: y, stiffness: 1}}", YK_STABILITY_STABLE},
+                 {"{k: {along: x, stiffness: -1, damping: 1000}, l: {along: y, stiffness: 1}}", YK_STABILITY_UNSTABLE},
+                 {"{k: {along: x, stiffness: 1e12}, l: {along: y, stiffness: 1}}", YK_STABILITY_STABLE},
+                 {"{k: {along: x, stiffness: 1e12}, l: {along: y, stiffness: -1}}", YK_STABILITY_UNSTABLE},
+                 {"{k: {along: x, stiffness: 1e12}, l: {along: y, damping: 1}}", YK_STABILITY_NEUTRAL}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "bodies: {a: {mass: 1}, b: {mass: 1}}\njoints:\n  A: {slide: [ground, a], along: x, distance: x}\n"
+                 "  B: {slide: [ground, b], along: y, distance: y}\nsprings: %s\n",
+                 cases[k].springs);
+        YkModel *model;
+        YkRest *rest = rest_of(text, &model);
+        assert_int_equal(yk_rest_count(rest), 1);
+        assert_int_equal(yk_rest_equilibrium(rest, 0).stability, cases[k].stability);
         yk_rest_free(rest);
         yk_model_free(model);
     }
@@ -400,6 +473,9 @@ int main(void)
         cmocka_unit_test(a_wheel_is_neutral),
         cmocka_unit_test(forces_that_grow_with_a_power_have_one_equilibrium_without_stiffness),
         cmocka_unit_test(only_loads_that_repeat_are_searched_whole),
+        cmocka_unit_test(a_balanced_arm_rests_anywhere),
+        cmocka_unit_test(shafts_turn_together_without_force),
+        cmocka_unit_test(a_weak_spring_decides_beside_what_is_strong),
         cmocka_unit_test(inertia_is_judged_where_the_machine_stands),
         cmocka_unit_test(a_freedom_that_never_has_inertia_is_refused),
         cmocka_unit_test(a_mode_is_how_it_swings),

@@ -82,6 +82,7 @@ typedef struct Probe {
     const YkCamShape *shape;
     YkCamMeasure measure;
     const void *context;
+    double noise; // what rounding leaves of values, once samples were compared
 } Probe;
 
 static double of_sample(const Probe *probe, const YkCamSample *sample)
@@ -118,13 +119,16 @@ static YkCamExtreme climb(const Probe *probe, double low, double high)
     return at_a >= at_b ? (YkCamExtreme){at_a, a} : (YkCamExtreme){at_b, b};
 }
 
-static YkCamExtreme greatest_sample(const Probe *probe)
+// Finds the first of the greatest samples: where a cam dwells all values are one but for rounding, which is in
+// proportion to the largest of all.
+static YkCamExtreme greatest_sample(Probe *probe)
 {
     const YkCamSamples *samples = probe->samples;
     YkCamExtreme best = {-(double)INFINITY, 0};
     for (size_t i = 0; i < samples->count; i++) {
         double value = of_sample(probe, &samples->items[i]);
-        if (value > best.value) best = (YkCamExtreme){value, samples->items[i].angle};
+        if (isfinite(value)) probe->noise = fmax(probe->noise, 1e-14 * fabs(value));
+        if (value - best.value > probe->noise) best = (YkCamExtreme){value, samples->items[i].angle};
     }
     return best;
 }
@@ -132,7 +136,7 @@ static YkCamExtreme greatest_sample(const Probe *probe)
 bool yk_cam_is_above_zero(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
                           const void *context, size_t *where)
 {
-    Probe probe = {samples, shape, measure, context};
+    Probe probe = {.samples = samples, .shape = shape, .measure = measure, .context = context};
     if (*where < samples->count && of_sample(&probe, &samples->items[*where]) > 0) return true;
     for (size_t i = 0; i < samples->count; i++) {
         if (!(of_sample(&probe, &samples->items[i]) > 0)) continue;
@@ -153,7 +157,7 @@ static void refine(const Probe *probe, size_t stretch, double near, YkCamExtreme
         if (here >= near && here > before && here >= after) {
             size_t low = i > first ? i - 1 : i, high = i + 1 < end ? i + 1 : i;
             YkCamExtreme top = climb(probe, items[low].angle, items[high].angle);
-            if (top.value > best->value) *best = top;
+            if (top.value - best->value > probe->noise) *best = top;
         }
         before = here;
         here = after;
@@ -163,7 +167,7 @@ static void refine(const Probe *probe, size_t stretch, double near, YkCamExtreme
 YkCamExtreme yk_cam_greatest(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure,
                              const void *context)
 {
-    Probe probe = {samples, shape, measure, context};
+    Probe probe = {.samples = samples, .shape = shape, .measure = measure, .context = context};
     YkCamExtreme best = greatest_sample(&probe);
     if (!isfinite(best.value)) return best;
     double near = best.value - 0.02 * fabs(best.value);
@@ -216,7 +220,7 @@ static void find_dip(const Probe *probe, size_t i, size_t first, size_t end, con
 {
     const YkCamSample *items = probe->samples->items;
     if (ranges->is_open || i == first || i + 1 >= end || !(value[1] < value[0] && value[1] <= value[2])) return;
-    Probe turned = {probe->samples, probe->shape, down, probe};
+    Probe turned = {.samples = probe->samples, .shape = probe->shape, .measure = down, .context = probe};
     YkCamExtreme bottom = climb(&turned, items[i - 1].angle, items[i + 1].angle);
     if (!(bottom.value > 0)) return;
     toggle(ranges, crossing(probe, items[i - 1].angle, bottom.angle));
@@ -241,7 +245,7 @@ static void scan(const Probe *probe, size_t stretch, Ranges *ranges)
 size_t yk_cam_negative(const YkCamSamples *samples, const YkCamShape *shape, YkCamMeasure measure, const void *context,
                        YkCamRange *ranges, size_t capacity)
 {
-    Probe probe = {samples, shape, measure, context};
+    Probe probe = {.samples = samples, .shape = shape, .measure = measure, .context = context};
     Ranges found = {.items = ranges, .capacity = capacity};
     for (size_t k = 0; k < samples->stretch_count; k++) scan(&probe, k, &found);
     if (found.is_open) toggle(&found, yk_law_range(samples->law).to);

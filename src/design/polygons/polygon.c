@@ -13,6 +13,7 @@ typedef struct Walk {
     const YkModel *model;
     YkBodyMotion *motion; // [body]
     double *rate;         // [body]: its rate or angular acceleration, as the kind asks
+    double none;          // of a velocity or acceleration: what is rounding beside the largest
 } Walk;
 
 // --- motions
@@ -43,13 +44,19 @@ static YkVec end_at(const Walk *w, const YkPolygonEnd *end)
 
 // --- vectors
 
+// Returns a component, or 0 where it is what rounding leaves beside the largest motion.
+static double shown(const Walk *w, double value)
+{
+    return fabs(value) > w->none ? value + 0.0 : 0; // no -0
+}
+
 static void add_vector(Walk *w, YkPolygonVector v, YkVec start, YkVec value)
 {
     YkPolygon *p = w->p;
     v.start[0] = start.x;
     v.start[1] = start.y;
-    v.value[0] = value.x + 0.0; // no -0
-    v.value[1] = value.y + 0.0;
+    v.value[0] = shown(w, value.x);
+    v.value[1] = shown(w, value.y);
     v.step = p->step_count;
     p->vector[p->vector_count++] = v;
 }
@@ -108,7 +115,12 @@ static void take_motions(Walk *w, const YkState *state)
     for (size_t b = 0; b < w->model->body_count; b++) {
         w->motion[b] = yk_body_motion(w->mech, &state->space, b);
         w->rate[b] = w->p->kind == YK_POLYGON_VELOCITY ? w->motion[b].w : w->motion[b].a;
+        YkVec at = w->p->kind == YK_POLYGON_VELOCITY ? w->motion[b].velocity : w->motion[b].acceleration;
+        double normal = w->p->kind == YK_POLYGON_VELOCITY ? 0 : w->motion[b].w * w->motion[b].w;
+        w->none = fmax(w->none, 1e-12 * fmax(yk_norm(at), fmax(fabs(w->rate[b]), normal) * w->mech->size));
     }
+    for (size_t b = 0; b < w->model->body_count; b++)
+        if (fabs(w->rate[b]) * w->mech->size <= w->none) w->rate[b] = 0;
 }
 
 static void take_images(Walk *w)
@@ -118,7 +130,7 @@ static void take_images(Walk *w)
     for (size_t k = 1; k < w->plan->image_count; k++) {
         const YkPolygonEnd *end = &w->plan->image[k];
         YkVec at = end_at(w, end), value = image_of(w, end->body, at);
-        p->image[p->image_count++] = (YkPolygonImage){end->image, {at.x, at.y}, {value.x, value.y}};
+        p->image[p->image_count++] = (YkPolygonImage){end->image, {at.x, at.y}, {shown(w, value.x), shown(w, value.y)}};
     }
 }
 

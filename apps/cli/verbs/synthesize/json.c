@@ -37,6 +37,7 @@ static void add_dimensions(YkJson *json, const YkCandidate *c)
     yk_json_object(json, "lengths", YK_JSON_INLINE);
     for (size_t k = 0; k < 4; k++) // of those that the machine has
         if (c->lengths[k] > 0) yk_json_number(json, names[k], c->lengths[k]);
+    if (is_slider) yk_json_number(json, "offset", c->offset);
     yk_json_end(json);
     add_two(json, "point", c->point);
     if (c->dyads[0] < 0) return;

@@ -65,20 +65,23 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
 {
     size_t count = yk_synthesis_count(synthesis), turning = 0;
     if (count == 0) return;
-    bool is_evened = false;
+    bool is_evened = false, has_offset = false;
     YkText both = {0};
     for (size_t k = 0; k < count; k++) {
         YkCandidate c = yk_synthesis_candidate(synthesis, k);
         turning += is_turning(kind, &c);
+        has_offset = has_offset || !isnan(c.offset);
         is_evened = is_evened || !isnan(yk_synthesis_interpolating(synthesis, k));
     }
     yk_text_format(&both, "%s, sliders %s", u->angle, u->length);
     const char *deviation = turning == count ? u->angle : turning == 0 ? u->length : yk_text_get(&both);
-    YkTable *table = yk_table_new(10 + is_evened);
-    static const char *const heads[] = {"rank",  "type",    "worst",  "transmission from", "to", "ground",
-                                        "input", "coupler", "output", "circuits"};
-    const char *units[] = {NULL, NULL, deviation, u->angle, u->angle, u->length, u->length, u->length, u->length, NULL};
-    for (size_t k = 0; k < 10; k++) yk_table_head(table, heads[k], units[k]);
+    YkTable *table = yk_table_new(10 + (size_t)has_offset + is_evened);
+    static const char *const heads[] = {"rank",    "type",   "worst",  "transmission from", "to", "ground", "input",
+                                        "coupler", "output", "offset", "circuits"};
+    const char *units[] = {NULL,      NULL,      deviation, u->angle,  u->angle, u->length,
+                           u->length, u->length, u->length, u->length, NULL};
+    for (size_t k = 0; k < 11; k++)
+        if (k != 9 || has_offset) yk_table_head(table, heads[k], units[k]);
     if (is_evened) yk_table_head(table, "interpolating", deviation);
     for (size_t k = 0; k < count; k++) {
         YkCandidate c = yk_synthesis_candidate(synthesis, k);
@@ -94,6 +97,9 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
             else
                 yk_table_word(table, "-");
         }
+        if (has_offset && isnan(c.offset)) yk_table_word(table, "-");
+        if (has_offset && !isnan(c.offset))
+            yk_table_number(table, fabs(c.offset) < 1e-9 * c.size ? 0 : c.offset / u->length_size, DIGITS);
         add_number_word(table, c.circuits);
         double before = yk_synthesis_interpolating(synthesis, k);
         if (is_evened && isnan(before)) yk_table_word(table, "-");
