@@ -2,6 +2,7 @@
 #include "check.h"
 #include <stdlib.h>
 #include <yoke/yoke.h>
+#include "examples.h"
 #include "picture/drawing/drawing.h"
 
 typedef struct Machine {
@@ -145,6 +146,121 @@ static void springs_run_between_their_points(void **state)
     close_machine(&m);
 }
 
+// Reads the corners of all lines, polygons and circles of a page, each where its group takes it, and radii.
+static size_t read_page(const char *svg, YkVec *corners, size_t most)
+{
+    YkVec by = {0, 0}, center = {0, 0}, at;
+    double turn = 0, radius;
+    size_t count = 0;
+    for (const char *c = strchr(svg, '\n'); c && count + 2 < most; c = strchr(c, '\n')) {
+        size_t first = count;
+        int used;
+        c++;
+        if (strncmp(c, "</g>", 4) == 0) by = (YkVec){turn = 0, 0};
+        if (strncmp(c, "<g class=", 9) == 0)
+            sscanf(c, "<g class=\"%*[a-z0-9]\" transform=\"translate(%lf %lf) rotate(%lf %lf %lf", &by.x, &by.y, &turn,
+                   &center.x, &center.y);
+        if (sscanf(c, "<circle cx=\"%lf\" cy=\"%lf\" r=\"%lf", &at.x, &at.y, &radius) == 3) corners[count++] = at;
+        if (sscanf(c, "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf", &at.x, &at.y, &corners[count + 1].x,
+                   &corners[count + 1].y) == 4)
+            corners[count] = at, count += 2;
+        const char *points = strncmp(c, "<poly", 5) == 0 ? strchr(c, '"') + 1 : "";
+        for (; count < most && sscanf(points, " %lf,%lf%n", &at.x, &at.y, &used) == 2; points += used)
+            corners[count++] = at;
+        if (count == first + 4 && yk_norm(yk_sub(corners[first], corners[first + 2])) < 20) { // a weld, drawn upright
+            corners[first] = yk_scale(0.5, yk_add(corners[first], corners[first + 2]));
+            count = first + 1;
+        }
+        YkVec e = yk_unit(turn * YK_PI / 180);
+        for (size_t k = first; k < count; k++)
+            corners[k] = yk_add(yk_add(center, by), yk_mul(e, yk_sub(corners[k], center)));
+        if (count > first && strncmp(c, "<circle", 7) == 0) corners[count++] = (YkVec){radius, 0};
+    }
+    return count;
+}
+
+// Starts a drawing with the machine in two poses: at its start, and a little further; the second one first if `is_back`.
+static YkDrawing *draw_two(Machine *m, bool is_back)
+{
+    YkDrawOptions options = yk_default_draw_options();
+    options.moving = true;
+    options.labels = false;
+    YkDrawing *drawing = yk_drawing_new(m->mech, &options);
+    assert_non_null(drawing);
+    for (int k = 0; k < 2; k++) {
+        bool is_start = (k == 0) != is_back;
+        YkState *beside = yk_state_new(m->mech);
+        assert_true(beside && yk_state_copy(beside, m->state) == YK_OK);
+        for (size_t i = 0; !is_start && i < yk_input_count(m->mech); i++) {
+            bool is_distance = yk_coordinate_info(m->mech, yk_input_coordinate(m->mech, i)).is_distance;
+            YkMotion q = yk_state_input(beside, i);
+            q.position += is_distance ? 0.05 * yk_mechanism_size(m->mech) : 0.1;
+            yk_state_set_input(beside, i, q);
+        }
+        bool stands = is_start || yk_state_solve(beside) >= 0;
+        if (stands) assert_int_equal(yk_drawing_pose(drawing, beside), YK_OK);
+        yk_state_free(beside);
+        if (stands) continue;
+        yk_drawing_free(drawing);
+        return NULL;
+    }
+    return drawing;
+}
+
+static double nearest(YkVec at, const YkVec *corners, size_t count)
+{
+    double least = INFINITY;
+    for (size_t k = 0; k < count; k++) least = fmin(least, yk_norm(yk_sub(corners[k], at)));
+    return least;
+}
+
+// Each pin whose place is a point of the file is drawn where the state has that point.
+static void check_pins(const Machine *m, const YkDrawing *drawing, const YkVec *corners, size_t count)
+{
+    for (size_t j = 0; j < m->model->joint_count; j++) {
+        const YkJoint *joint = &m->model->joints[j];
+        if (joint->point[0] == YK_NONE || !yk_part(joint->kind)->turns || yk_part(joint->kind)->slides) continue;
+        YkPointMotion motion = yk_state_point(m->state, (size_t)joint->point[0]);
+        YkVec pixel = yk_drawing_pixel(drawing, yk_vec(motion.position[0], motion.position[1]));
+        CHECK_NEAR(nearest(pixel, corners, count), 0, 0.01);
+    }
+}
+
+static size_t check_frames(const char *path, size_t number)
+{
+    enum { MOST = 40000 };
+    static YkVec moved_there[MOST], drawn_there[MOST];
+    Machine m = {.model = yk_model_load(path, NULL, NULL)};
+    (void)number;
+    m.mech = m.model ? yk_mechanism_compile(m.model, NULL, NULL) : NULL;
+    m.state = m.mech ? yk_state_new(m.mech) : NULL;
+    size_t seen = 0;
+    if (m.state && yk_state_assemble(m.state) >= 0 && (m.drawing = draw_two(&m, false))) {
+        YkDrawing *back = draw_two(&m, true);
+        assert_non_null(yk_drawing_svg(m.drawing)); // fits the page
+        size_t count = read_page(yk_drawing_frame(m.drawing, 0), moved_there, MOST);
+        assert_int_equal(read_page(yk_drawing_svg(back), drawn_there, MOST), count);
+        for (size_t k = 0; k < count; k++) {
+            double off = yk_norm(yk_sub(moved_there[k], drawn_there[k]));
+            if (off > 0.05) off = nearest(moved_there[k], drawn_there, count); // marks of teeth begin anywhere
+            if (off > 0.05) print_error("%s: corner %d\n", path, (int)k);
+            CHECK_NEAR(off, 0, 0.05);
+        }
+        check_pins(&m, back, drawn_there, count);
+        yk_drawing_free(back);
+        seen = 1;
+    }
+    close_machine(&m);
+    return seen;
+}
+
+// With all that is drawn of it: bars, slots, marks on wheels, cams, hatches.
+static void frames_of_every_example_are_pages_drawn_there(void **state)
+{
+    (void)state;
+    assert_true(each_example(check_frames) > 50);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -152,6 +268,7 @@ int main(void)
         cmocka_unit_test(shifts_take_points_to_where_they_are),
         cmocka_unit_test(frames_are_the_same_page_with_its_groups_moved),
         cmocka_unit_test(keyframes_count_turns_on),
+        cmocka_unit_test(frames_of_every_example_are_pages_drawn_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
