@@ -146,13 +146,20 @@ static void springs_run_between_their_points(void **state)
     close_machine(&m);
 }
 
-// Reads the corners of all lines, polygons and circles of a page, each where its group takes it, and radii.
-static size_t read_page(const char *svg, YkVec *corners, size_t most)
+enum { CORNERS = 40000 };
+typedef struct Page { // the corners of all lines, polygons and circles, each where its group takes it, and radii
+    YkVec corners[CORNERS];
+    bool begins_line[CORNERS];
+    size_t count;
+} Page;
+
+static void read_page(Page *page, const char *svg)
 {
-    YkVec by = {0, 0}, center = {0, 0}, at;
+    YkVec by = {0, 0}, center = {0, 0}, at, to;
+    YkVec *corners = page->corners;
     double turn = 0, radius;
     size_t count = 0;
-    for (const char *c = strchr(svg, '\n'); c && count + 2 < most; c = strchr(c, '\n')) {
+    for (const char *c = strchr(svg, '\n'); c && count + 2 < CORNERS; c = strchr(c, '\n')) {
         size_t first = count;
         int used;
         c++;
@@ -160,23 +167,25 @@ static size_t read_page(const char *svg, YkVec *corners, size_t most)
         if (strncmp(c, "<g class=", 9) == 0)
             sscanf(c, "<g class=\"%*[a-z0-9]\" transform=\"translate(%lf %lf) rotate(%lf %lf %lf", &by.x, &by.y, &turn,
                    &center.x, &center.y);
-        if (sscanf(c, "<circle cx=\"%lf\" cy=\"%lf\" r=\"%lf", &at.x, &at.y, &radius) == 3) corners[count++] = at;
-        if (sscanf(c, "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf", &at.x, &at.y, &corners[count + 1].x,
-                   &corners[count + 1].y) == 4)
-            corners[count] = at, count += 2;
+        bool is_line = sscanf(c, "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf", &at.x, &at.y, &to.x, &to.y) == 4;
+        bool is_circle = sscanf(c, "<circle cx=\"%lf\" cy=\"%lf\" r=\"%lf", &at.x, &at.y, &radius) == 3;
+        if (is_line || is_circle) corners[count++] = at;
+        if (is_line) corners[count++] = to;
         const char *points = strncmp(c, "<poly", 5) == 0 ? strchr(c, '"') + 1 : "";
-        for (; count < most && sscanf(points, " %lf,%lf%n", &at.x, &at.y, &used) == 2; points += used)
+        for (; count < CORNERS && sscanf(points, " %lf,%lf%n", &at.x, &at.y, &used) == 2; points += used)
             corners[count++] = at;
         if (count == first + 4 && yk_norm(yk_sub(corners[first], corners[first + 2])) < 20) { // a weld, drawn upright
             corners[first] = yk_scale(0.5, yk_add(corners[first], corners[first + 2]));
             count = first + 1;
         }
         YkVec e = yk_unit(turn * YK_PI / 180);
-        for (size_t k = first; k < count; k++)
+        for (size_t k = first; k < count; k++) {
             corners[k] = yk_add(yk_add(center, by), yk_mul(e, yk_sub(corners[k], center)));
-        if (count > first && strncmp(c, "<circle", 7) == 0) corners[count++] = (YkVec){radius, 0};
+            page->begins_line[k] = is_line && k == first;
+        }
+        if (is_circle) page->begins_line[count] = false, corners[count++] = (YkVec){radius, 0};
     }
-    return count;
+    page->count = count;
 }
 
 // Starts a drawing with the machine in two poses: at its start, and a little further; the second one first if `is_back`.
@@ -207,29 +216,54 @@ static YkDrawing *draw_two(Machine *m, bool is_back)
     return drawing;
 }
 
-static double nearest(YkVec at, const YkVec *corners, size_t count)
+static double nearest(YkVec at, const Page *page)
 {
     double least = INFINITY;
-    for (size_t k = 0; k < count; k++) least = fmin(least, yk_norm(yk_sub(corners[k], at)));
+    for (size_t k = 0; k < page->count; k++) least = fmin(least, yk_norm(yk_sub(page->corners[k], at)));
+    return least;
+}
+
+static double nearest_line(YkVec at, const Page *page)
+{
+    double least = INFINITY;
+    for (size_t k = 0; k < page->count; k++) {
+        if (!page->begins_line[k]) continue;
+        YkVec along = yk_sub(page->corners[k + 1], page->corners[k]), off = yk_sub(at, page->corners[k]);
+        double part = yk_dot(along, off) / fmax(yk_dot(along, along), 1e-9);
+        least = fmin(least, yk_norm(yk_sub(off, yk_scale(fmax(0, fmin(1, part)), along))));
+    }
     return least;
 }
 
 // Each pin whose place is a point of the file is drawn where the state has that point.
-static void check_pins(const Machine *m, const YkDrawing *drawing, const YkVec *corners, size_t count)
+static void check_pins(const Machine *m, const YkDrawing *drawing, const Page *page)
 {
     for (size_t j = 0; j < m->model->joint_count; j++) {
         const YkJoint *joint = &m->model->joints[j];
-        if (joint->point[0] == YK_NONE || !yk_part(joint->kind)->turns || yk_part(joint->kind)->slides) continue;
+        if (joint->point[0] == YK_NONE || joint->kind != YK_PIN) continue;
         YkPointMotion motion = yk_state_point(m->state, (size_t)joint->point[0]);
         YkVec pixel = yk_drawing_pixel(drawing, yk_vec(motion.position[0], motion.position[1]));
-        CHECK_NEAR(nearest(pixel, corners, count), 0, 0.01);
+        CHECK_NEAR(nearest(pixel, page), 0, 0.01);
+    }
+}
+
+// What slides is on a line that is drawn for it; in the ground, between two rails.
+static void check_slides(const YkDrawing *drawing, const Page *page, const char *path)
+{
+    const YkFrame *frames = yk_drawing_frames(drawing, yk_drawing_reference(drawing));
+    for (size_t j = 0; j < drawing->model->joint_count; j++) {
+        const YkJoint *joint = &drawing->model->joints[j];
+        if (yk_drawing_omits(drawing->model, joint) || !yk_part(joint->kind)->slides) continue;
+        double off =
+            nearest_line(yk_drawing_pixel(drawing, yk_drawing_joint(drawing, frames, joint, 1)), page) / drawing->bar;
+        if (off > (joint->body[0] == 0 ? 1.1 : 0.1)) print_error("%s: %s, %.3g\n", path, joint->name, off);
+        assert_true(off <= (joint->body[0] == 0 ? 1.1 : 0.1));
     }
 }
 
 static size_t check_frames(const char *path, size_t number)
 {
-    enum { MOST = 40000 };
-    static YkVec moved_there[MOST], drawn_there[MOST];
+    static Page moved_there, drawn_there, drawn_further;
     Machine m = {.model = yk_model_load(path, NULL, NULL)};
     (void)number;
     m.mech = m.model ? yk_mechanism_compile(m.model, NULL, NULL) : NULL;
@@ -237,16 +271,19 @@ static size_t check_frames(const char *path, size_t number)
     size_t seen = 0;
     if (m.state && yk_state_assemble(m.state) >= 0 && (m.drawing = draw_two(&m, false))) {
         YkDrawing *back = draw_two(&m, true);
-        assert_non_null(yk_drawing_svg(m.drawing)); // fits the page
-        size_t count = read_page(yk_drawing_frame(m.drawing, 0), moved_there, MOST);
-        assert_int_equal(read_page(yk_drawing_svg(back), drawn_there, MOST), count);
-        for (size_t k = 0; k < count; k++) {
-            double off = yk_norm(yk_sub(moved_there[k], drawn_there[k]));
-            if (off > 0.05) off = nearest(moved_there[k], drawn_there, count); // marks of teeth begin anywhere
+        read_page(&drawn_further, yk_drawing_svg(m.drawing));
+        read_page(&moved_there, yk_drawing_frame(m.drawing, 0));
+        read_page(&drawn_there, yk_drawing_svg(back));
+        assert_int_equal(moved_there.count, drawn_there.count);
+        for (size_t k = 0; k < moved_there.count; k++) {
+            double off = yk_norm(yk_sub(moved_there.corners[k], drawn_there.corners[k]));
+            if (off > 0.05) off = nearest(moved_there.corners[k], &drawn_there); // marks of teeth begin anywhere
             if (off > 0.05) print_error("%s: corner %d\n", path, (int)k);
             CHECK_NEAR(off, 0, 0.05);
         }
-        check_pins(&m, back, drawn_there, count);
+        check_pins(&m, back, &drawn_there);
+        check_slides(back, &drawn_there, path);
+        check_slides(m.drawing, &drawn_further, path);
         yk_drawing_free(back);
         seen = 1;
     }
