@@ -35,11 +35,26 @@ static void find_names(Printed *m)
     }
 }
 
+// Drives and free joints by turns.
+static const char mixed[] = "parameters: {l: 0.5, m: 1.3, k: 20}\ngravity: [0.5, -9.81]\nbodies:\n"
+                            "  ground: {points: {O: [0, 0], S: [1, 1]}}\n"
+                            "  a: {points: {O: [0.1, 0], P: [l, 0.2]}, mass: m, center: [0.2, 0.1], inertia: 0.1}\n"
+                            "  b: {points: {P: [0, 0], Q: [0.4, 0.1]}, mass: 0.7, center: [0.1, -0.2], inertia: 0.05}\n"
+                            "  c: {points: {Q: [0, 0], R: [0.3, 0]}, mass: 0.5, center: [0.1, 0.3], inertia: 0.04}\n"
+                            "  d: {points: {R: [0, 0], T: [0.2, l]}, mass: 0.4, center: [0, 0.1], inertia: 0.02}\n"
+                            "joints:\n  O: {pin: [ground, a], angle: p}\n  P: {pin: [b, a], angle: q}\n"
+                            "  Q: {slide: [b, c], along: 0.4 rad, distance: x}\n  R: {pin: [d, c], angle: r}\n"
+                            "springs: {S: {between: [ground.S, d.T], stiffness: k, length: 0.3, damping: 2}}\n"
+                            "forces: {F: {body: c, at: R, value: [3, -2]}}\nefforts: {x: 4, r: -1}\n"
+                            "drives: {q: 0.3 rad + 2 rad/s * t, r: 1 rad - 3 rad/s * t}\n"
+                            "start: {p: 0.4, p.rate: 1, x: 0.1, x.rate: 0.5}\n";
+
 // Returns false for a machine that does not move, or is not printed.
 static bool start(Printed *m, const char *path)
 {
     *m = (Printed){.problems = yk_problems_new(), .arena = yk_arena_new()};
-    m->model = yk_model_load(path, NULL, m->problems);
+    m->model = strcmp(path, "mixed") == 0 ? yk_model_parse(mixed, strlen(mixed), path, NULL, m->problems)
+                                          : yk_model_load(path, NULL, m->problems);
     m->mech = m->model ? yk_mechanism_compile(m->model, NULL, m->problems) : NULL;
     if (!m->mech) return false;
     find_names(m);
@@ -440,6 +455,7 @@ static size_t check(const char *path, size_t number)
 static void values_of_every_example_are_the_engine_s(void **state)
 {
     (void)state;
+    assert_int_equal(check("mixed", 0), 1);
     assert_true(each_example(check) > 60);
     assert_true(designs >= 8 && compared > 4000); // of one example in four, at least
 }
