@@ -107,7 +107,19 @@ static const char *const more[] = {
     "belts: {b: {between: [w0, w1], radii: [0.1, 0.06], crossed: true}}\n"
     "racks: {r: {pinion: w0, rack: bar, radius: 0.1}}\n"
     "efforts: {p: 2}\n"
-    "start: {q: 0.3, q.rate: 2, p: 1, p.rate: 3}\n"};
+    "start: {q: 0.3, q.rate: 2, p: 1, p.rate: 3}\n",
+    // a pair of cams with two rollers
+    "laws: {lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 deg, law: cycloidal}}, {fall: {to: 360 deg, "
+    "by: 20 deg, law: 4-5-6-7}}]}}\n"
+    "cams: {c: {cam: shaft, follower: rocker, law: lift, base: 40 mm, roller: 9 mm, at: P, conjugate: {angle: 80 deg, "
+    "arm: 60 mm, roller: 8 mm}}}\n"
+    "bodies:\n"
+    "  ground: {points: {O: [0, 0], Q: [80 mm, 30 mm]}}\n"
+    "  shaft: {points: {O: [0, 0]}}\n"
+    "  rocker: {points: {Q: [0, 0], P: [0, 70 mm]}, mass: 0.3 kg, center: [10 mm, 20 mm], inertia: 2e-4}\n"
+    "joints: {O: {pin: [ground, shaft], angle: theta}, Q: {pin: [ground, rocker], angle: phi}}\n"
+    "gravity: [0, -9.81]\n"
+    "drives: {theta: 0.6 rad + 5 rad/s * t}\n"};
 
 // From a file, or a text of many lines. Returns false for a machine that does not move, or is not printed.
 static bool start(Printed *m, const char *path)
