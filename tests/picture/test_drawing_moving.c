@@ -188,7 +188,7 @@ static void read_page(Page *page, const char *svg)
     page->count = count;
 }
 
-// Starts a drawing with the machine in two poses: at its start, and a little further; the second one first if `is_back`.
+// Starts a drawing with the machine in two poses: at its start, and a little further; that one first if `is_back`.
 static YkDrawing *draw_two(Machine *m, bool is_back)
 {
     YkDrawOptions options = yk_default_draw_options();

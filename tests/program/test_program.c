@@ -386,9 +386,9 @@ static bool find_forces(Printed *m, Engine *e, YkRoutineKind kind)
     for (size_t i = 0; is_forward && status >= 0 && i < e->mech->input_count; i++) {
         size_t coordinate = (size_t)e->mech->inputs[i];
         if (!m->file.forces.is_free[i]) continue;
-        double more = check_uniform(&e->seed, -1, 1);
-        set(m, more, "in->%s_effort", m->file.program.names.coordinate[coordinate]);
-        yk_dynamics_set_effort(e->dynamics, coordinate, yk_dynamics_effort(e->dynamics, coordinate) + more);
+        double effort = check_uniform(&e->seed, -1, 1);
+        set(m, effort, "in->%s_effort", m->file.program.names.coordinate[coordinate]);
+        yk_dynamics_set_effort(e->dynamics, coordinate, yk_dynamics_effort(e->dynamics, coordinate) + effort);
     }
     if (is_forward && status >= 0) status = yk_dynamics_solve(e->dynamics, e->state, YK_METHOD_REDUCED);
     return (status == YK_OK || status == YK_REDUNDANT) && yk_state_has_rates(e->state);
