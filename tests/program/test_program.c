@@ -119,7 +119,26 @@ static const char *const more[] = {
     "  rocker: {points: {Q: [0, 0], P: [0, 70 mm]}, mass: 0.3 kg, center: [10 mm, 20 mm], inertia: 2e-4}\n"
     "joints: {O: {pin: [ground, shaft], angle: theta}, Q: {pin: [ground, rocker], angle: phi}}\n"
     "gravity: [0, -9.81]\n"
-    "drives: {theta: 0.6 rad + 5 rad/s * t}\n"};
+    "drives: {theta: 0.6 rad + 5 rad/s * t}\n",
+    // a cam whose follower is the first body of its slide
+    "laws: {lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, {fall: {to: 360 deg, by: "
+    "20 mm, law: 4-5-6-7}}]}}\n"
+    "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 40 mm, roller: 9 mm, offset: 7 mm}}\n"
+    "bodies: {ground: {points: {K: [0, 0]}}, shaft: {points: {K: [0, 0]}}, tappet: {mass: 0.2 kg, center: [3 mm, 5 "
+    "mm]}}\n"
+    "joints: {K: {pin: [ground, shaft], angle: theta}, T: {slide: [tappet, ground], along: -90 deg, distance: s}}\n"
+    "gravity: [0, -9.81]\n"
+    "drives: {theta: 0.6 rad + 5 rad/s * t}\n",
+    // dry friction where things move freely
+    "gravity: [0.3, -9.81]\n"
+    "bodies:\n"
+    "  ground: {points: {O: [0, 0]}}\n"
+    "  cart: {points: {P: [0.1, 0.2]}, mass: 1.3, center: [0.05, 0.1], inertia: 0.1}\n"
+    "  pole: {points: {P: [0, 0]}, mass: 0.7, center: [0.3, 0.1], inertia: 0.05}\n"
+    "joints:\n"
+    "  X: {slide: [ground, cart], along: 0.2 rad, distance: x, friction: {coulomb: 0.2}}\n"
+    "  P: {pin: [cart, pole], angle: q, friction: {coulomb: 0.1, radius: 20 mm}}\n"
+    "start: {x.rate: 2, q: 0.7, q.rate: -3}\n"};
 
 // From a file, or a text of many lines. Returns false for a machine that does not move, or is not printed.
 static bool start(Printed *m, const char *path)
