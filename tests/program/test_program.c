@@ -49,7 +49,7 @@ static const char *const more[] = {
     "joints:\n"
     "  O: {pin: [ground, a], angle: p}\n"
     "  P: {pin: [b, a], angle: q}\n"
-    "  Q: {slide: [b, c], along: 0.4 rad, distance: x}\n"
+    "  Q: {slide: [b, c], along: 0.4 rad, from: Q, distance: x}\n"
     "  R: {pin: [d, c], angle: r}\n"
     "springs: {S: {between: [ground.S, d.T], stiffness: k, length: 0.3, damping: 2}}\n"
     "forces: {F: {body: c, at: R, value: [3, -2]}}\n"
