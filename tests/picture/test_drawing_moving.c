@@ -261,6 +261,19 @@ static void check_slides(const YkDrawing *drawing, const Page *page, const char 
     }
 }
 
+// A scene says where on its page the origin of the world is, and how long a metre.
+static void check_scene(YkDrawing *drawing)
+{
+    const char *scene = strstr(yk_drawing_scene(drawing), " data-scale=");
+    double scale;
+    YkVec origin;
+    assert_non_null(scene);
+    assert_int_equal(sscanf(scene, " data-scale=\"%lf\" data-origin=\"%lf %lf\"", &scale, &origin.x, &origin.y), 3);
+    YkVec at = yk_vec(0.3, -0.7), wanted = yk_add(origin, yk_scale(scale, yk_conj(at)));
+    YkVec pixel = yk_drawing_pixel(drawing, at);
+    CHECK_NEAR(yk_norm(yk_sub(pixel, wanted)), 0, 1e-5 * (yk_norm(origin) + scale));
+}
+
 static size_t check_frames(const char *path, size_t number)
 {
     static Page moved_there, drawn_there, drawn_further;
@@ -284,6 +297,7 @@ static size_t check_frames(const char *path, size_t number)
         check_pins(&m, back, &drawn_there);
         check_slides(back, &drawn_there, path);
         check_slides(m.drawing, &drawn_further, path);
+        check_scene(m.drawing);
         yk_drawing_free(back);
         seen = 1;
     }
