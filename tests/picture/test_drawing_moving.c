@@ -261,6 +261,25 @@ static void check_slides(const YkDrawing *drawing, const Page *page, const char 
     }
 }
 
+// A body of two points is a bar between them.
+static void check_bars(const YkDrawing *drawing, const Page *page)
+{
+    const YkFrame *frames = yk_drawing_frames(drawing, yk_drawing_reference(drawing));
+    for (size_t b = 1; b < yk_model_body_count(drawing->model); b++) {
+        if (drawing->outlines[b].count != 2) continue;
+        YkVec end[2];
+        for (size_t k = 0; k < 2; k++)
+            end[k] =
+                yk_drawing_pixel(drawing, yk_frame_apply(frames[b], drawing->corners[drawing->outlines[b].first + k]));
+        double least = INFINITY;
+        for (size_t k = 0; k < page->count; k++)
+            if (page->begins_line[k])
+                least = fmin(least,
+                             yk_norm(yk_sub(page->corners[k], end[0])) + yk_norm(yk_sub(page->corners[k + 1], end[1])));
+        CHECK_NEAR(least, 0, 0.02);
+    }
+}
+
 // A scene says where on its page the origin of the world is, and how long a metre.
 static void check_scene(YkDrawing *drawing)
 {
@@ -297,6 +316,7 @@ static size_t check_frames(const char *path, size_t number)
         check_pins(&m, back, &drawn_there);
         check_slides(back, &drawn_there, path);
         check_slides(m.drawing, &drawn_further, path);
+        check_bars(back, &drawn_there);
         check_scene(m.drawing);
         yk_drawing_free(back);
         seen = 1;
