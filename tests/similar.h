@@ -260,19 +260,44 @@ static inline void similar_check_forces(const Similar *a, const Similar *b)
                       "residual of a body's balance");
 }
 
-static void (*similar_try)(const char *file);
+// The units to try, and what to do with a machine and the same in those units; both are assembled.
+typedef void SimilarCheck(Similar *a, Similar *b, size_t units);
+static struct {
+    const int (*units)[3];
+    size_t count;
+    SimilarCheck *check;
+} similar_pairs;
+
+static inline void similar_check_pairs(const char *file)
+{
+    for (size_t k = 0; k < similar_pairs.count; k++) {
+        Similar a, b;
+        similar_load_both(&a, &b, file, similar_pairs.units[k]);
+        similar_check_mechanism(&a, &b);
+        YkStatus status = a.mech ? yk_state_assemble(a.state) : YK_NO_ASSEMBLY;
+        if (a.mech) {
+            SIMILAR_EQUAL(file, yk_state_assemble(b.state), status);
+            similar_check_state(&a, &b);
+        }
+        if (status >= 0) similar_pairs.check(&a, &b, k);
+        similar_free(&a);
+        similar_free(&b);
+    }
+}
 
 static inline size_t similar_example(const char *path, size_t number)
 {
     (void)number;
-    similar_try(path + strlen(YOKE_ROOT "/"));
+    similar_check_pairs(path + strlen(YOKE_ROOT "/"));
     return 1;
 }
 
-// Calls `check` with each example.
-static inline void similar_each_example(void (*check)(const char *file))
+// Calls `check` with each example and the same in other units, where they assemble.
+static inline void similar_each_pair(const int (*units)[3], size_t count, SimilarCheck *check)
 {
-    similar_try = check;
+    similar_pairs.units = units;
+    similar_pairs.count = count;
+    similar_pairs.check = check;
     each_example(similar_example);
 }
 #endif

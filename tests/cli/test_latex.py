@@ -1,15 +1,170 @@
-"""yoke derive --format latex: every example compiles with article and amsmath; one run of LaTeX sees them all."""
+"""yoke derive --format latex: every example compiles with article and amsmath; one run of LaTeX sees them all. What it says is
+what the formulas say as plain text: worked out with numbers, side by side and entry by entry."""
 import glob
 import os
 import re
 import shutil
 import subprocess
 import unittest
+import zlib
 
-from harness import Case, ROOT, Run, at_least, some
+import mathml
+from harness import Case, FULL, ROOT, Run, at_least, sampled, some
 
 EXAMPLES = sorted(glob.glob(os.path.join(ROOT, "examples", "*.yaml")))
 LATEX = shutil.which("pdflatex")
+
+LATEX_TOKEN = re.compile(r"\\([a-zA-Z]+|.)|(\d[\d.]*)|([a-zA-Z])|(\S)")
+TEXT_TOKEN = re.compile(r"([A-Za-z](?:[\w.]|[,-](?=\w))*(?:\^\{[^}]*\}|_\{[^}]*\})*)('*)|(\d[\d.]*(?:e[-+]?\d+)?)|\[([^\]]*)\]|(\S)")
+
+
+def plain(name):
+    """Without what LaTeX writes around it."""
+    return re.sub(r"\\math[a-z]+|[_{}^,\\]", "", name)
+
+
+def in_brackets(rows):
+    """A matrix; a sum, which may stand in such brackets too, where it has one entry."""
+    return [("sign", "("), *rows[0][0], ("sign", ")")] if len(rows) == len(rows[0]) == 1 else [("matrix", rows)]
+
+
+def of_text(text):
+    """A formula as plain text in tokens."""
+    out = []
+    for name, dots, number, matrix, sign in TEXT_TOKEN.findall(text):
+        if name in mathml.FUNCTIONS:
+            out.append(("function", name))
+        elif name:
+            out.append(("name", plain(name) + dots))
+        elif number:
+            out.append(("number", float(number)))
+        elif matrix:
+            out += in_brackets([[of_text(cell) for cell in re.split("[,|]", row)] for row in matrix.split(";")])
+        else:
+            out.append(("sign", "*" if sign == "." else sign))
+    return out
+
+
+def group(text, at):
+    """What stands in the braces at a place, and the place behind them."""
+    depth, end = 1, at + 1
+    while depth:
+        depth += {"{": 1, "}": -1}.get(text[end], 0)
+        end += 1
+    return text[at + 1:end - 1], end
+
+
+def of_latex(text):
+    """The same of LaTeX."""
+    out, at = [], 0
+    while at < len(text):
+        if text.startswith("\\left[\\begin{array}", at):
+            _, start = group(text, at + len("\\left[\\begin{array}"))
+            end = text.index("\\end{array}", start)
+            rows = text[start:end].replace("\\hline", "").split("\\\\")
+            out += in_brackets([[of_latex(cell) for cell in row.split("&")] for row in rows])
+            at = end + len("\\end{array}\\right]")
+            continue
+        match = LATEX_TOKEN.match(text, at)
+        if not match:
+            at += 1
+            continue
+        word, number, letter, sign = match.groups()
+        at = match.end()
+        if word in ("frac", "tfrac"):
+            over, at = group(text, at)
+            under, at = group(text, at)
+            out += [("sign", "(")] * 2 + of_latex(over) + [("sign", ")"), ("sign", "/"), ("sign", "(")] + of_latex(under) + [("sign", ")")] * 2
+        elif word in mathml.FUNCTIONS:
+            if word == "sqrt":
+                inner, at = group(text, at)
+                out += [("function", word), ("sign", "(")] + of_latex(inner) + [("sign", ")")]
+            else:
+                out.append(("function", word))
+        elif word in ("left", "right", ",", ";", "quad"):
+            continue
+        elif word in ("cdot", "times"):
+            out.append(("sign", "*") if word == "cdot" else ("name", "x"))
+        elif number:
+            out.append(("number", float(number)))
+        elif word or letter:
+            name, dots = letter or word, ""
+            if word in ("dot", "ddot", "mathrm", "mathit", "mathbf", "boldsymbol"):
+                inner, at = group(text, at)
+                name, dots = inner, {"dot": "'", "ddot": "''"}.get(word, "")
+            bold = word in ("mathbf", "boldsymbol")
+            while text.startswith("_{", at) or (bold and text.startswith("^{", at)):
+                inner, at = group(text, at + 1)
+                name += inner
+            out.append(("name", plain(name) + dots))
+        elif sign == "^":
+            inner, at = group(text, at)
+            out += [("sign", "^"), ("sign", "(")] + of_latex(inner) + [("sign", ")")]
+        elif sign not in "{}":
+            out.append(("sign", {"[": "(", "]": ")"}.get(sign, sign)))
+    return out
+
+
+class Symbols(dict):
+    """Every name has a number of its own."""
+
+    def get(self, name, _=None):
+        return self[name]
+
+    def __missing__(self, name):
+        return mathml.Number(0.5 + zlib.crc32(name.encode()) / 2**32)
+
+
+def values(tokens):
+    """Of the sides and entries in order; None where a side is none."""
+    found, side = [], []
+    for token in tokens + [("sign", "=")]:
+        if token[0] == "matrix":
+            found += [value for row in token[1] for cell in row for value in values(cell)]
+        elif token[1] in ("=", ","):
+            try:
+                found += [mathml.Reader(side, Symbols()).value()] if side else []
+            except (mathml.Unknown, OverflowError, ZeroDivisionError, ValueError):
+                found.append(None)
+            side = []
+        else:
+            side.append(token)
+    return found
+
+
+def displayed(document):
+    """The formulas of a document as they were before lines were broken and wide parts set below under numbers."""
+    found = []
+    for one, broken in re.findall(r"\\\[\n(.*?)\n\\\]\n|\\begin\{multline\*\}\n(.*?)\n\\end\{multline\*\}", document, re.S):
+        text = re.sub(r" \\\\\n ?", " ", one or broken)
+        below = re.split(r"(?: ,\\quad )?\\boxed\{(\d+)\} = ", text) if text.startswith("\\boxed") else [text]
+        found += below if len(below) == 1 else []
+        for number, part in zip(below[1::2], below[2::2]):
+            found[-1] = found[-1].replace("\\boxed{%s}" % number, part)
+    return found
+
+
+class Meaning(Case):
+    def test_text_and_latex_are_one_value(self):
+        """Every sixth example in the gate."""
+        compared = 0
+        for example in sampled(EXAMPLES, 2)[::1 if FULL else 2]:
+            answer = Run("derive", example, "-q", "--format", "json")
+            sections = answer.json()["sections"] if answer.out else []
+            items = [item for section in sections for item in section["items"] if item["kind"] == "formula"]
+            document = Run("derive", example, "-q", "--format", "latex").out
+            self.assertEqual(displayed(document), [item["latex"] for item in items], example)
+            for item in items:
+                where = (os.path.basename(example), item["text"], item["latex"])
+                if "\\text{" in item["latex"]:
+                    continue
+                text, latex = values(of_text(item["text"])), values(of_latex(item["latex"]))
+                self.assertEqual([a is None for a in text], [b is None for b in latex], where)
+                for a, b in zip(text, latex):
+                    if a is not None:
+                        self.assertLessEqual(abs(a.value - b.value), a.error + b.error + 1e-12, where)
+                        compared += 1
+        self.assertGreater(compared, at_least(3000))
 
 
 class Latex(Case):
