@@ -250,7 +250,7 @@ static bool make(YkLaneForces *f, const YkChannel *channels, size_t count, size_
     const YkRecipe *recipe = f->variant ? &f->variant->recipe : NULL;
     bool good = arena && start_leaves(f, count) && yk_program_start(&p, f->mech, recipe, arena, NULL);
     good = good && prepare(&p, f->variant);
-    p.graph.joins_terms = true;
+    p.graph.joins_terms = p.graph.shares_signs = true;
     if (good) yk_program_constants(&p);
     YkRef *roots = good ? make_roots(f, &p, channels, count, fits) : NULL;
     if (roots && f->roots_of) {

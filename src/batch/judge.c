@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "batch/inside.h"
+#include "elementary/kernel.h"
 #include "solve/coincidence.h"
 
 YkStatus yk_batch_solve_lane(YkBatch *b, size_t lane)
@@ -66,8 +67,9 @@ YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
     YkStatus worst = YK_OK;
     bool well;
     b->has_settled = false;
-    yk_lanes_well(&well, b->run.space->margin, b->run.space->gap, yk_state_close_margin(b->state),
-                  b->mech->size * YK_CLOSING_TOLERANCE, n);
+    yk_lanes_well(&well, b->run.space->margin,
+                  YK_KNOWS_BLOCKS && !yk_measures_gaps(b->mech) ? NULL : b->run.space->gap,
+                  yk_state_close_margin(b->state), b->mech->size * YK_CLOSING_TOLERANCE, n);
     if (well) {
         if (status) memset(status, YK_OK, n);
         return YK_OK;

@@ -241,6 +241,11 @@ struct YkMechanism {
     const struct YkVariant *variant; // whose mechanism it is, or NULL
 };
 
+// Returns whether some step measures how far loops gape: where none does, all gaps stay 0.
+static inline bool yk_measures_gaps(const YkMechanism *mech)
+{
+    return mech->has_groups || mech->redundant_count + mech->redundant_relation_count > 0;
+}
 // Returns the angle of any joint.
 YkJointAngle yk_joint_angle(const YkMechanism *mech, int32_t joint);
 // Contacts: gears, belts, racks and cams, which transmit forces, counted in this order over the whole model. Their

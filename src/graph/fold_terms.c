@@ -265,12 +265,22 @@ static bool is_multiple(const YkGraph *g, YkRef value)
            (v->op == YK_VALUE_MULTIPLY && (at(g, v->a)->op == YK_VALUE_NUMBER || at(g, v->b)->op == YK_VALUE_NUMBER));
 }
 
-// A number times p x + q is (number p) x + number q: as many operations, and other such sums may join it.
+// Returns whether all terms of a sum are multiples or numbers; of sums within it only where a number follows.
+static bool has_multiples(const YkGraph *g, YkRef sum, bool within)
+{
+    const YkValue *v = at(g, sum);
+    if (!is_sum(g, sum) || !is_multiple(g, v->b)) return false;
+    return is_multiple(g, v->a) || (within && at(g, v->b)->op == YK_VALUE_NUMBER && has_multiples(g, v->a, false));
+}
+
+// A number times p x + q is (number p) x + number q: as many operations, and other such sums may join it. So is p x +
+// q y, if nothing else needs that sum.
 static YkRef multiply_out(YkGraph *g, YkRef number, YkRef sum)
 {
     YkValue v = *at(g, sum);
-    if (!is_sum(g, sum) || !is_multiple(g, v.a) || !is_multiple(g, v.b)) return YK_NONE;
-    if (at(g, v.a)->op != YK_VALUE_NUMBER && at(g, v.b)->op != YK_VALUE_NUMBER) return YK_NONE;
+    if (!has_multiples(g, sum, g->shares_signs)) return YK_NONE;
+    bool has_number = at(g, v.a)->op == YK_VALUE_NUMBER || at(g, v.b)->op == YK_VALUE_NUMBER;
+    if (!has_number && !g->shares_signs) return YK_NONE;
     YkRef a = yk_graph_multiply(g, number, v.a), b = yk_graph_multiply(g, number, v.b);
     return v.op == YK_VALUE_ADD ? yk_graph_add(g, a, b) : yk_graph_subtract(g, a, b);
 }

@@ -106,7 +106,8 @@ typedef struct YkGraph {
     YkPace *pace;      // of the long call that fills it, or NULL
     bool failed;       // out of memory, or stopped
     bool joins_terms;  // sums join multiples of the same factors, and c^2 + s^2 = 1 of unit vectors
-    bool shares_signs; // b - a becomes -(a - b) where a - b is there, and sums with negative numbers are differences
+    bool shares_signs; // b - a becomes -(a - b) where a - b is there, and sums with negative numbers are differences;
+                       // with joins_terms, a number multiplies each term of sums such as p x + q y
 } YkGraph;
 
 bool yk_graph_start(YkGraph *graph, YkArena *arena);

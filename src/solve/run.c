@@ -20,7 +20,7 @@ YK_APART void begin_lanes(const YkRun *run)
 {
     double *margin = run->space->margin;
     size_t n = run->lanes, inputs = run->mech->input_count;
-    memset(run->space->gap, 0, n * sizeof(double));
+    if (yk_measures_gaps(run->mech)) memset(run->space->gap, 0, n * sizeof(double));
     for (size_t i = 0; i < inputs; i++)
         yk_lanes_begin(margin, run->inputs[3 * i], run->inputs[3 * i + 1], run->inputs[3 * i + 2], i == 0, n);
     for (size_t k = 0; inputs == 0 && k < n; k++) margin[k] = 1;
@@ -213,6 +213,19 @@ static void run_distance(const YkRun *run, const YkStep *step)
     }
 }
 
+// Returns whether rates of an input need no copy: it turns a body against the ground, and nobody else is given them.
+static bool shares_rates(const YkRun *run, const YkStep *step)
+{
+    return YK_KNOWS_BLOCKS && run->rates_alone && step->parent == 0 && step->sign == 1;
+}
+
+// Inputs are only read.
+static void share_rates(const YkSpace *space, int32_t slot, const double *const *in)
+{
+    space->turn[slot].w = (double *)(uintptr_t)in[1];
+    space->turn[slot].a = (double *)(uintptr_t)in[2];
+}
+
 void yk_run_lanes(const YkRun *run, const YkStep *step)
 {
     const YkSpace *s = run->space;
@@ -220,6 +233,7 @@ void yk_run_lanes(const YkRun *run, const YkStep *step)
     case YK_STEP_TURN: {
         const double *const *in = run->inputs + 3 * step->input;
         if (yk_run_is_idle(run, step->target)) break;
+        if (shares_rates(run, step)) share_rates(s, step->target, in);
         yk_lanes_turn(yk_run_turn(run, step->target), yk_space_turn(s, step->parent), in[0], in[1], in[2], step->offset,
                       step->sign, run->lanes);
         break;

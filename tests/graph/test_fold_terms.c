@@ -131,11 +131,37 @@ static void what_turns_with_one_body_folds(void **state)
     }
 }
 
+// 5 (2 x + 3 y) is 10 x + 15 y, and 5 (2 x + 3 y - 4) is 10 x + 15 y - 20: the sum in brackets needs no step.
+static void a_number_multiplies_each_term(void **state)
+{
+    (void)state;
+    for (int shares = 0; shares < 2; shares++) {
+        YkGraph g;
+        YkArena *arena = yk_arena_new();
+        assert_true(arena && yk_graph_start(&g, arena));
+        g.joins_terms = true, g.shares_signs = shares == 1;
+        YkRef term[2][2], five = yk_graph_number(&g, 5);
+        for (int k = 0; k < 2; k++) {
+            YkRef leaf = yk_graph_leaf(&g, YK_LEAF_POSE, k ? "y" : "x");
+            for (int times = 0; times < 2; times++)
+                term[times][k] = yk_graph_multiply(&g, yk_graph_number(&g, (2 + k) * (times ? 5 : 1)), leaf);
+        }
+        YkRef sum = yk_graph_add(&g, term[0][0], term[0][1]), five_sums = yk_graph_add(&g, term[1][0], term[1][1]);
+        YkRef less = yk_graph_subtract(&g, sum, yk_graph_number(&g, 4)),
+              five_less = yk_graph_subtract(&g, five_sums, yk_graph_number(&g, 20));
+        assert_int_equal(yk_graph_multiply(&g, five, sum) == five_sums, shares);
+        assert_int_equal(yk_graph_multiply(&g, five, less) == five_less, shares);
+        yk_graph_end(&g);
+        yk_arena_free(arena);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_sums_of_products_keep_their_value),
         cmocka_unit_test(what_turns_with_one_body_folds),
+        cmocka_unit_test(a_number_multiplies_each_term),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
 // Angles, differences and masks.
+#include "elementary/kernel.h"
 #include "lanes_check.h"
 
 static void measures(uint64_t seed, bool has_a, bool has_b)
@@ -114,6 +115,8 @@ static void one_bad_lane_is_enough_to_be_unwell(void **state)
                 margin[i] = bad[k];
                 yk_lanes_well(&well, margin, gap, 1e-14, 1e-12, n);
                 assert_false(well);
+                yk_lanes_well(&well, margin, YK_KNOWS_BLOCKS ? NULL : gap, 1e-14, 1e-12, n);
+                assert_false(well);
                 margin[i] = 0.5;
                 gap[i] = k == 2 ? bad[k] : 1.1e-12;
                 yk_lanes_well(&well, margin, gap, 1e-14, 1e-12, n);
@@ -121,6 +124,8 @@ static void one_bad_lane_is_enough_to_be_unwell(void **state)
                 gap[i] = 1e-12; // the tolerance itself is well
             }
         yk_lanes_well(&well, margin, gap, 1e-14, 1e-12, n);
+        assert_true(well);
+        yk_lanes_well(&well, margin, YK_KNOWS_BLOCKS ? NULL : gap, 1e-14, 1e-12, n); // nothing gapes
         assert_true(well);
     }
 }

@@ -49,12 +49,22 @@ YK_INLINE void yk_lanes_mask_body(double *value, const double *margin, double le
 }
 YK_KERNEL(yk_lanes_mask, (double *value, const double *margin, double least, size_t n), (value, margin, least))
 
+// Words as long as a number, so that vectors of both are alike.
+YK_INLINE uint64_t is_bad(double margin, double least, double gap, double most)
+{
+    return margin > least && gap <= most ? 0 : UINT64_MAX;
+}
+
 YK_INLINE void yk_lanes_well_body(bool *well, const double *margin, const double *gap, double least, double most,
                                   size_t n)
 {
     uint64_t bad = 0;
-    YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) bad |= margin[i] > least && gap[i] <= most ? 0u : 1u;
+    if (YK_KNOWS_BLOCKS && !gap) {
+        YK_EACH_LANE YK_UNROLL for (size_t i = 0; i < n; i++) bad |= is_bad(margin[i], least, 0, most);
+    } else {
+        YK_EACH_LANE
+        for (size_t i = 0; i < n; i++) bad |= is_bad(margin[i], least, gap[i], most);
+    }
     *well = bad == 0;
 }
 YK_KERNEL(yk_lanes_well, (bool *well, const double *margin, const double *gap, double least, double most, size_t n),
@@ -87,30 +97,53 @@ YK_INLINE void yk_lanes_swing_body(bool *swings, const double *c, const double *
 YK_KERNEL(yk_lanes_swing, (bool *swings, const double *c, const double *s, double least, size_t n),
           (swings, c, s, least))
 
-// Adds rows: no sum is finite unless all of its parts are. Returns bits of which the highest is set if one is not.
-YK_INLINE uint64_t find_not_finite(const double *a, const double *b, const double *c, const double *d, size_t n)
+// Returns bits of which the highest is set if a number is not finite.
+YK_INLINE uint64_t not_finite(double x)
 {
     const uint64_t exponent = (uint64_t)0x7ff << 52, one = (uint64_t)1 << 52;
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (bits & exponent) + one;
+}
+
+#define FIND(sum)                                                                                                      \
+    {                                                                                                                  \
+        YK_EACH_LANE YK_UNROLL for (size_t i = 0; i < n; i++) found |= not_finite(sum);                                \
+        break;                                                                                                         \
+    }
+
+// Adds rows, seven at most: no sum is finite unless all of its parts are.
+YK_INLINE uint64_t find_not_finite(double *const *rows, size_t count, size_t n)
+{
+    const double *row[7];
     uint64_t found = 0;
-    YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) {
-        double sum = (a[i] + b[i]) + (c[i] + d[i]);
-        uint64_t bits;
-        memcpy(&bits, &sum, sizeof bits);
-        found |= (bits & exponent) + one;
+    for (size_t k = 0; k < 7; k++) row[k] = rows[k < count ? k : 0];
+    const double *a = row[0], *b = row[1], *c = row[2], *d = row[3], *e = row[4], *f = row[5], *g = row[6];
+    switch (count) {
+    case 1:
+        FIND(a[i])
+    case 2:
+        FIND(a[i] + b[i])
+    case 3:
+        FIND((a[i] + b[i]) + c[i])
+    case 4:
+        FIND((a[i] + b[i]) + (c[i] + d[i]))
+    case 5:
+        FIND((a[i] + b[i]) + (c[i] + d[i]) + e[i])
+    case 6:
+        FIND((a[i] + b[i]) + (c[i] + d[i]) + (e[i] + f[i]))
+    default:
+        FIND((a[i] + b[i]) + (c[i] + d[i]) + ((e[i] + f[i]) + g[i]))
     }
     return found;
 }
 
 YK_INLINE void yk_lanes_finite_body(bool *finite, double *const *rows, size_t count, size_t n)
 {
+    enum { AT_ONCE = YK_KNOWS_BLOCKS ? 4 : 1, MOST = YK_KNOWS_BLOCKS ? 7 : 0 };
     uint64_t found = 0;
-    size_t k = 0;
-    for (; k + 4 <= count; k += 4) found |= find_not_finite(rows[k], rows[k + 1], rows[k + 2], rows[k + 3], n);
-    if (YK_KNOWS_BLOCKS && k < count && count >= 4) // some rows once more
-        found |= find_not_finite(rows[count - 4], rows[count - 3], rows[count - 2], rows[count - 1], n);
-    for (; k < count && !(YK_KNOWS_BLOCKS && count >= 4); k++)
-        found |= find_not_finite(rows[k], rows[k], rows[k], rows[k], n);
+    for (; count > MOST; count -= AT_ONCE, rows += AT_ONCE) found |= find_not_finite(rows, AT_ONCE, n);
+    if (YK_KNOWS_BLOCKS && count > 0) found |= find_not_finite(rows, count, n);
     *finite = found >> 63 == 0;
 }
 YK_KERNEL(yk_lanes_finite, (bool *finite, double *const *rows, size_t count, size_t n), (finite, rows, count))

@@ -3,10 +3,10 @@
 
 YK_INLINE void begin(double *margin, const double *x, const double *rate, const double *accel, bool is_first, size_t n)
 {
-    YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) {
-        double before = is_first ? 1 : margin[i], zero = 0 * x[i];
-        zero += 0 * (rate[i] * YK_RATE_GUARD) + 0 * (accel[i] * YK_ACCELERATION_GUARD);
+    YK_EACH_LANE YK_UNROLL for (size_t i = 0; i < n; i++)
+    {
+        double before = is_first ? 1 : margin[i], v = rate[i] * YK_RATE_GUARD, a = accel[i] * YK_ACCELERATION_GUARD;
+        double zero = 0 * x[i] + ((v - v) + (a - a)); // or NaN
         margin[i] = zero == 0 ? before : -1;
     }
 }

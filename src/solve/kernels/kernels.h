@@ -129,7 +129,7 @@ void yk_lanes_dip(bool *dips, const double *margin, double zero, double most, si
 // Sets *swings if from any lane to the next the unit vectors' product is less than `least`. They have n + 1 lanes.
 void yk_lanes_swing(bool *swings, const double *c, const double *s, double least, size_t n);
 // Sets *well if every lane has margin > least and gap <= most (NaN has not): the usual case, in which no lane needs a
-// mask.
+// mask. gap NULL: all are 0, where loops are compiled for blocks.
 void yk_lanes_well(bool *well, const double *margin, const double *gap, double least, double most, size_t n);
 // Sets *finite if every lane of all rows is finite. It stays false as well where numbers beyond 4e307 are, whose sums
 // are not: the caller looks at each lane then.
