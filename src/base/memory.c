@@ -5,7 +5,7 @@
 #include <string.h>
 #include "base/text.h"
 
-enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 20, ALIGN_SMALL = 16, ALIGN_LARGE = 64, WORK_PER_BYTE = 4 };
+enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 24, ALIGN_SMALL = 16, ALIGN_LARGE = 64, WORK_PER_BYTE = 4 };
 
 typedef struct YkChunk {
     _Alignas(ALIGN_SMALL) struct YkChunk *older;

@@ -53,25 +53,25 @@ YkCode yk_derive_code(YkRingStatus status)
     return status == YK_RING_MEMORY ? YK_CODE_OUT_OF_MEMORY : YK_CODE_DERIVATION;
 }
 
-enum { CHUNK_MIN = 1 << 19, CHUNK_MAX = 1 << 24, CHUNK_PER_BODY = 1 << 13 };
+enum { CHUNK_MIN = 1 << 22, CHUNK_MAX = 1 << 24, CHUNK_PER_BODY = 1 << 13 };
 
-// Makes the arena, whose first chunk is larger than all other memory of the derivation together. Pages of it that are
-// never used cost nothing. A C library that keeps freed memory in proportion to the largest piece that was freed, as
-// glibc does, then serves the next derivation with the same pages; otherwise it gives them back to the system after
-// each one, and takes them anew for several times what a small derivation costs.
-static YkArena *new_arena(const YkModel *model)
+// Makes the ring with one piece of memory that is larger than most derivations need. Pages of it that are never used
+// cost nothing. A C library that keeps freed memory in proportion to the largest piece that was freed, as glibc does,
+// then serves the next derivation with the same pages; otherwise it gives them back to the system after each one, and
+// takes them anew for several times what a derivation costs.
+static YkRing *new_ring(const YkModel *model)
 {
-    YkArena *arena = yk_arena_new();
+    YkRing *ring = yk_ring_new();
     size_t most = (CHUNK_MAX - CHUNK_MIN) / CHUNK_PER_BODY, bodies = yk_model_body_count(model);
-    if (arena) arena->chunk_size = CHUNK_MIN + CHUNK_PER_BODY * (bodies < most ? bodies : most);
-    return arena;
+    if (ring) yk_ring_reserve(ring, CHUNK_MIN + CHUNK_PER_BODY * (bodies < most ? bodies : most));
+    return ring;
 }
 
 YkDerivation *yk_derivation_new(const YkModel *model, const YkMechanism *mech, YkProblems *problems)
 {
     YkDerivation *d = calloc(1, sizeof *d);
     if (d) {
-        *d = (YkDerivation){.arena = new_arena(model), .model = model, .mech = mech, .ring = yk_ring_new()};
+        *d = (YkDerivation){.arena = yk_arena_new(), .model = model, .mech = mech, .ring = new_ring(model)};
         if (d->ring) yk_ring_set_pace(d->ring, &d->pace);
         if (d->arena && d->ring && enter_all(d) && yk_derivation_is_well(d)) return d;
     }

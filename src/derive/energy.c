@@ -9,13 +9,15 @@ const YkPoisson *yk_derive_kinetic(const YkDeriveForces *f, int32_t body)
     YkRing *ring = f->d->ring;
     const YkDeriveMass *m = &f->bodies[body];
     if (f->kinetic[body]) return f->kinetic[body];
+    const YkPoisson *spin = f->d->bodies[body].spin;
+    yk_ring_begin_passing(ring);
     const YkPoisson *half_mass = yk_ring_scale(ring, m->mass, 1, 2),
                     *half_inertia = yk_ring_scale(ring, m->inertia, 1, 2);
-    const YkPoisson *spin = f->d->bodies[body].spin;
     const YkPoisson *square =
         yk_ring_multiply(ring, yk_ring_conjugate(ring, m->velocity), m->velocity); // real by itself
     const YkPoisson *turning = yk_ring_product(ring, (const YkPoisson *[]){half_inertia, spin, spin}, 3);
-    f->kinetic[body] = yk_ring_add(ring, yk_ring_multiply(ring, half_mass, square), turning);
+    square = yk_ring_multiply(ring, half_mass, square);
+    f->kinetic[body] = yk_ring_end_passing(ring, yk_ring_add(ring, square, turning));
     return f->kinetic[body];
 }
 

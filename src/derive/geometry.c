@@ -11,7 +11,8 @@ static const YkPoisson *vector(YkDerivation *d, const YkExpr *x, const YkExpr *y
 const YkPoisson *yk_derive_at(YkDerivation *d, int32_t point)
 {
     if (point == YK_NONE) return yk_ring_rational(d->ring, 0, 1);
-    if (!d->points[point]) d->points[point] = vector(d, d->model->points[point].x, d->model->points[point].y);
+    if (!d->points[point])
+        d->points[point] = yk_ring_keep(d->ring, vector(d, d->model->points[point].x, d->model->points[point].y));
     return d->points[point];
 }
 

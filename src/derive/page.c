@@ -319,10 +319,15 @@ static void put_fraction(YkPage *page, YkLine *line, const YkPoisson *over, cons
     if (rate && !yk_ring_is_same(rate, one)) yk_line_factor(page, line, rate);
 }
 
+static bool has_leading_minus(YkRing *ring, const YkPoisson *a, YkText *text)
+{
+    return yk_ring_write(ring, a, YK_RING_TEXT, YK_RING_TEXTBOOK, text) && *yk_text_get(text) == '-';
+}
+
 bool yk_page_is_negative(YkRing *ring, const YkPoisson *a)
 {
     YkText text = {0};
-    bool negative = yk_ring_write(ring, a, YK_RING_TEXT, YK_RING_TEXTBOOK, &text) && yk_text_get(&text)[0] == '-';
+    bool negative = has_leading_minus(ring, a, &text);
     int depth = 0;
     for (const char *c = yk_text_get(&text) + negative; *c && negative; c++) {
         depth += (*c == '(') - (*c == ')');
@@ -332,25 +337,20 @@ bool yk_page_is_negative(YkRing *ring, const YkPoisson *a)
     return negative;
 }
 
-static bool has_leading_minus(YkRing *ring, const YkPoisson *a)
-{
-    YkText text = {0};
-    bool minus = yk_ring_write(ring, a, YK_RING_TEXT, YK_RING_TEXTBOOK, &text) && yk_text_get(&text)[0] == '-';
-    yk_text_free(&text);
-    return minus;
-}
-
 YkLine *yk_page_solution(YkPage *page, const char *remark, int32_t symbol, const YkPoisson *over,
                          const YkPoisson *under)
 {
     YkRing *ring = page->ring;
+    YkText text = {0};
     YkLine *line = yk_page_formula(page, remark);
     const YkPoisson *left = yk_ring_of(ring, symbol), *divisor = under ? under : yk_ring_rational(ring, 1, 1);
     if (!line || !yk_page_cancel(ring, &over, &divisor)) {
         page->failed = true;
         return NULL;
     }
-    if (has_leading_minus(ring, divisor)) over = yk_ring_negate(ring, over), divisor = yk_ring_negate(ring, divisor);
+    if (has_leading_minus(ring, divisor, &text))
+        over = yk_ring_negate(ring, over), divisor = yk_ring_negate(ring, divisor);
+    yk_text_free(&text);
     yk_line_element(page, line, left, YK_RING_TEXTBOOK);
     yk_line_sign(page, line, "=");
     put_fraction(page, line, over, divisor);

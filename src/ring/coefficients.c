@@ -81,7 +81,7 @@ const YkPoisson *yk_ring_content(YkRing *ring, const YkPoisson *a)
     if (!a || a->count == 0) return a;
     uint32_t monomial = yk_key_monomial(a->terms[0].key);
     if (!take_common(ring, a, &monomial)) return NULL;
-    return yk_poisson_term(ring, yk_key(0, monomial, 0), (int64_t)yk_poisson_content(a), a->denominator);
+    return yk_poisson_term(ring, yk_key(0, monomial, 0), (int64_t)yk_poisson_content(a, 0), a->denominator);
 }
 
 const YkPoisson *yk_ring_common_content(YkRing *ring, const YkPoisson *a, const YkPoisson *b)
@@ -92,8 +92,8 @@ const YkPoisson *yk_ring_common_content(YkRing *ring, const YkPoisson *a, const 
     uint32_t monomial = yk_key_monomial(a->terms[0].key);
     if (!take_common(ring, a, &monomial) || !take_common(ring, b, &monomial)) return NULL;
     if (!yk_common_denominator(a->denominator, b->denominator, &denominator) ||
-        !yk_exact_multiply((int64_t)yk_poisson_content(a), denominator / a->denominator, &of_a) ||
-        !yk_exact_multiply((int64_t)yk_poisson_content(b), denominator / b->denominator, &of_b))
+        !yk_exact_multiply((int64_t)yk_poisson_content(a, 0), denominator / a->denominator, &of_a) ||
+        !yk_exact_multiply((int64_t)yk_poisson_content(b, 0), denominator / b->denominator, &of_b))
         return yk_ring_fail(ring, YK_RING_OVERFLOW);
     int64_t number = (int64_t)yk_gcd((uint64_t)of_a, (uint64_t)of_b);
     return yk_poisson_term(ring, yk_key(0, monomial, 0), number, denominator);

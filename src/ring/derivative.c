@@ -40,6 +40,7 @@ static const YkPoisson *symbol_derivative(YkRing *ring, int32_t index, int32_t v
     const YkPoisson *known =
         is->square ? root_derivative(ring, index, variable, depth) : chain(ring, is->partials, variable, depth);
     YkRingMeaning *kept = yk_ring_meaning(ring, index);
+    known = yk_ring_keep(ring, known);
     if (kept) kept->known = known, kept->known_variable = variable, kept->known_rules = ring->rule_count;
     return known;
 }

@@ -114,7 +114,10 @@ struct YkRing {
     size_t limit;
     size_t made; // terms of all elements together
     YkArena *arena;
-    YkArena *sheet; // memory for one printing
+    YkArena *sheet;    // memory for one printing
+    YkArena *passing;  // memory for elements that pass; made at first use
+    YkArena *elements; // where elements are made: arena or passing
+    size_t depth;      // of calls to yk_ring_begin_passing
     YkRingSymbol *symbols;
     size_t symbol_count, symbol_capacity;
     YkTypesetName *typeset; // of the first symbols, typeset_count
@@ -211,7 +214,7 @@ bool yk_gather_room(YkRing *ring, size_t count); // makes room for this number i
 // --- element.c: makes the element of sorted terms, zeros among them allowed, over a denominator.
 const YkPoisson *yk_poisson_make(YkRing *ring, const YkRingTerm *terms, size_t count, int64_t denominator);
 const YkPoisson *yk_poisson_term(YkRing *ring, uint64_t key, int64_t number, int64_t denominator);
-uint64_t yk_poisson_content(const YkPoisson *a); // common divisor of its numbers
+uint64_t yk_poisson_content(const YkPoisson *a, uint64_t divisor); // common to its numbers and another one, 0 for none
 
 // Finds the least common multiple of denominators, *all; returns false on overflow.
 bool yk_common_denominator(int64_t a, int64_t b, int64_t *all);

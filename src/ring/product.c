@@ -9,17 +9,10 @@ typedef struct Cancelled {
     int64_t a_divisor, b_divisor, denominator;
 } Cancelled;
 
-static int64_t divisor_of_numbers(const YkPoisson *a, int64_t denominator)
-{
-    uint64_t divisor = (uint64_t)denominator;
-    for (size_t i = 0; i < a->count && divisor != 1; i++) divisor = yk_gcd(yk_magnitude(a->terms[i].number), divisor);
-    return (int64_t)divisor;
-}
-
 static bool cancel(const YkPoisson *a, const YkPoisson *b, Cancelled *cancelled)
 {
-    cancelled->a_divisor = divisor_of_numbers(a, b->denominator);
-    cancelled->b_divisor = divisor_of_numbers(b, a->denominator);
+    cancelled->a_divisor = (int64_t)yk_poisson_content(a, (uint64_t)b->denominator);
+    cancelled->b_divisor = (int64_t)yk_poisson_content(b, (uint64_t)a->denominator);
     return yk_exact_multiply(a->denominator / cancelled->b_divisor, b->denominator / cancelled->a_divisor,
                              &cancelled->denominator);
 }

@@ -8,7 +8,7 @@ YkRing *yk_ring_new(void)
     YkRing *ring = calloc(1, sizeof *ring);
     if (!ring) return NULL;
     ring->limit = YK_RING_TERMS_MAX;
-    ring->arena = yk_arena_new();
+    ring->arena = ring->elements = yk_arena_new();
     ring->sheet = yk_arena_new();
     if (!ring->arena || !ring->sheet || !yk_powers_start(&ring->monomials) || !yk_powers_start(&ring->phases) ||
         !(ring->zero = yk_poisson_make(ring, NULL, 0, 1)) || !(ring->one = yk_poisson_term(ring, 0, 1, 1))) {
@@ -16,6 +16,11 @@ YkRing *yk_ring_new(void)
         return NULL;
     }
     return ring;
+}
+
+void yk_ring_reserve(YkRing *ring, size_t bytes)
+{
+    ring->arena->chunk_size = bytes;
 }
 
 void yk_ring_free(YkRing *ring)
@@ -33,6 +38,7 @@ void yk_ring_free(YkRing *ring)
     free(ring->patterns);
     free(ring->marks.items);
     yk_arena_free(ring->sheet);
+    yk_arena_free(ring->passing);
     yk_arena_free(ring->arena);
     free(ring);
 }

@@ -40,6 +40,8 @@ enum { YK_RING_TERMS_MAX = 200000 }; // in one element, unless yk_ring_set_limit
 
 YkRing *yk_ring_new(void); // NULL when out of memory
 void yk_ring_free(YkRing *ring);
+// Lets the ring take memory from the system in pieces of at least this size.
+void yk_ring_reserve(YkRing *ring, size_t bytes);
 YkRingStatus yk_ring_status(const YkRing *ring);
 const char *yk_ring_status_text(YkRingStatus status); // a phrase: "a coefficient is too large for exact arithmetic"
 // Forgets a failure, so that the caller can do without the elements. A ring that ran out of memory, or was stopped,
@@ -133,6 +135,12 @@ bool yk_ring_is_real(YkRing *ring, const YkPoisson *a);
 bool yk_ring_is_rational(const YkPoisson *a, int64_t *numerator, int64_t *denominator); // a rational number, and which
 // Returns whether a = over / under * b, with a rational number. b must not be 0.
 bool yk_ring_is_multiple(const YkPoisson *a, const YkPoisson *b, int64_t *over, int64_t *under);
+
+// --- Elements that pass. Those made between these calls are discarded at the end, except the result. Whoever wants one
+// of them later keeps what yk_ring_keep returns. Calls may nest: the outermost end discards.
+void yk_ring_begin_passing(YkRing *ring);
+const YkPoisson *yk_ring_end_passing(YkRing *ring, const YkPoisson *result);
+const YkPoisson *yk_ring_keep(YkRing *ring, const YkPoisson *a);
 
 // --- Operations. Cost: O(terms) or O(products of terms) hash steps, then a sort.
 const YkPoisson *yk_ring_add(YkRing *ring, const YkPoisson *a, const YkPoisson *b);

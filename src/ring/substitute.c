@@ -90,7 +90,7 @@ static const YkPoisson *image_of(YkRing *ring, YkRingChanges *changes, uint64_t 
         return yk_ring_fail(ring, YK_RING_MEMORY);
     Image *image = &changes->images[slot_of(changes, replaced)];
     if (image->replaced == 0) {
-        const YkPoisson *value = make_image(ring, changes, replaced);
+        const YkPoisson *value = yk_ring_keep(ring, make_image(ring, changes, replaced));
         if (!value) return NULL;
         *image = (Image){replaced, value};
         changes->image_count++;

@@ -87,7 +87,7 @@ const YkPoisson *yk_ring_scale(YkRing *ring, const YkPoisson *a, int64_t numerat
     if (ratio.over == 1 && ratio.under == 1) return a;
     // Computes content / denominator * ratio with everything cancelled first: it overflows only if the result must.
     bool is_whole = a->denominator == 1 && ratio.under == 1;
-    int64_t content = is_whole ? 1 : (int64_t)yk_poisson_content(a);
+    int64_t content = is_whole ? 1 : (int64_t)yk_poisson_content(a, 0);
     if (!yk_ratio_multiply((YkRatio){content, a->denominator}, ratio, &whole))
         return yk_ring_fail(ring, YK_RING_OVERFLOW);
     if (!yk_gather_room(ring, a->count)) return NULL;

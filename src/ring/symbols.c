@@ -287,5 +287,5 @@ const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol)
     if (ring->symbols[symbol].element) return ring->symbols[symbol].element;
     uint32_t monomial = yk_ring_monomial_of(ring, symbol, 1);
     if (monomial == YK_NO_PRODUCT) return NULL;
-    return ring->symbols[symbol].element = yk_poisson_term(ring, yk_key(0, monomial, 0), 1, 1);
+    return ring->symbols[symbol].element = yk_ring_keep(ring, yk_poisson_term(ring, yk_key(0, monomial, 0), 1, 1));
 }

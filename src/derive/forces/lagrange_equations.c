@@ -2,13 +2,16 @@
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 
-// Returns d/dt dT/du - dT/dq of the whole machine.
-static const YkPoisson *inertia_of(const YkDeriveForces *f, const YkDeriveFreedom *freedom)
+// Returns dV/dq + d/dt dT/du - dT/dq of the whole machine.
+static const YkPoisson *by_energies(const YkDeriveForces *f, const YkDeriveFreedom *freedom)
 {
     YkRing *ring = f->d->ring;
-    const YkPoisson *T = yk_derive_kinetic_total(f), *momentum = yk_ring_partial(ring, T, freedom->rate);
-    const YkPoisson *change = yk_ring_time_derivative(ring, momentum);
-    return yk_ring_subtract(ring, change, yk_ring_partial(ring, T, freedom->position));
+    const YkPoisson *slope = yk_ring_partial(ring, yk_derive_potential(f), freedom->position);
+    const YkPoisson *T = yk_derive_kinetic_total(f);
+    yk_ring_begin_passing(ring);
+    const YkPoisson *change = yk_ring_time_derivative(ring, yk_ring_partial(ring, T, freedom->rate));
+    change = yk_ring_subtract(ring, change, yk_ring_partial(ring, T, freedom->position));
+    return yk_ring_end_passing(ring, yk_ring_add(ring, slope, change));
 }
 
 static const YkPoisson *slope_of(const YkDeriveForces *f, size_t row, int32_t position)
@@ -45,9 +48,7 @@ YkDeriveLagrange yk_derive_lagrange(const YkDeriveForces *f, size_t coordinate)
     YkRing *ring = d->ring;
     YkDeriveFreedom freedom = yk_derive_freedom(d, coordinate);
     if (f->lagrange[coordinate].left) return f->lagrange[coordinate];
-    YkDeriveLagrange sides = {yk_ring_partial(ring, yk_derive_potential(f), freedom.position),
-                              yk_ring_rational(ring, 0, 1)};
-    sides.left = yk_ring_add(ring, sides.left, inertia_of(f, &freedom));
+    YkDeriveLagrange sides = {by_energies(f, &freedom), yk_ring_rational(ring, 0, 1)};
     for (size_t k = 0; k < f->load_count; k++) {
         const YkDeriveLoad *load = &f->loads[k];
         if (load->energy) continue;

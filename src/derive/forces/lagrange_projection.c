@@ -37,10 +37,13 @@ bool yk_derive_do_methods_agree(const YkDeriveForces *f, size_t coordinate)
     if (!changes) return false;
     for (size_t k = 0; k < m->count; k++) changes[k] = (YkRingChange){m->symbols[k], m->identities[k], NULL};
     YkDeriveLagrange sides = yk_derive_lagrange(f, coordinate);
+    yk_ring_begin_passing(ring);
     const YkPoisson *lagrange = yk_ring_subtract(ring, sides.left, sides.right);
     if (m->count > 0) lagrange = yk_ring_substitute(ring, lagrange, changes, m->count);
     lagrange = yk_ring_subtract(ring, lagrange, by_open_loops(f, yk_derive_freedom(d, coordinate).position));
-    return yk_derive_is_nothing(f, yk_ring_add(ring, lagrange, yk_derive_projected(f, coordinate)));
+    bool agree = yk_derive_is_nothing(f, yk_ring_add(ring, lagrange, yk_derive_projected(f, coordinate)));
+    yk_ring_end_passing(ring, NULL);
+    return agree;
 }
 
 // Returns how a body turns with a coordinate as it is shown: 1, -1 or 0.

@@ -16,7 +16,7 @@ static const YkPoisson *newton(const YkDeriveForces *f, int32_t body)
 
 const YkPoisson *yk_derive_newton(const YkDeriveForces *f, int32_t body)
 {
-    if (!f->newton[body]) f->newton[body] = newton(f, body);
+    if (!f->newton[body]) f->newton[body] = yk_ring_keep(f->d->ring, newton(f, body));
     return f->newton[body];
 }
 
@@ -37,7 +37,7 @@ static const YkPoisson *euler(const YkDeriveForces *f, int32_t body)
 
 const YkPoisson *yk_derive_euler(const YkDeriveForces *f, int32_t body)
 {
-    if (!f->euler[body]) f->euler[body] = euler(f, body);
+    if (!f->euler[body]) f->euler[body] = yk_ring_keep(f->d->ring, euler(f, body));
     return f->euler[body];
 }
 
