@@ -1,7 +1,7 @@
 # The core for browsers (preset `wasm`, cmake/wasi.toolchain.cmake): core.wasm for the page's drawing and moving, without imports;
 # panels.wasm for its panels; and yoke.wasm, the whole command. See web/core/README.md.
 set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
-set(YOKE_TOGETHER OFF) # modules take the objects they need
+include(cmake/together.cmake)
 set(YOKE_WASI ${CMAKE_SOURCE_DIR}/web/core/wasi)
 set(YOKE_LIBYAML ${CMAKE_BINARY_DIR}/third-party CACHE PATH "Folder with libyaml's sources, or where tools/get-libyaml shall put them")
 execute_process(COMMAND sh ${CMAKE_SOURCE_DIR}/tools/get-libyaml ${YOKE_LIBYAML} RESULT_VARIABLE failed)
@@ -33,6 +33,8 @@ include(cmake/kernels.cmake)
 include(cmake/web.cmake)
 file(GLOB with_posix src/write/*.c src/doc/file.c apps/cli/stop.c apps/cli/verbs/simulate/verb.c)
 set_property(SOURCE ${with_posix} APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
+set_source_files_properties(src/report/findings.c PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # small/findings.c
+yoke_together(yoke_core ${YOKE_SOURCES})
 
 # Binaryen takes some more bytes off, where it is installed. It changes no arithmetic. Memory begins with zeros, and C has
 # no addresses below 1024: no module is given a memory, and the stack's end lies there.
@@ -47,6 +49,7 @@ endfunction()
 # The whole command.
 add_subdirectory(apps/cli)
 set_property(SOURCE ${with_posix} DIRECTORY apps/cli APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
+set_property(SOURCE ${with_posix} DIRECTORY apps/cli PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
 target_link_libraries(yoke PRIVATE wasi-emulated-getpid wasi-emulated-signal)
 set_target_properties(yoke PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
@@ -54,6 +57,9 @@ set_target_properties(yoke PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${CM
 # panels are filled. The verbs that take their time or write files are in yoke.wasm alone.
 file(GLOB door CONFIGURE_DEPENDS web/core/*.c)
 set(left "/(new|explain|rest|study|report|code|synthesize|map|cognates|balance)/verb[.]c|/studio/in_browser[.]c|/gallery[.]c|/certify[.]c|/rolls?[.]c")
+file(GLOB apart apps/cli/*.c apps/cli/verbs/*/*.c)
+list(FILTER apart INCLUDE REGEX ${left})
+set_property(SOURCE ${apart} DIRECTORY apps/cli PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
 target_sources(yoke PRIVATE ${door} ${YOKE_WASI}/start.c) # a page in one file has no panels.wasm
 target_include_directories(yoke PRIVATE web/core)
 target_link_options(yoke PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
