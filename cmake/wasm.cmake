@@ -22,7 +22,7 @@ target_compile_options(yaml PRIVATE -w)
 
 file(GLOB YOKE_SOURCES CONFIGURE_DEPENDS src/*/*.c src/*/*/*.c)
 list(REMOVE_ITEM YOKE_SOURCES ${CMAKE_SOURCE_DIR}/src/write/process.c ${CMAKE_SOURCE_DIR}/src/report/script.c)
-list(FILTER YOKE_SOURCES EXCLUDE REGEX "/synthesis/(nine_points/alt_.*|paths/path_exact)[.]c$") # small/no_exact_path.c
+list(FILTER YOKE_SOURCES EXCLUDE REGEX "/synthesis/(nine_points/alt_.*|paths/path_exact)[.]c$|/report/findings[.]c$") # small/no_exact_path.c, small/findings.c
 add_library(yoke_core STATIC ${YOKE_SOURCES} ${YOKE_WASI}/process.c ${YOKE_WASI}/posix.c ${YOKE_WASI}/print.c web/core/small/no_exact_path.c
   web/core/small/report_script.c)
 target_include_directories(yoke_core PUBLIC ${YOKE_WASI} include src)
@@ -33,7 +33,6 @@ include(cmake/kernels.cmake)
 include(cmake/web.cmake)
 file(GLOB with_posix src/write/*.c src/doc/file.c apps/cli/stop.c apps/cli/verbs/simulate/verb.c)
 set_property(SOURCE ${with_posix} APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
-set_source_files_properties(src/report/findings.c PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # small/findings.c
 yoke_together(yoke_core ${YOKE_SOURCES})
 
 # Binaryen takes some more bytes off, where it is installed. It changes no arithmetic. Memory begins with zeros, and C has
@@ -46,23 +45,23 @@ function(yoke_shrink target)
   endif()
 endfunction()
 
-# The whole command.
+# The library as a whole, in the order of its rooms, in which gzip makes the modules smallest; functions that nobody calls are left out.
+set(whole -Wl,--whole-archive $<TARGET_FILE:yoke_core> -Wl,--no-whole-archive)
+
+# The whole command. The files of verbs that panels.wasm leaves to it, and those with names of POSIX, are compiled alone.
+set(left "/(new|explain|rest|study|report|code|synthesize|map|cognates|balance)/verb[.]c|/studio/in_browser[.]c|/gallery[.]c|/certify[.]c|/rolls?[.]c")
+set(YOKE_APART "${left}|/stop[.]c|/simulate/verb[.]c")
 add_subdirectory(apps/cli)
 set_property(SOURCE ${with_posix} DIRECTORY apps/cli APPEND PROPERTY COMPILE_OPTIONS -include posix.h)
-set_property(SOURCE ${with_posix} DIRECTORY apps/cli PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
 target_link_libraries(yoke PRIVATE wasi-emulated-getpid wasi-emulated-signal)
 set_target_properties(yoke PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
 # What the page's panels need: the same flat functions as core.wasm, those of curves and simulations, and the verbs by which
 # panels are filled. The verbs that take their time or write files are in yoke.wasm alone.
 file(GLOB door CONFIGURE_DEPENDS web/core/*.c)
-set(left "/(new|explain|rest|study|report|code|synthesize|map|cognates|balance)/verb[.]c|/studio/in_browser[.]c|/gallery[.]c|/certify[.]c|/rolls?[.]c")
-file(GLOB apart apps/cli/*.c apps/cli/verbs/*/*.c)
-list(FILTER apart INCLUDE REGEX ${left})
-set_property(SOURCE ${apart} DIRECTORY apps/cli PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
-target_sources(yoke PRIVATE ${door} ${YOKE_WASI}/start.c) # a page in one file has no panels.wasm
+target_sources(yoke PRIVATE ${door} ${YOKE_WASI}/start.c src/report/findings.c) # a page in one file has no panels.wasm
 target_include_directories(yoke PRIVATE web/core)
-target_link_options(yoke PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
+target_link_options(yoke PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824 ${whole})
 add_executable(panels ${door} ${YOKE_WASI}/start.c apps/cli/main.c apps/cli/watch.c web/core/small/verbs.c web/core/small/certify.c
   web/core/small/findings.c web/core/small/roll.c $<FILTER:$<TARGET_OBJECTS:yoke_command>,EXCLUDE,${left}>)
 target_include_directories(panels PRIVATE web/core apps/cli)
@@ -79,7 +78,7 @@ list(FILTER core EXCLUDE REGEX "/(curves|forces|simulate)[.]c$")
 add_executable(core ${core})
 target_include_directories(core PRIVATE web/core)
 target_link_libraries(core PRIVATE yoke_core)
-target_link_options(core PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824)
+target_link_options(core PRIVATE -mexec-model=reactor -Wl,--max-memory=1073741824 ${whole})
 set_target_properties(core PROPERTIES SUFFIX .wasm)
 yoke_warnings(core)
 yoke_shrink(core)
