@@ -163,20 +163,18 @@ static void narrow(YkRest *rest)
 {
     const double FLAT = 1e-7, ROUNDING = 1e-12;
     double here = rest->q[0], unit = rest->scale[0], most = fmax(fabs(rest->a[0]), ROUNDING * rest->force_scale * unit);
-    double a[2] = {0, 0}, now = 0;
-    for (double h = 1e-4; h < 1 && a[0] * a[1] >= 0; h *= 4) {
-        double low = here - h * unit, high = here + h * unit;
-        if (!yk_rest_beside(rest, h, a)) return;
+    double a[2] = {0, 0}, now = 0, h = 1e-4;
+    for (; a[0] * a[1] >= 0; h *= 4) {
+        if (h > 1 || !yk_rest_beside(rest, h, a)) return;
         if (h == 1e-4 && fmax(fabs(a[0]), fabs(a[1])) > FLAT * rest->force_scale * unit) return;
-        for (int k = 0; k < 60 && a[0] * a[1] < 0; k++) {
-            double middle = 0.5 * (low + high);
-            if (!yk_rest_accelerations(rest, &middle, NULL, &now)) return;
-            if (now * a[0] >= 0) low = middle;
-            if (now * a[0] <= 0) high = middle;
-        }
-        double between = 0.5 * (here + low);
-        if (a[0] * a[1] < 0 && yk_rest_accelerations(rest, &between, NULL, &now) && fabs(now) <= most) rest->q[0] = low;
     }
+    double there = here, step = h / 4 * unit;
+    for (int k = 0; k < 60; k++, step *= 0.5) {
+        if (!yk_rest_accelerations(rest, &there, NULL, &now)) return;
+        there += now * a[0] > 0 ? 0.5 * step : now * a[0] < 0 ? -0.5 * step : 0;
+    }
+    double between = 0.5 * (here + there);
+    if (yk_rest_accelerations(rest, &between, NULL, &now) && fabs(now) <= most) rest->q[0] = there;
 }
 
 bool yk_rest_keep(YkRest *rest)

@@ -366,10 +366,8 @@ bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
     if (!differentiate_finely(rest, by_position, by_rate, &gap)) return false;
     double size = distance(rest, by_position, NULL), noise = fmax(10 * fmax(gap, 1e-15) * size, NOISE * rest->loads);
     bool is_flat = size <= noise || is_rounding(rest, size);
-    if (!differentiate_by_rates(rest, sqrt(size), by_rate)) return false;
+    if (!differentiate_by_rates(rest, sqrt(is_flat ? rest->loads : size), by_rate)) return false;
     if (is_flat) memset(by_position, 0, f * f * sizeof *by_position);
-    if (is_flat && distance(rest, by_rate, NULL) <= NOISE * sqrt(rest->loads))
-        memset(by_rate, 0, f * f * sizeof *by_rate);
     times_mass(f, p->mass, by_position, p->stiffness);
     times_mass(f, p->mass, by_rate, p->damping);
     size_t forceless = count_forceless(rest, by_position, noise, p->real, p->imaginary);
