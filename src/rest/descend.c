@@ -5,6 +5,9 @@
 #include "rest/rest.h"
 #include "solve/gap.h"
 
+static const double SAME = 1e-5; // rad, or machine sizes: poses that are one
+static const double NONE = 1e-9; // of the largest acceleration: at rest
+
 static double norm(const YkRest *rest, const double *a)
 {
     double sum = 0;
@@ -16,43 +19,66 @@ static double norm(const YkRest *rest, const double *a)
 // largest seen, such as those beside a dead point, are huge: the next step must be small too.
 static bool is_at_rest(const YkRest *rest, double size, double step)
 {
-    return size <= 1e-9 * rest->force_scale && step <= 1e-4;
+    return size <= NONE * rest->force_scale && step <= 1e-4;
 }
 
-// Newton's method, with a line search on the magnitude of the accelerations.
+// Finds the step of Newton's method in rest->step, or with `is_least` the one that leaves out directions that meet
+// hardly any force. Returns the longest of its parts; HUGE_VAL if there is none.
+static double find_step(YkRest *rest, bool is_least)
+{
+    const double FORCELESS = 1e-9;
+    size_t f = rest->freedom;
+    double *J = rest->jacobian, *step = rest->step, *b = rest->trial, *tau = rest->a + 2 * f, longest = 0;
+    if (!yk_rest_differentiate(rest, rest->q, J)) return HUGE_VAL;
+    for (size_t i = 0; i < f; i++) {
+        b[i] = -rest->a[i] / rest->scale[i];
+        for (size_t j = 0; is_least && j < f; j++) J[i * f + j] *= rest->scale[j] / rest->scale[i];
+    }
+    if (is_least) {
+        size_t rank = yk_qr_factor(f, f, J, rest->order, tau, FORCELESS);
+        yk_qr_solve(f, f, J, rest->order, tau, rank, b, step);
+        for (size_t i = 0; i < f; i++) step[i] *= rest->scale[i];
+    } else {
+        for (size_t i = 0; i < f; i++) step[i] = -rest->a[i];
+        if (yk_lu_factor(f, J, rest->pivot, rest->trial) == 0) return HUGE_VAL;
+        yk_lu_solve(f, J, rest->pivot, step);
+    }
+    for (size_t i = 0; i < f; i++) longest = fmax(longest, fabs(step[i]) / rest->scale[i]);
+    return longest;
+}
+
+// Newton's method, with a line search on the magnitude of the accelerations. Where those that are left are rounding
+// beside the largest, a stiff direction may hide a weak one: it goes on as long as steps are short and help.
 bool yk_rest_descend(YkRest *rest)
 {
     enum { STEPS_MAX = 60 };
+    const double FAR = 100, SHORT = 0.1, NO_STEP = 1e-10; // rad, or machine sizes
     size_t f = rest->freedom;
-    double *q = rest->q, *a = rest->a, *J = rest->jacobian;
+    double *q = rest->q, *a = rest->a;
     bool has_inertia = yk_rest_accelerations(rest, q, NULL, a);
     if (!has_inertia && rest->lack.status == YK_OK) rest->lack = rest->dynamics->report;
     if (!has_inertia) return false;
     rest->has_inertia = true;
-    double size = norm(rest, a);
+    double size = norm(rest, a), longest = 0;
     rest->force_scale = fmax(rest->force_scale, size);
-    double longest = 0; // rad, or machine sizes
     for (int k = 0; k < STEPS_MAX; k++) {
         if (!yk_pace_spend(rest->pace, f * f * f)) return false;
-        if (size <= 1e-13 * rest->force_scale) return true;
-        if (!yk_rest_differentiate(rest, q, J)) return false;
-        double *step = rest->step;
-        for (size_t i = 0; i < f; i++) step[i] = -a[i];
-        if (yk_lu_factor(f, J, rest->pivot, rest->trial) == 0) return false;
-        yk_lu_solve(f, J, rest->pivot, step);
+        double none = 1e-12 * rest->force_scale;
+        bool is_none = size <= none;
+        longest = size > 0 ? find_step(rest, false) : 0;
+        if (is_none && (!(longest < SHORT) || (size <= 0.1 * none && longest <= NO_STEP))) return true;
         const double most = 0.7;
-        longest = 0;
-        for (size_t i = 0; i < f; i++) longest = fmax(longest, fabs(step[i]) / rest->scale[i]);
-        if (!isfinite(longest)) return false;
-        double way = longest > most ? most / longest : 1, next = HUGE_VAL;
+        double part = longest < FAR ? longest : find_step(rest, true), next = HUGE_VAL;
+        if (!isfinite(part)) return false;
+        double way = part > most ? most / part : 1;
         double *there = rest->a + f, *trial = rest->a + 2 * f, *kept = rest->a + 3 * f;
-        memcpy(kept, step, f * sizeof *kept);
+        memcpy(kept, rest->step, f * sizeof *kept);
         for (int half = 0; half < 12; half++, way *= 0.5) {
             for (size_t i = 0; i < f; i++) trial[i] = q[i] + way * kept[i];
             next = yk_rest_accelerations(rest, trial, NULL, there) ? norm(rest, there) : HUGE_VAL;
             if (next < size) break;
         }
-        if (!(next < size)) return is_at_rest(rest, size, longest);
+        if (!(next < size)) return is_none || is_at_rest(rest, size, longest);
         memcpy(q, trial, f * sizeof *q);
         memcpy(a, there, f * sizeof *a);
         size = next;
@@ -60,41 +86,54 @@ bool yk_rest_descend(YkRest *rest)
     return is_at_rest(rest, size, longest);
 }
 
-// Returns whether the pose was found before. Angles modulo a turn.
-static bool is_known(const YkRest *rest, const double *coordinates)
+// Returns how far the pose in which the machine stands is from a known one.
+static double gap_to(const YkRest *rest, const YkRestPoint *p)
 {
-    for (size_t p = 0; p < rest->count; p++)
-        if (yk_pose_gap(rest->mech, coordinates, rest->points[p].coordinates) < 1e-5) return true;
-    return false;
-}
-
-// Returns whether the machine rests all the way from the pose in rest->q, in which it stands, to a known point: both
-// are poses of one continuum.
-static bool rests_until(YkRest *rest, const YkRestPoint *p)
-{
-    enum { POSES = 8 };
-    double *x = rest->trial;
-    for (int k = 1; k <= POSES; k++) {
-        for (size_t i = 0; i < rest->freedom; i++)
-            x[i] = rest->q[i] + (p->inputs[3 * rest->input[i]] - rest->q[i]) * k / POSES;
-        if (!yk_rest_accelerations(rest, x, NULL, rest->a) || norm(rest, rest->a) > 1e-9 * rest->force_scale)
-            return false;
-    }
-    if (yk_state_solve(rest->state) < 0) return false;
-    for (size_t c = 0; c < rest->mech->coordinate_count; c++) {
+    const YkMechanism *mech = rest->mech;
+    double gap = 0;
+    for (size_t c = 0; c < mech->coordinate_count; c++) {
         double off = yk_state_coordinate(rest->state, c).position - p->coordinates[c];
-        if (yk_gap(rest->mech, rest->mech->coordinates[c].is_distance, off) > 1e-5) return false;
+        gap = fmax(gap, yk_gap(mech, mech->coordinates[c].is_distance, off));
     }
-    return true;
+    return gap;
 }
 
-static bool is_of_known_continuum(YkRest *rest, const YkRestPoint *point)
+static bool stand_there(YkRest *rest)
 {
-    if (point->at.stability != YK_STABILITY_NEUTRAL) return false;
-    for (size_t p = 0; p < rest->count; p++) {
-        if (rest->points[p].at.stability != YK_STABILITY_NEUTRAL) continue;
-        if (!yk_rest_accelerations(rest, rest->q, NULL, rest->a)) return false; // back to the pose
-        if (rests_until(rest, &rest->points[p])) return true;
+    return yk_rest_accelerations(rest, rest->q, NULL, rest->a) && yk_state_solve(rest->state) >= 0;
+}
+
+// Returns whether the machine comes from the pose of a point to a known one in steps that end at rest: both are poses
+// of one continuum.
+static bool rests_between(YkRest *rest, const YkRestPoint *from, const YkRestPoint *to)
+{
+    enum { STEPS = 40 };
+    const double STEP = 0.25;
+    double *q = rest->q, *way = rest->step, left = HUGE_VAL;
+    size_t f = rest->freedom;
+    for (size_t i = 0; i < f; i++) q[i] = from->inputs[3 * rest->input[i]];
+    for (int k = 0; k < STEPS && left > SAME; k++) {
+        if (!yk_rest_accelerations(rest, q, NULL, rest->a)) return false;
+        if (norm(rest, rest->a) > NONE * rest->force_scale && !yk_rest_descend(rest)) return false;
+        left = 0;
+        for (size_t i = 0; i < f; i++) {
+            way[i] = to->inputs[3 * rest->input[i]] - q[i];
+            if (!rest->mech->coordinates[yk_rest_free_coordinate(rest, i)].is_distance)
+                way[i] = yk_nearest_turn(way[i], 0);
+            left = fmax(left, fabs(way[i]) / rest->scale[i]);
+        }
+        for (size_t i = 0; i < f; i++) q[i] += way[i] * fmin(1, STEP / left);
+    }
+    return left <= SAME && stand_there(rest) && gap_to(rest, to) < SAME;
+}
+
+// Returns whether the pose of a point, in which the machine stands, was found before, or is one of a known continuum.
+static bool is_known(YkRest *rest, const YkRestPoint *point)
+{
+    for (size_t k = 0; k < rest->count; k++) {
+        const YkRestPoint *p = &rest->points[k];
+        if (point->is_continuous ? p->is_continuous && rests_between(rest, point, p) : gap_to(rest, p) < SAME)
+            return true;
     }
     return false;
 }
@@ -118,38 +157,40 @@ static YkRestPoint new_point(YkRest *rest)
 }
 
 // Goes, where a machine with one freedom meets hardly any force, to the place at which it changes its direction: what
-// grows with a power of the distance is rounding long before.
+// grows with a power of the distance is rounding long before. Stays if there is more force on the way, to another
+// equilibrium.
 static void narrow(YkRest *rest)
 {
-    const double FLAT = 1e-7;
-    double here = rest->q[0], unit = rest->scale[0], a, b;
-    for (double h = 1e-4; h < 0.05; h *= 10) {
-        double low = here - h * unit, high = here + h * unit;
-        if (!yk_rest_accelerations(rest, &low, NULL, &a) || !yk_rest_accelerations(rest, &high, NULL, &b)) return;
-        if (h == 1e-4 && fmax(fabs(a), fabs(b)) > FLAT * rest->force_scale * unit) return;
-        for (int k = 0; k < 60 && a * b < 0; k++) {
-            double middle = rest->q[0] = 0.5 * (low + high), now;
-            if (!yk_rest_accelerations(rest, &middle, NULL, &now)) return;
-            if (now * a >= 0) low = middle;
-            if (now * a <= 0) high = middle;
-        }
-        if (a * b < 0) return;
+    const double FLAT = 1e-7, ROUNDING = 1e-12;
+    double here = rest->q[0], unit = rest->scale[0], most = fmax(fabs(rest->a[0]), ROUNDING * rest->force_scale * unit);
+    double a[2] = {0, 0}, now = 0, h = 1e-4;
+    for (; a[0] * a[1] >= 0; h *= 4) {
+        if (h > 1 || !yk_rest_beside(rest, h, a)) return;
+        if (h == 1e-4 && fmax(fabs(a[0]), fabs(a[1])) > FLAT * rest->force_scale * unit) return;
     }
+    double there = here, step = h / 4 * unit;
+    for (int k = 0; k < 60; k++, step *= 0.5) {
+        if (!yk_rest_accelerations(rest, &there, NULL, &now)) return;
+        there += now * a[0] > 0 ? 0.5 * step : now * a[0] < 0 ? -0.5 * step : 0;
+    }
+    double between = 0.5 * (here + there);
+    if (yk_rest_accelerations(rest, &between, NULL, &now) && fabs(now) <= most) rest->q[0] = there;
 }
 
 bool yk_rest_keep(YkRest *rest)
 {
     YkState *s = rest->state;
     if (rest->freedom == 1) narrow(rest);
-    if (!yk_rest_accelerations(rest, rest->q, NULL, rest->a) || yk_state_solve(s) < 0) return true;
+    if (!stand_there(rest)) return true;
     YkRestPoint p = new_point(rest);
     if (yk_arena_failed(rest->arena) || !YK_ROOM(rest->points, rest->count, rest->capacity)) return false;
+    if (is_known(rest, &p)) return true;
     for (size_t c = 0; c < rest->mech->coordinate_count; c++) p.coordinates[c] = yk_state_coordinate(s, c).position;
-    if (is_known(rest, p.coordinates)) return true;
     memcpy(p.inputs, s->input, 3 * rest->mech->input_count * sizeof *p.inputs);
     memcpy(p.branch, s->branch, rest->mech->block_count);
     p.at.potential = yk_dynamics_energy_at(rest->dynamics, s).potential;
     p.at.force = rest->force_scale > 0 ? norm(rest, rest->a) / rest->force_scale : 0;
-    if (yk_rest_linearise(rest, &p) && !is_of_known_continuum(rest, &p)) rest->points[rest->count++] = p;
+    bool has_modes = yk_rest_linearise(rest, &p);
+    if (has_modes && !(p.is_continuous && is_known(rest, &p))) rest->points[rest->count++] = p;
     return true;
 }

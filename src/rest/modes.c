@@ -140,7 +140,8 @@ static bool find_energy(YkRest *rest, size_t i, size_t j, double *energy)
     return true;
 }
 
-// Returns the power of all loads, as the last energy had the bodies move, if none took any. 0 where one has no value.
+// Returns the power of all loads, as the last energy had the bodies move, if none took any and gravity gave all that it
+// may. 0 where one has no value.
 static double power_of_loads(const YkRest *rest)
 {
     const YkModel *model = rest->mech->model;
@@ -152,7 +153,7 @@ static double power_of_loads(const YkRest *rest)
     for (size_t i = 0; i < d->loads->item_count; i++) power += fabs(d->power[i]);
     for (size_t b = 0; b < model->body_count; b++) {
         YkVec velocity = yk_body_motion(rest->mech, &rest->state->space, b).velocity;
-        power += model->bodies[b].mass * fabs(yk_dot(model->gravity, velocity));
+        power += model->bodies[b].mass * yk_norm(model->gravity) * yk_norm(velocity);
     }
     return power;
 }
@@ -318,22 +319,43 @@ static YkStability judge(const YkRest *rest, const YkRestPoint *p, size_t forcel
     return forceless > 0 || n == 0 ? YK_STABILITY_NEUTRAL : YK_STABILITY_STABLE;
 }
 
+bool yk_rest_beside(YkRest *rest, double h, double *a)
+{
+    for (int k = 0; k < 2; k++) {
+        double x = rest->q[0] + (k ? h : -h) * rest->scale[0];
+        if (!yk_rest_accelerations(rest, &x, NULL, &a[k])) return false;
+    }
+    return true;
+}
+
 // Judges a pose of a machine with one freedom that meets no force in proportion to the distance, by the first forces
 // beside it that are more than rounding: they grow with a higher power.
 static YkStability judge_beside(YkRest *rest, YkEquilibrium *at)
 {
-    double a[2], x, unit = rest->scale[0], noise = NOISE * rest->loads * unit;
-    for (double h = 1e-4; h < 1; h *= 10) {
-        for (int k = 0; k < 2; k++) {
-            x = rest->q[0] + (k ? h : -h) * unit;
-            if (!yk_rest_accelerations(rest, &x, NULL, &a[k])) return YK_STABILITY_NEUTRAL;
-        }
+    double a[2], noise = 10 * NOISE * rest->force_scale * rest->scale[0];
+    for (double h = 1e-4; h < 1 && yk_rest_beside(rest, h, a); h *= 10) {
         if (fmax(fabs(a[0]), fabs(a[1])) <= noise) continue;
         at->is_higher_order = true;
         if (a[0] > noise && a[1] < -noise) return YK_STABILITY_STABLE;
         return a[0] < -noise || a[1] > noise ? YK_STABILITY_UNSTABLE : YK_STABILITY_NEUTRAL;
     }
     return YK_STABILITY_NEUTRAL;
+}
+
+// Returns whether derivatives of hardly any size are rounding, beside which there is less force than they say, or only
+// what a higher power leaves, beside which there is much more.
+static bool is_rounding(YkRest *rest, double size)
+{
+    const double FLAT = 1e-7, BESIDE = 0.03;
+    double scale = rest->force_scale;
+    double *x = rest->trial, *a = rest->step, slope = 0;
+    for (size_t j = 0; j < 2 * rest->freedom && size <= FLAT * scale; j++) {
+        memcpy(x, rest->q, rest->freedom * sizeof *x);
+        x[j / 2] += (j % 2 ? BESIDE : -BESIDE) * rest->scale[j / 2];
+        if (!yk_rest_accelerations(rest, x, NULL, a)) return false;
+        for (size_t i = 0; i < rest->freedom; i++) slope = fmax(slope, fabs(a[i]) / (BESIDE * rest->scale[i]));
+    }
+    return size <= FLAT * scale && (slope < 0.5 * size || size < 3e-8 * slope || slope * BESIDE < NOISE * scale);
 }
 
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
@@ -343,16 +365,15 @@ bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
     if (!by_position || !by_rate || !yk_rest_weigh_loads(rest) || !find_mass(rest, p->mass)) return false;
     if (!differentiate_finely(rest, by_position, by_rate, &gap)) return false;
     double size = distance(rest, by_position, NULL), noise = fmax(10 * fmax(gap, 1e-15) * size, NOISE * rest->loads);
-    bool is_flat = size <= noise;
-    if (!differentiate_by_rates(rest, sqrt(size), by_rate)) return false;
+    bool is_flat = size <= noise || is_rounding(rest, size);
+    if (!differentiate_by_rates(rest, sqrt(is_flat ? rest->loads : size), by_rate)) return false;
     if (is_flat) memset(by_position, 0, f * f * sizeof *by_position);
-    if (is_flat && distance(rest, by_rate, NULL) <= NOISE * sqrt(rest->loads))
-        memset(by_rate, 0, f * f * sizeof *by_rate);
     times_mass(f, p->mass, by_position, p->stiffness);
     times_mass(f, p->mass, by_rate, p->damping);
     size_t forceless = count_forceless(rest, by_position, noise, p->real, p->imaginary);
     if (forceless == SIZE_MAX || !find_modes(rest, p, noise) || !find_roots(rest, p, by_position, by_rate))
         return false;
+    p->is_continuous = forceless > 0;
     clear_roots(rest, p, forceless, noise);
     p->at.stability = judge(rest, p, forceless, noise);
     if (is_flat && f == 1 && p->at.stability == YK_STABILITY_NEUTRAL) p->at.stability = judge_beside(rest, &p->at);

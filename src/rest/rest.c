@@ -58,6 +58,7 @@ static bool prepare(YkRest *rest, const YkModel *model, const YkRestOptions *opt
     rest->input = YK_NEW(rest->arena, int32_t, n);
     rest->q = YK_NEW(rest->arena, double, 9 * n + n * n);
     rest->pivot = YK_NEW(rest->arena, int, n);
+    rest->order = YK_NEW(rest->arena, size_t, n);
     if (yk_arena_failed(rest->arena)) return false;
     rest->a = rest->q + n;
     rest->step = rest->a + 4 * n;

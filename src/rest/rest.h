@@ -13,7 +13,8 @@ typedef struct YkRestPoint {
     double *shape, *frequency, *ratio;  // [mode][f], [mode], [mode]
     double *real, *imaginary;           // 2 f
     YkEquilibrium at;
-    size_t order; // in which it was found: dyads without mass give several of one energy
+    bool is_continuous; // meets no force in some direction
+    size_t order;       // in which it was found: dyads without mass give several of one energy
 } YkRestPoint;
 
 struct YkRest {
@@ -32,6 +33,7 @@ struct YkRest {
     size_t of_start;                                 // how many of them (0 or 1) belong to `start:`
     double *q, *a, *jacobian, *step, *trial, *scale; // scratch
     int *pivot;
+    size_t *order;
     double force_scale; // the largest acceleration seen: the scale for zero
     double loads;       // what the loads would accelerate at most if none balanced another, 1/s^2 in units of inputs
     bool has_inertia;   // in some pose from which the search started
@@ -69,6 +71,9 @@ bool yk_rest_search_circuits(YkRest *rest, const YkMap *map);
 bool yk_rest_accelerations(YkRest *rest, const double *q, const double *rates, double *a);
 // Differentiates the accelerations at q, the state's pose, by the free inputs, f x f: central differences of order 4.
 bool yk_rest_differentiate(YkRest *rest, const double *q, double *matrix);
+// Finds the accelerations a[2] at h, in units of the only input, on both sides of rest->q. Returns false if it does not
+// close there.
+bool yk_rest_beside(YkRest *rest, double h, double *a);
 // Finds rest->loads in the pose with free inputs rest->q. Returns false if stopped.
 bool yk_rest_weigh_loads(YkRest *rest);
 // Finds M, C, K, modes and roots at a point whose inputs are in rest->q. False when out of memory or without inertia.

@@ -30,7 +30,7 @@ static YkStatus stand_anywhere(YkRest *rest, uint64_t *seed)
 static bool search_here(YkRest *rest)
 {
     for (size_t i = 0; i < rest->freedom; i++) rest->q[i] = rest->state->input[3 * rest->input[i]];
-    if (rest->force_scale == 0 && !yk_rest_weigh_loads(rest)) return false;
+    if (!yk_rest_weigh_loads(rest)) return false;
     rest->force_scale = fmax(rest->force_scale, 1e-2 * rest->loads);
     return !yk_rest_descend(rest) || yk_rest_keep(rest);
 }

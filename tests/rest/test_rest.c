@@ -266,7 +266,9 @@ static void forces_that_grow_with_a_power_have_one_equilibrium_without_stiffness
                  {TURNED_BY("3 N*m * q*abs(q)"), 0, YK_STABILITY_UNSTABLE},
                  {TURNED_BY("-3 N*m * q^3"), 0, YK_STABILITY_STABLE},
                  {TURNED_BY("-3 N*m * (q - 1)^3"), 1, YK_STABILITY_STABLE},
-                 {TURNED_BY("-3 N*m * q^5"), 0, YK_STABILITY_STABLE}};
+                 {TURNED_BY("-3 N*m * q^5"), 0, YK_STABILITY_STABLE},
+                 {TURNED_BY("-3 N*m * q^7"), 0, YK_STABILITY_STABLE},
+                 {TURNED_BY("3 N*m * (q - 0.5)^9"), 0.5, YK_STABILITY_UNSTABLE}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         YkModel *model;
         YkRest *rest = rest_of(cases[k].text, &model);
@@ -275,6 +277,30 @@ static void forces_that_grow_with_a_power_have_one_equilibrium_without_stiffness
         CHECK_NEAR(yk_state_coordinate(yk_rest_state(rest, 0), 0).position, cases[k].at, 1e-12);
         assert_int_equal(e.stability, cases[k].stability);
         assert_true(e.is_higher_order && yk_rest_stiffness(rest, 0)[0] == 0 && yk_rest_mode(rest, 0, 0).frequency == 0);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
+// A force that touches zero pushes one way on both sides; it is not taken for the other place at which it vanishes.
+static void forces_that_touch_zero_hold_nothing(void **unused)
+{
+    (void)unused;
+    static const double others[] = {0.02, 0.004};
+    for (size_t k = 0; k < 2; k++) {
+        char text[600];
+        snprintf(text, sizeof text, TURNED_BY("-3 N*m * q^2 * (q - %g)"), others[k]);
+        YkModel *model;
+        YkRest *rest = rest_of(text, &model);
+        assert_int_equal(yk_rest_count(rest), 2);
+        for (size_t e = 0; e < 2; e++) {
+            YkEquilibrium at = yk_rest_equilibrium(rest, e);
+            double q = yk_state_coordinate(yk_rest_state(rest, e), 0).position;
+            bool touches = at.is_higher_order;
+            CHECK_NEAR(q, touches ? 0 : others[k], 1e-9);
+            assert_int_equal(at.stability, touches ? YK_STABILITY_UNSTABLE : YK_STABILITY_STABLE);
+        }
+        assert_true(yk_rest_equilibrium(rest, 0).is_higher_order != yk_rest_equilibrium(rest, 1).is_higher_order);
         yk_rest_free(rest);
         yk_model_free(model);
     }
@@ -302,22 +328,75 @@ static void only_loads_that_repeat_are_searched_whole(void **unused)
     }
 }
 
-// A spring without a free length carries an arm in every pose, k a b = m g l: what is left of the forces is rounding.
+// A spring without a free length carries an arm in every pose, k a b = m g l: what is left of the forces is rounding,
+// also where the arm hangs and no load has a lever.
 static void a_balanced_arm_rests_anywhere(void **unused)
 {
     (void)unused;
+    static const double arms[][3] = {{0.17, 0.25, 0.3}, {15.4, 0.6, 1.6}, {2.4, 0.5, 0.0127}, {0.11, 0.32, 4.2}};
+    for (size_t k = 0; k < sizeof arms / sizeof *arms; k++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "parameters: {a: %g m, b: %g m, l: %g m}\ngravity: [0, -9.81]\n"
+                 "bodies:\n  ground: {points: {O: [0, 0], W: [0, a]}}\n"
+                 "  arm: {points: {O: [0, 0], Q: [b, 0]}, mass: 2, center: [l, 0], inertia: 0.2 * l^2 * 1 kg}\n"
+                 "joints: {O: {pin: [ground, arm], angle: q}}\n"
+                 "springs: {k: {between: [ground.W, arm.Q], stiffness: 2 kg * 9.81 m/s^2 * l/(a*b), length: 0}}\n"
+                 "start: {q: 0.3}\n",
+                 arms[k][0], arms[k][1], arms[k][2]);
+        YkModel *model;
+        YkRest *rest = rest_of(text, &model);
+        assert_int_equal(yk_rest_count(rest), 1);
+        assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_NEUTRAL);
+        CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 0, 0);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
+}
+
+// A weight on a plane, at the end of a spring: it rests on a circle, and swings across it with w^2 = k/m.
+static void a_curved_continuum_is_one_equilibrium(void **unused)
+{
+    (void)unused;
     YkModel *model;
-    YkRest *rest = rest_of(
-        "gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0], W: [0, 0.17]}}\n"
-        "  arm: {points: {O: [0, 0], Q: [0.25, 0]}, mass: 2, center: [0.3, 0], inertia: 0.02}\n"
-        "joints: {O: {pin: [ground, arm], angle: q}}\n"
-        "springs: {k: {between: [ground.W, arm.Q], stiffness: 2*9.81*0.3/(0.17*0.25), length: 0}}\nstart: {q: 0.3}\n",
-        &model);
+    YkRest *rest =
+        rest_of("bodies:\n  ground: {points: {O: [0, 0]}}\n  a: {}\n  b: {points: {B: [0, 0]}, mass: 2}\n"
+                "joints:\n  A: {slide: [ground, a], along: x, distance: x}\n"
+                "  B: {slide: [a, b], along: y, distance: y}\n"
+                "springs: {k: {between: [ground.O, b.B], stiffness: 50, length: 1}}\nstart: {x: 0.7, y: 0.2}\n",
+                &model);
     assert_int_equal(yk_rest_count(rest), 1);
     assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_NEUTRAL);
     CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 0, 0);
+    CHECK_NEAR(yk_rest_mode(rest, 0, 1).frequency, 5, 1e-6);
     yk_rest_free(rest);
     yk_model_free(model);
+}
+
+// A pendulum on a cart: it hangs or stands, wherever the cart is, w^2 = 2 g/l for two equal masses; on a cart that a
+// very stiff spring holds, w^2 = g/l.
+#define ON_A_CART(springs)                                                                                             \
+    "gravity: [0, -10]\nbodies:\n  a: {points: {P: [0, 0]}, mass: 1}\n  b: {points: {P: [0, 0]}, mass: 1, center: "    \
+    "[0, -1]}\njoints:\n  A: {slide: [ground, a], along: x, distance: x}\n  B: {pin: [a, b], at: P, angle: "           \
+    "th}\n" springs
+
+static void a_pendulum_on_a_cart_hangs_or_stands(void **unused)
+{
+    (void)unused;
+    static const char *const texts[] = {ON_A_CART(""), ON_A_CART("springs: {k: {along: x, stiffness: 1e11}}\n")};
+    for (size_t k = 0; k < 2; k++) {
+        YkModel *model;
+        YkRest *rest = rest_of(texts[k], &model);
+        assert_int_equal(yk_rest_count(rest), 2);
+        static const YkStability hangs[] = {YK_STABILITY_NEUTRAL, YK_STABILITY_STABLE};
+        double square = k == 0 ? 20 : 10;
+        assert_int_equal(yk_rest_equilibrium(rest, 0).stability, hangs[k]);
+        CHECK_NEAR(yk_rest_mode(rest, 0, k == 0).frequency, sqrt(square), 1e-5);
+        assert_int_equal(yk_rest_equilibrium(rest, 1).stability, YK_STABILITY_UNSTABLE);
+        CHECK_NEAR(yk_rest_mode(rest, 1, 0).frequency, -sqrt(square), 1e-5);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
 }
 
 // Two shafts with a spring and a damper between them: they turn together without force, and against each other with
@@ -472,8 +551,11 @@ int main(void)
         cmocka_unit_test(a_damped_spring_has_its_roots),
         cmocka_unit_test(a_wheel_is_neutral),
         cmocka_unit_test(forces_that_grow_with_a_power_have_one_equilibrium_without_stiffness),
+        cmocka_unit_test(forces_that_touch_zero_hold_nothing),
         cmocka_unit_test(only_loads_that_repeat_are_searched_whole),
         cmocka_unit_test(a_balanced_arm_rests_anywhere),
+        cmocka_unit_test(a_curved_continuum_is_one_equilibrium),
+        cmocka_unit_test(a_pendulum_on_a_cart_hangs_or_stands),
         cmocka_unit_test(shafts_turn_together_without_force),
         cmocka_unit_test(a_weak_spring_decides_beside_what_is_strong),
         cmocka_unit_test(inertia_is_judged_where_the_machine_stands),
