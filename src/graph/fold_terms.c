@@ -273,8 +273,8 @@ static bool has_multiples(const YkGraph *g, YkRef sum, bool within)
     return is_multiple(g, v->a) || (within && at(g, v->b)->op == YK_VALUE_NUMBER && has_multiples(g, v->a, false));
 }
 
-// A number times p x + q is (number p) x + number q: as many operations, and other such sums may join it. Where signs are
-// shared, so is p x + q y, which costs an operation only if something else needs that sum as well.
+// A number times p x + q is (number p) x + number q: as many operations, and other such sums may join it. Where signs
+// are shared, so is p x + q y, which costs an operation only if something else needs that sum as well.
 static YkRef multiply_out(YkGraph *g, YkRef number, YkRef sum)
 {
     YkValue v = *at(g, sum);
