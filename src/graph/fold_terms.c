@@ -279,8 +279,7 @@ static YkRef multiply_out(YkGraph *g, YkRef number, YkRef sum)
 {
     YkValue v = *at(g, sum);
     if (!has_multiples(g, sum, g->shares_signs)) return YK_NONE;
-    bool has_number = at(g, v.a)->op == YK_VALUE_NUMBER || at(g, v.b)->op == YK_VALUE_NUMBER;
-    if (!has_number && !g->shares_signs) return YK_NONE;
+    if (!g->shares_signs && at(g, v.a)->op != YK_VALUE_NUMBER && at(g, v.b)->op != YK_VALUE_NUMBER) return YK_NONE;
     YkRef a = yk_graph_multiply(g, number, v.a), b = yk_graph_multiply(g, number, v.b);
     return v.op == YK_VALUE_ADD ? yk_graph_add(g, a, b) : yk_graph_subtract(g, a, b);
 }
