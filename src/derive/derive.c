@@ -53,7 +53,7 @@ YkCode yk_derive_code(YkRingStatus status)
     return status == YK_RING_MEMORY ? YK_CODE_OUT_OF_MEMORY : YK_CODE_DERIVATION;
 }
 
-enum { CHUNK_MIN = 1 << 22, CHUNK_MAX = 1 << 24, CHUNK_PER_BODY = 1 << 13 };
+enum { CHUNK_MIN = 6 << 20, CHUNK_MAX = 1 << 24, CHUNK_PER_BODY = 1 << 13 };
 
 // Makes the ring with one piece of memory that is larger than most derivations need. Pages of it that are never used
 // cost nothing. A C library that keeps freed memory in proportion to the largest piece that was freed, as glibc does,

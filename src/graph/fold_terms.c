@@ -273,14 +273,13 @@ static bool has_multiples(const YkGraph *g, YkRef sum, bool within)
     return is_multiple(g, v->a) || (within && at(g, v->b)->op == YK_VALUE_NUMBER && has_multiples(g, v->a, false));
 }
 
-// A number times p x + q is (number p) x + number q: as many operations, and other such sums may join it. So is p x +
-// q y, if nothing else needs that sum.
+// A number times p x + q is (number p) x + number q: as many operations, and other such sums may join it. Where signs
+// are shared, so is p x + q y, which costs an operation only if something else needs that sum as well.
 static YkRef multiply_out(YkGraph *g, YkRef number, YkRef sum)
 {
     YkValue v = *at(g, sum);
     if (!has_multiples(g, sum, g->shares_signs)) return YK_NONE;
-    bool has_number = at(g, v.a)->op == YK_VALUE_NUMBER || at(g, v.b)->op == YK_VALUE_NUMBER;
-    if (!has_number && !g->shares_signs) return YK_NONE;
+    if (!g->shares_signs && at(g, v.a)->op != YK_VALUE_NUMBER && at(g, v.b)->op != YK_VALUE_NUMBER) return YK_NONE;
     YkRef a = yk_graph_multiply(g, number, v.a), b = yk_graph_multiply(g, number, v.b);
     return v.op == YK_VALUE_ADD ? yk_graph_add(g, a, b) : yk_graph_subtract(g, a, b);
 }

@@ -10,7 +10,7 @@ const YkPoisson *yk_ring_fail(YkRing *ring, YkRingStatus status)
 
 YkRingStatus yk_ring_status(const YkRing *ring)
 {
-    bool ran_out = ring->arena->failed || ring->sheet->failed || ring->elements->failed;
+    bool ran_out = ring->arena->failed || ring->sheet->failed;
     return ran_out ? YK_RING_MEMORY : ring->status;
 }
 

@@ -186,7 +186,7 @@ bool yk_ring_set_rate(YkRing *ring, int32_t symbol, const YkPoisson *rate)
 {
     if (!rate) return false;
     if (symbol < 0 || (size_t)symbol >= ring->symbol_count) return yk_ring_fail(ring, YK_RING_NAME) != NULL;
-    ring->symbols[symbol].rate = rate;
+    ring->symbols[symbol].rate = yk_ring_keep(ring, rate);
     ring->rule_count++;
     ring->moving_marks |= yk_mark(symbol);
     if (rate->denominator != 1) ring->dependent_marks |= yk_mark(symbol);
@@ -199,7 +199,7 @@ static bool add_partial(YkRing *ring, int32_t symbol, int32_t variable, const Yk
     YkPartial *partial = YK_NEW(ring->arena, YkPartial, 1);
     YkRingMeaning *meaning = yk_ring_meaning(ring, symbol);
     if (!partial || !meaning) return yk_ring_fail(ring, YK_RING_MEMORY) != NULL;
-    *partial = (YkPartial){meaning->partials, variable, derivative};
+    *partial = (YkPartial){meaning->partials, variable, yk_ring_keep(ring, derivative)};
     meaning->partials = partial;
     ring->rule_count++;
     ring->dependent_marks |= yk_mark(symbol);
@@ -237,7 +237,7 @@ int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square)
     ring->rule_count++;
     YkRingMeaning *meaning = symbol < 0 ? NULL : yk_ring_meaning(ring, symbol);
     if (!meaning) return -1;
-    meaning->square = square;
+    meaning->square = yk_ring_keep(ring, square);
     ring->dependent_marks |= yk_mark(symbol);
     return symbol;
 }
@@ -245,7 +245,7 @@ int32_t yk_ring_root(YkRing *ring, const char *name, const YkPoisson *square)
 void yk_ring_set_number(YkRing *ring, int32_t symbol, const YkPoisson *number)
 {
     YkRingMeaning *meaning = symbol >= 0 && number ? yk_ring_meaning(ring, symbol) : NULL;
-    if (meaning) meaning->number = number;
+    if (meaning) meaning->number = yk_ring_keep(ring, number);
 }
 
 int32_t yk_ring_find(const YkRing *ring, const char *name)

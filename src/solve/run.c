@@ -213,13 +213,14 @@ static void run_distance(const YkRun *run, const YkStep *step)
     }
 }
 
-// Returns whether rates of an input need no copy: it turns a body against the ground, and nobody else is given them.
+// Returns whether the rates of an input are those of the body that it turns: against the ground, and where no row of
+// results is written in place of them.
 static bool shares_rates(const YkRun *run, const YkStep *step)
 {
     return YK_KNOWS_BLOCKS && run->rates_alone && step->parent == 0 && step->sign == 1;
 }
 
-// Inputs are only read.
+// Reads the rates where the caller has them: yk_lanes_turn leaves a row alone that is its own source.
 static void share_rates(const YkSpace *space, int32_t slot, const double *const *in)
 {
     space->turn[slot].w = (double *)(uintptr_t)in[1];

@@ -1,6 +1,7 @@
 // Polygons in symbols: every vector is that of the polygon in numbers, every sum holds on the machine's motion, every
 // force is the engine's, and the steps read as a construction.
 #include "forces_check.h"
+#include "loads/loads.h"
 
 static size_t vectors_seen, sums_seen, forces_seen;
 
@@ -9,9 +10,16 @@ static bool is_of_motion(const YkLine *line)
     return line->kind == YK_LINE_FORMULA && line->is_vector && !line->left;
 }
 
-static double largest(const YkPolygon *p)
+// Returns the largest vector, at least the motion of a body over the machine's size: beside it a polygon leaves out
+// what is rounding.
+static double largest(const Machine *m, const YkPolygon *p, YkPolygonKind kind)
 {
     double size = 1e-300;
+    for (size_t b = 0; b < m->mech->model->body_count; b++) {
+        YkBodyMotion motion = yk_body_motion(m->mech, &m->state->space, b);
+        double rate = kind == YK_POLYGON_VELOCITY ? motion.w : fmax(fabs(motion.a), motion.w * motion.w);
+        size = fmax(size, fabs(rate) * m->mech->size);
+    }
     for (size_t k = 0; k < yk_polygon_vector_count(p); k++) {
         YkPolygonVector v = yk_polygon_vector(p, k);
         size = fmax(size, hypot(v.start[0], v.start[1]) + hypot(v.value[0], v.value[1]));
@@ -24,7 +32,7 @@ static const YkLine *check_vectors(Machine *m, const YkLine *line, YkPolygonKind
 {
     YkPolygon *p = yk_polygon_new(m->state, kind, NULL);
     assert_non_null(p);
-    double size = largest(p);
+    double size = largest(m, p, kind);
     for (size_t k = 0; k < yk_polygon_vector_count(p); k++) {
         YkPolygonVector v = yk_polygon_vector(p, k);
         while (line && !is_of_motion(line)) line = line->next;

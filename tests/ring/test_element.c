@@ -33,12 +33,15 @@ static void work_that_passes_leaves_its_result_alone(void **state)
     yk_ring_free(f.ring);
 }
 
-// A symbol, the derivative of a function and the image of a change are found out once, here while elements pass.
+// A symbol, the derivative of a function, the image of a change and the square of a root are made once, here while
+// elements pass.
 static void what_the_ring_remembers_stays(void **state)
 {
     (void)state;
     Fixture f = fixture_new(1), other = fixture_new(1);
-    Element results[2][3];
+    enum { RESULTS = 4 };
+    Element results[2][RESULTS];
+    int32_t root = -1;
     for (int way = 0; way < 2; way++) {
         Fixture *g = way ? &other : &f;
         YkRing *r = g->ring;
@@ -49,10 +52,13 @@ static void what_the_ring_remembers_stays(void **state)
             results[way][0] = yk_ring_of(r, g->force);
             results[way][1] = yk_ring_time_derivative(r, yk_ring_of(r, g->lift));
             results[way][2] = yk_ring_change(r, yk_ring_power(r, yk_ring_of(r, g->distance), 3), changes);
+            if (!again) root = yk_ring_root(r, "w", results[way][2]);
+            yk_ring_time_derivative(r, yk_ring_of(r, root)); // so that the next one is not at hand
+            results[way][3] = yk_ring_partial(r, yk_ring_of(r, root), g->parameter[1]);
             if (way) {
                 yk_ring_begin_passing(r); // one within the other
                 yk_ring_end_passing(r, NULL);
-                for (int k = 0; k < 3; k++) results[way][k] = yk_ring_keep(r, results[way][k]);
+                for (int k = 0; k < RESULTS; k++) results[way][k] = yk_ring_keep(r, results[way][k]);
                 work(g, 12);
                 yk_ring_end_passing(r, NULL);
                 yk_ring_begin_passing(r);
@@ -61,7 +67,7 @@ static void what_the_ring_remembers_stays(void **state)
             }
         }
     }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < RESULTS; k++) {
         YkText texts[2] = {{0}, {0}};
         assert_true(yk_ring_write(f.ring, results[0][k], YK_RING_TEXT, YK_RING_EXPANDED, &texts[0]));
         assert_true(yk_ring_write(other.ring, results[1][k], YK_RING_TEXT, YK_RING_EXPANDED, &texts[1]));

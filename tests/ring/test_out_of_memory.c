@@ -17,7 +17,8 @@ static bool use(YkRing *r, YkRingFormat format, YkText *out)
     Element square = yk_ring_add(r, yk_ring_power(r, yk_ring_of(r, l), 2), yk_ring_rational(r, 1, 1));
     int32_t root = yk_ring_root(r, "L", square);
     a = yk_ring_add(r, a, yk_ring_multiply(r, yk_ring_of(r, root), yk_ring_of(r, rate)));
-    a = yk_ring_add(r, yk_ring_partial(r, a, theta), yk_ring_time_derivative(r, a));
+    yk_ring_begin_passing(r);
+    a = yk_ring_end_passing(r, yk_ring_add(r, yk_ring_partial(r, a, theta), yk_ring_time_derivative(r, a)));
     const YkRingChange change = {l, yk_ring_add(r, yk_ring_of(r, l), yk_ring_rational(r, 1, 2)), NULL};
     Element changed = yk_ring_substitute(r, a, &change, 1);
     const YkForm *form = yk_form_multiply(r, yk_form_of(r, changed), yk_form_of(r, a));

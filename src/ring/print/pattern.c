@@ -161,8 +161,7 @@ static void fill(YkRing *ring, const Pattern *pattern, YkRingFormat format, YkTe
 bool yk_pattern_write(YkRing *ring, const YkRingView *view, YkRingFormat format, YkRingStyle style, YkText *text)
 {
     ring->marks.is_wanted = false;
-    if (ring->symbol_count < RING_SYMBOLS_MIN || ring->depth > 0)
-        return false; // no element that passes is kept in mind
+    if (ring->symbol_count < RING_SYMBOLS_MIN || ring->depth > 0) return false; // none that pass are kept
     // Without memory for patterns everything is merely as slow as the first time.
     YkPatterns *patterns = ring->patterns ? ring->patterns : (ring->patterns = calloc(1, sizeof *patterns));
     if (!patterns || patterns->in_vain > IN_VAIN_MAX + patterns->found) return false;

@@ -131,7 +131,7 @@ void yk_lanes_swing(bool *swings, const double *c, const double *s, double least
 // Sets *well if every lane has margin > least and gap <= most (NaN has not): the usual case, in which no lane needs a
 // mask. gap NULL: all are 0, where loops are compiled for blocks.
 void yk_lanes_well(bool *well, const double *margin, const double *gap, double least, double most, size_t n);
-// Sets *finite if every lane of all rows is finite. It stays false as well where numbers beyond 4e307 are, whose sums
+// Sets *finite if every lane of all rows is finite. It stays false as well where numbers beyond 2e307 are, whose sums
 // are not: the caller looks at each lane then.
 void yk_lanes_finite(bool *finite, double *const *rows, size_t count, size_t n);
 
