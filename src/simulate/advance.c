@@ -254,7 +254,6 @@ static bool is_spent(const YkSimulation *sim)
 // unnoticed.
 static void set_end(YkSimulation *sim, double to)
 {
-    yk_simulation_take_pace(sim);
     double end = sim->options.horizon >= to ? sim->options.horizon : to, t = yk_ode_time(sim->ode);
     end = fmin(end, fmax(yk_simulation_next_sample(sim), t));
     bool may_cross = !sim->is_lean && sim->options.integrator != YK_INTEGRATOR_RK4 && sim->mech->block_count > 0;

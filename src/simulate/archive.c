@@ -234,10 +234,10 @@ static void walk_guide(YkSimulation *sim, YkArchive *a)
 static void walk_scalars(YkSimulation *sim, YkArchive *a)
 {
     YkSimulationSummary *s = &sim->summary;
-    NUMBERS(a, &sim->time, &sim->pace, &sim->near_time, &sim->flat_slope, &sim->flat_kinetic, &sim->fastest,
-            &sim->pending_time, &sim->last_event, &sim->first_rate, &sim->energy_low, &sim->energy_high,
-            &sim->kinetic_high, &sim->energy_off, &sim->target, &sim->sampling.from, &sim->sampling.period,
-            &s->worst_residual, &s->energy_start, &s->energy_end);
+    NUMBERS(a, &sim->time, &sim->near_time, &sim->flat_slope, &sim->flat_kinetic, &sim->fastest, &sim->pending_time,
+            &sim->last_event, &sim->first_rate, &sim->energy_low, &sim->energy_high, &sim->kinetic_high,
+            &sim->energy_off, &sim->target, &sim->sampling.from, &sim->sampling.period, &s->worst_residual,
+            &s->energy_start, &s->energy_end);
     bool *const flags[] = {&sim->has_acted, &sim->is_flat,     &sim->is_testing,   &sim->has_energy,
                            &sim->has_begun, &sim->is_new_step, &sim->is_elsewhere, &sim->keeps_apart};
     for (size_t k = 0; k < sizeof flags / sizeof *flags; k++) yk_archive_flags(a, flags[k], 1);

@@ -62,8 +62,6 @@ bool yk_simulation_stepper(YkSimulation *sim)
                             .relative = share * sim->options.tolerance,
                             .absolute = share * sim->options.tolerance,
                             .scale = scale,
-                            .is_motion = true,
-                            .freedom = n,
                             .controlled = controlled,
                             .fixed_step = sim->options.step};
     sim->ode = yk_ode_new(all, &options, yk_simulation_motion, sim);

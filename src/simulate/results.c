@@ -98,9 +98,7 @@ static double energy_span(const YkSimulation *sim)
 bool yk_simulation_has_lost_energy(const YkSimulation *sim)
 {
     double most = fmax(1e-3, 1e3 * sim->options.tolerance) * energy_span(sim);
-    double weight = (fabs(sim->model->gravity.x) + fabs(sim->model->gravity.y)) / sim->mech->size; // of an inertia
-    double potential = fmax(fabs(sim->energy_low), fabs(sim->energy_high)) + yk_simulation_energy_scale(sim) * weight;
-    double rounding = 1e-8 * potential; // of a machine that has hardly begun to move
+    double rounding = 1e-6 * yk_simulation_energy_scale(sim); // a machine that has hardly begun to move
     return sim->options.integrator != YK_INTEGRATOR_RK4 && sim->energy_off > fmax(most, rounding);
 }
 

@@ -8,7 +8,7 @@
 #include "base/problems.h"
 
 static const uint64_t MARK = UINT64_C(0x0a0d4d49534b591b); // no text begins like this
-enum { VERSION = 7 };                                      // of the bytes and their meaning: any change raises it
+enum { VERSION = 6 };                                      // of the bytes and their meaning: any change raises it
 
 typedef struct Head {
     uint64_t mark, version, count, fingerprint;

@@ -20,22 +20,13 @@ double yk_simulation_energy_scale(const YkSimulation *sim)
     return inertia > 0 ? inertia : 1;
 }
 
-// Returns the rate of the fastest of the free inputs, at a state of the stepper.
-static double fastest_of(const YkSimulation *sim, const double *y)
-{
-    double fastest = 0;
-    for (size_t k = 0; k < sim->free_count; k++)
-        fastest = fmax(fastest, fabs(y[sim->free_count + k]) / yk_simulation_input_scale(sim, k));
-    return fastest;
-}
-
 double yk_simulation_rate_floor(const YkSimulation *sim)
 {
-    return 1e-8 * fmax(1e-3 * sim->pace, fastest_of(sim, sim->y));
-}
-
-void yk_simulation_take_pace(YkSimulation *sim)
-{
-    sim->pace = fmax(sim->pace, fastest_of(sim, yk_ode_state(sim->ode)));
-    yk_ode_set_pace(sim->ode, 0.1 * sim->pace);
+    double fastest = 0;
+    for (size_t k = 0; k < sim->free_count; k++) {
+        bool is_distance = sim->mech->coordinates[sim->mech->inputs[sim->free_input[k]]].is_distance;
+        fastest =
+            fmax(fastest, fabs(sim->state->input[3 * sim->free_input[k] + 1]) / (is_distance ? sim->mech->size : 1));
+    }
+    return 1e-8 * fmax(1e-3, fastest);
 }

@@ -89,10 +89,10 @@ struct YkSimulation {
     bool is_in_control;
     YkSampling sampling;
     double *y, *dense, *rate, *work; // [2 free + works]; work[work_count] at `time`
-    double time, pace;               // pace: of the fastest free input so far, rad or machine sizes per second
-    bool has_drives, is_lean;        // lean: an open tree with nothing to watch between rows
-    bool has_forces;                 // the dynamics' forces are those of `time`
-    bool forces_are_known;           // false at a dead point or change point
+    double time;
+    bool has_drives, is_lean; // lean: an open tree with nothing to watch between rows
+    bool has_forces;          // the dynamics' forces are those of `time`
+    bool forces_are_known;    // false at a dead point or change point
     // Singular positions:
     YkNear *near, *near_next, *near_memory;
     YkSearch *searches; // [block], scratch
@@ -272,12 +272,10 @@ bool yk_simulation_land(YkSimulation *sim, size_t cam);
 
 // scales.c
 double yk_simulation_input_scale(const YkSimulation *sim, size_t free); // 1 rad, or the machine's size
-// Returns twice the energy of the machine as one rigid body, over the square of the rate at which it turns.
+// Returns the energy of the machine as one rigid body that turns at 1 rad/s.
 double yk_simulation_energy_scale(const YkSimulation *sim);
 // Lower rates count as rest, rad/s or machine sizes per second.
 double yk_simulation_rate_floor(const YkSimulation *sim);
-// Measures the rates of the next step by the fastest so far, at the end of the last one.
-void yk_simulation_take_pace(YkSimulation *sim);
 double yk_simulation_margin(const YkSimulation *sim); // of the pose that stands
 
 // happenings.c: keeps what happens, up to a fixed number.

@@ -1,4 +1,6 @@
-// Examples in other units (tests/similar.h): they move alike, with the same steps and events and similar work.
+// Examples in other units of length and mass (tests/similar.h): they move alike in time, with the same steps and events
+// and similar work. Not so in other units of time: steps are chosen by errors of places and of rates, measured by a
+// radian or by the machine's size and by these in a second.
 #include "../similar.h"
 #include "simulate/simulation.h"
 
@@ -74,7 +76,7 @@ static void test_motions_in_other_units(void **unused)
                                         "examples/spring-slider-crank.yaml",
                                         "examples/rocking-four-bar.yaml",
                                         "examples/swing-cam.yaml"};
-    static const int units[][3] = {{3, -6, 2}, {-5, 4, -3}};
+    static const int units[][3] = {{3, -6, 0}, {-5, 4, 0}};
     for (size_t k = 0; k < check_cases(sizeof files / sizeof *files); k++)
         for (size_t u = 0; u < sizeof units / sizeof *units; u++) check_file(files[k], 0.5, units[u]);
 }

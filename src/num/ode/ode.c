@@ -133,11 +133,6 @@ void yk_ode_set_context(YkOde *ode, void *context)
     ode->context = context;
 }
 
-void yk_ode_set_pace(YkOde *ode, double pace)
-{
-    ode->least_pace = pace;
-}
-
 YkOdeStatus yk_ode_start(YkOde *ode, double t, const double *y, double t_end, bool keep_step)
 {
     ode->started = false;

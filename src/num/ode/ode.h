@@ -14,7 +14,7 @@ typedef enum YkOdeMethod {
 
 typedef enum YkOdeStatus {
     YK_ODE_OK = 0,
-    YK_ODE_STEP_TOO_SMALL = -1, // below 1e-14 of the length first tried, or of |t|; 1e-18 of the span
+    YK_ODE_STEP_TOO_SMALL = -1, // below 1e-14 of the span (or of |t|)
     YK_ODE_FAILED = -2,         // f failed even at the smallest steps, or could not be evaluated at the start
     YK_ODE_NO_MEMORY = -3
 } YkOdeStatus;
@@ -28,12 +28,8 @@ typedef struct YkOdeOptions {
     double relative, absolute; // error allowed per component: absolute + relative |y|, as root mean square over the
                                // first `controlled` components
     const double *scale;       // [n]: sizes that `absolute` multiplies (NULL: 1)
-    // Motion: the first components are places, as many again their rates, the others energies. `scale` is then that of
-    // the place, or an inertia, and is taken times a pace (yk_ode_set_pace), or its square.
-    bool is_motion;
-    size_t freedom;
     size_t controlled; // components from this index on are quadratures, carried along without error control (0: all n)
-    double first_step; // 0: chosen automatically
+    double first_step; // 0: chosen automatically (Hairer's starting step)
     double largest_step; // 0: no limit
     double fixed_step;   // for RK4
 } YkOdeOptions;
@@ -47,9 +43,6 @@ void yk_ode_free(YkOde *ode);
 void yk_ode_archive(YkOde *ode, YkArchive *archive);
 // Gives f another context: whoever owns the stepper has moved.
 void yk_ode_set_context(YkOde *ode, void *context);
-// Sets the least pace of a motion: how often its scale a place goes per time. A short step has a larger one of its own,
-// so that no unit of time matters.
-void yk_ode_set_pace(YkOde *ode, double pace);
 // Starts or restarts at (t, y), towards t_end (which may lie before t). Evaluates f once. With `keep_step` it continues
 // with the current step size (after a small change of y) instead of choosing anew. Returns YK_ODE_FAILED when f fails
 // here.

@@ -42,8 +42,7 @@ struct YkOde {
     double even;      // ... and how many there have been since
     bool started, dense_ready;
     YkOdeCounts counts;
-    double *floor;                      // [controlled] the error allowed where y = 0, without pace
-    double pace[3], least_pace;         // of the step that is tried: what multiplies it for places, rates, energies
+    double *floor;                      // [controlled] the error allowed where y = 0
     double *y, *rate;                   // [n] at t
     double *y_previous, *rate_previous; // [n] at previous
     double *z, *z_rate;                 // [n] the candidate, and f there
@@ -67,17 +66,10 @@ static inline bool yk_ode_evaluate(YkOde *ode, double t, const double *y, double
     ode->counts.evaluations++;
     return ode->f(ode->context, t, y, dydt) == 0;
 }
-// Returns 0 for a place, 1 for a rate, 2 for an energy.
-static inline int yk_ode_order(const YkOde *ode, size_t j)
-{
-    size_t n = ode->options.freedom;
-    return ode->options.is_motion ? (j >= n) + (j >= 2 * n) : 0;
-}
 // Returns the error allowed in component j (< controlled) of a step from a to b; never 0.
 static inline double yk_ode_allowed(const YkOde *ode, size_t j, double a, double b)
 {
-    double size = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-    double allowed = ode->floor[j] * ode->pace[yk_ode_order(ode, j)] + ode->options.relative * size;
+    double size = fabs(a) > fabs(b) ? fabs(a) : fabs(b), allowed = ode->floor[j] + ode->options.relative * size;
     return allowed > DBL_MIN ? allowed : DBL_MIN;
 }
 

@@ -14,8 +14,7 @@ static const double NOT_MEASURED = 0.1;
 static bool differentiate(YkOde *ode, size_t j, double *column)
 {
     double *y = ode->newton.guess, y_j = y[j];
-    double size =
-        ode->options.absolute > 0 ? ode->floor[j] * ode->pace[yk_ode_order(ode, j)] / ode->options.absolute : 1;
+    double size = ode->options.absolute > 0 ? ode->floor[j] / ode->options.absolute : 1;
     double delta = sqrt(DBL_EPSILON * fmax(1e-5 * size, fabs(y_j)) * fmax(size, fabs(y_j)));
     if (delta == 0) delta = sqrt(DBL_EPSILON);
     if (ode->rate[j] * ode->direction < 0) delta = -delta;

@@ -16,12 +16,17 @@ static Control control_of(YkOdeMethod method)
     return (Control){2, 0.9, 0.2, 5};
 }
 
-static const double PACE = 0.01; // of a step: what it may move a place by, over the scale
-
 static double root(double x, int roots)
 {
     for (int i = 0; i < roots; i++) x = sqrt(x);
     return x;
+}
+
+// Returns the shortest step that time resolves. A far end says nothing about the motion: beyond one unit of time it
+// does not count.
+static double smallest_length(const YkOde *ode)
+{
+    return 1e-14 * fmax(fmin(fabs(ode->end - ode->start), 1), fabs(ode->t));
 }
 
 static double bounded_length(const YkOde *ode, double h)
@@ -30,27 +35,46 @@ static double bounded_length(const YkOde *ode, double h)
     return largest > 0 && h > largest ? largest : h;
 }
 
-// Returns a time from its power: 1, 2, or 3, where it is a power of two nearby.
-static double time_of(double x, int power)
+// Returns the root mean square over the controlled components of v - w (w NULL: of v), relative to the errors allowed
+// at y.
+static double norm_at_start(const YkOde *ode, const double *v, const double *w)
 {
-    int exponent;
-    if (power < 3) return power < 2 ? x : sqrt(x);
-    frexp(x, &exponent);
-    return ldexp(1, (exponent + 3000) / 3 - 1000);
+    double sum = 0;
+    for (size_t j = 0; j < ode->controlled; j++) {
+        double e = (w ? v[j] - w[j] : v[j]) / yk_ode_allowed(ode, j, ode->y[j], ode->y[j]);
+        sum += e * e;
+    }
+    return sqrt(sum / (double)ode->controlled);
 }
 
-// Returns a first step in proportion to the time in which the fastest component goes by its scale, or by itself where
-// it has none.
-static double first_length(const YkOde *ode)
+// Evaluates f after an explicit Euler step; takes a shorter one if f fails.
+static bool explore(YkOde *ode, double *h)
 {
-    const YkOdeOptions *o = &ode->options;
-    double span = bounded_length(ode, fabs(ode->end - ode->t)), time = span;
-    if (o->first_step > 0) return fmin(o->first_step, span);
-    for (size_t j = 0; j < ode->controlled; j++) {
-        double size = ode->floor[j] > 0 ? ode->floor[j] / o->absolute : fabs(ode->y[j]), speed = fabs(ode->rate[j]);
-        if (size > 0 && speed > 0) time = fmin(time, time_of(size / speed, 1 + yk_ode_order(ode, j)));
+    for (int i = 0; i < 12; i++, *h *= 0.25) {
+        for (size_t j = 0; j < ode->n; j++) ode->z[j] = ode->y[j] + ode->direction * *h * ode->rate[j];
+        if (yk_ode_evaluate(ode, ode->t + ode->direction * *h, ode->z, ode->z_rate) &&
+            yk_ode_finite(ode->n, ode->z_rate))
+            return true;
     }
-    return time * root(0.01 * (o->absolute + o->relative), control_of(o->method).roots);
+    return false;
+}
+
+// Returns the starting step of Hairer, Norsett & Wanner 1993, II.4: from the first derivative, and the second by one
+// explicit step.
+static double first_length(YkOde *ode)
+{
+    double span = bounded_length(ode, fabs(ode->end - ode->t));
+    double smallest = 16 * smallest_length(ode);
+    if (ode->options.first_step > 0) return fmin(fmax(ode->options.first_step, smallest), span);
+    int roots = control_of(ode->options.method).roots;
+    double size = norm_at_start(ode, ode->y, NULL), speed = norm_at_start(ode, ode->rate, NULL);
+    double h = size <= 1e-5 || speed <= 1e-5 ? 1e-6 : 0.01 * size / speed;
+    h = fmin(h, span);
+    if (!explore(ode, &h)) return fmax(h, smallest);
+    double change = fmax(norm_at_start(ode, ode->z_rate, ode->rate) / h, speed);
+    double second = change <= 1e-15 ? fmax(1e-6, h * 1e-3) : root(0.01 / change, roots);
+    h = fmin(fmin(100 * h, second), span);
+    return h > 0 ? fmax(h, smallest) : smallest;
 }
 
 // Returns the signed length of the step to try. *to_end: it reaches the end (stretched by up to a hundredth to do so,
@@ -121,15 +145,11 @@ static YkOdeStatus controlled_step(YkOde *ode)
     bool rejected = false;
     if (ode->h == 0) ode->h = first_length(ode);
     ode->h = bounded_length(ode, ode->h);
-    double least = 1e-14 * fmax(ode->h, fabs(ode->t)), hopeless = 1e-18 * fabs(ode->end - ode->start);
-    if (hopeless < ode->h) least = fmax(least, hopeless); // else the end is out of reach in any case
     for (;;) {
         bool to_end;
         double h = next_length(ode, &to_end), error = 0;
-        if (!to_end && !(ode->h >= least)) return give_up(ode, trial);
+        if (!to_end && !(ode->h >= smallest_length(ode))) return give_up(ode, trial);
         double t_new = to_end ? ode->end : ode->t + h;
-        ode->pace[0] = 1, ode->pace[1] = fmax(PACE / fabs(h), ode->least_pace);
-        ode->pace[2] = ode->pace[1] * ode->pace[1];
         trial = try_step(ode, h, t_new, &error);
         if (trial == YK_TRIAL_DONE && error <= 1) {
             double next = longer(ode, fabs(h), error);
