@@ -158,23 +158,29 @@ static double power_of_loads(const YkRest *rest)
     return power;
 }
 
-bool yk_rest_weigh_loads(YkRest *rest)
+// Finds the kinetic energy of each input that moves alone, and rest->loads. Returns false if one has none.
+static bool find_energies(YkRest *rest, double *own)
 {
-    double energy;
     rest->loads = 0;
-    for (size_t i = 0; i < rest->freedom; i++)
-        if (find_energy(rest, i, i, &energy) && energy > 0)
-            rest->loads = fmax(rest->loads, power_of_loads(rest) / (2 * energy));
-    return !yk_pace_is_stopped(rest->pace);
+    for (size_t i = 0; i < rest->freedom; i++) {
+        if (!find_energy(rest, i, i, &own[i])) return false;
+        if (own[i] > 0) rest->loads = fmax(rest->loads, power_of_loads(rest) / (2 * own[i]));
+    }
+    return true;
 }
 
-// Finds M, whose form is twice the kinetic energy.
+bool yk_rest_weigh_loads(YkRest *rest)
+{
+    return find_energies(rest, rest->trial) || !yk_pace_is_stopped(rest->pace);
+}
+
+// Finds M, whose form is twice the kinetic energy, and rest->loads.
 static bool find_mass(YkRest *rest, double *mass)
 {
     size_t f = rest->freedom;
     double *own = rest->trial, both;
+    if (!find_energies(rest, own)) return false;
     for (size_t i = 0; i < f; i++) {
-        if (!find_energy(rest, i, i, &own[i])) return false;
         mass[i * f + i] = 2 * own[i] / (rest->scale[i] * rest->scale[i]);
         for (size_t j = 0; j < i; j++) {
             if (!find_energy(rest, i, j, &both)) return false;
@@ -362,7 +368,7 @@ bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
 {
     size_t f = rest->freedom;
     double *by_position = YK_NEW(rest->arena, double, f *f), *by_rate = YK_NEW(rest->arena, double, f *f), gap;
-    if (!by_position || !by_rate || !yk_rest_weigh_loads(rest) || !find_mass(rest, p->mass)) return false;
+    if (!by_position || !by_rate || !find_mass(rest, p->mass)) return false;
     if (!differentiate_finely(rest, by_position, by_rate, &gap)) return false;
     double size = distance(rest, by_position, NULL), noise = fmax(10 * fmax(gap, 1e-15) * size, NOISE * rest->loads);
     bool is_flat = size <= noise || is_rounding(rest, size);
