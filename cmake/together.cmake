@@ -71,8 +71,8 @@ function(yoke_choose_group prefix most names shared out)
   set(${out} ${group} PARENT_SCOPE)
 endfunction()
 
-# Puts sources of a target into groups of at most YOKE_TOGETHER_MOST files of a folder, none of which shares a name with another, and compiles
-# each group as one file that includes them. Sources keep their order, those that match YOKE_APART stay apart.
+# Replaces these sources of a target by files that each include a group of them: at most YOKE_TOGETHER_MOST files of one folder that
+# share no name. The order of sources stays. Sources that match YOKE_APART are compiled alone.
 function(yoke_together target)
   yoke_tested_alone(alone)
   get_target_property(all ${target} SOURCES)
@@ -81,12 +81,11 @@ function(yoke_together target)
   foreach(source ${all})
     get_filename_component(whole ${source} ABSOLUTE)
     get_source_file_property(options ${source} COMPILE_OPTIONS)
-    set(names "")
-    set(macros ANY)
+    set(macros ANY) # compiled alone, unless its own names allow more
     if(source IN_LIST ARGN AND NOT options AND NOT whole IN_LIST alone AND NOT (YOKE_APART AND source MATCHES "${YOKE_APART}"))
       yoke_own_names(${source} names macros)
     endif()
-    if(macros)
+    if(NOT macros STREQUAL "")
       list(APPEND sources ${source})
       continue()
     endif()
