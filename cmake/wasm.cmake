@@ -45,7 +45,8 @@ function(yoke_shrink target)
   endif()
 endfunction()
 
-# The library as a whole, in the order of its rooms, in which gzip makes the modules smallest; functions that nobody calls are left out.
+# Links the whole library, room by room: in this order the modules are smallest after gzip. The linker then drops every
+# function that is not called.
 set(whole -Wl,--whole-archive $<TARGET_FILE:yoke_core> -Wl,--no-whole-archive)
 
 # The whole command. The files of verbs that panels.wasm leaves to it, and those with names of POSIX, are compiled alone.
