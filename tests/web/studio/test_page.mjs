@@ -245,7 +245,7 @@ const tests = {
     });
     const isSeen = async () => {
       const good = (one) => one.out <= 0 && one.fills > 0.55;
-      for (let k = 0; k < 40 && !good(await look()); k++) await page.waitForTimeout(50);
+      for (let k = 0; k < 600 && !good(await look()); k++) await page.waitForTimeout(50);
       assert.ok(good(await look()), JSON.stringify(await look()));
     };
     await isSeen();
@@ -263,7 +263,7 @@ const tests = {
     const fitted = (await look()).wide;
     await page.mouse.move(200, 250);
     await page.mouse.wheel(0, -100);
-    for (let k = 0; k < 40 && (await look()).wide < 1.2 * fitted; k++) await page.waitForTimeout(50);
+    for (let k = 0; k < 600 && (await look()).wide < 1.2 * fitted; k++) await page.waitForTimeout(50);
     const zoomed = (await look()).wide;
     await page.click("#tab-text");
     await page.locator("#panel-text").waitFor({ state: "hidden" });
