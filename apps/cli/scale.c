@@ -69,6 +69,7 @@ static void add_wrench(YkSession *session, const double force[2], double moment)
 static void add_forces(YkSession *session)
 {
     const YkDynamics *dynamics = session->dynamics;
+    double load = 0; // over the mass of all bodies: that of a light one held fast says nothing of the others
     for (size_t j = 0; j < yk_model_joint_count(session->model); j++) {
         YkReaction r = yk_dynamics_reaction(dynamics, j);
         add_wrench(session, r.force, r.moment);
@@ -81,9 +82,9 @@ static void add_forces(YkSession *session)
         YkBalance balance = yk_dynamics_balance(dynamics, b);
         add_wrench(session, balance.loads.force, balance.loads.moment);
         add_wrench(session, balance.inertia.force, balance.inertia.moment);
-        double mass = yk_model_body_mass(session->model, b), *load = balance.loads.force;
-        if (mass > 0) yk_scale_add(session, yk_hypot(load[0], load[1]) / mass, YK_QUANTITY_ACCELERATION);
+        load += yk_hypot(balance.loads.force[0], balance.loads.force[1]);
     }
+    if (session->scale.mass > 0) yk_scale_add(session, load / session->scale.mass, YK_QUANTITY_ACCELERATION);
 }
 
 void yk_scale_add_bodies(YkSession *session, const YkState *state)

@@ -136,6 +136,63 @@ class Noise(Case):
         self.assertEqual(rows[6][0], "0")
 
 
+# A four-bar that rocks, its limit at cos(theta) = 1/4, and an arm on a pin of its own that turns with little inertia.
+ROCKING = """\
+bodies:
+  ground: {points: {O: [0, 0], C: [1, 0]}}
+  crank:  {points: {O: [0, 0], A: [0.5, 0]}, mass: 1, inertia: 0.1}
+  rod:    {points: {A: [0, 0], B: [0.4, 0]}, mass: 1, inertia: 0.1}
+  rocker: {points: {C: [0, 0], B: [0.6, 0]}, mass: 1, inertia: 0.1}
+  arm:    {points: {O: [0, 0], P: [0.2, 0]}, mass: 0.2, center: [0.1, 0]}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  A: {pin: [crank, rod], angle: phi}
+  C: {pin: [ground, rocker], angle: psi}
+  B: {pin: [rod, rocker]}
+  Q: {pin: [ground, arm], at: O, angle: q}
+drives: {theta: 1 rad/s * t, q: 0.6 + 0.01 rad/s * t}
+start: {phi: 0.5, psi: 2}
+"""
+
+
+# A heavy wheel under a small torque, and a pin of a milligram that its guide holds against tonnes.
+LIGHT = """\
+bodies:
+  ground: {points: {O: [0, 0], W: [3, 0]}}
+  wheel:  {points: {W: [0, 0]}, mass: 2000, inertia: 500}
+  pin:    {points: {O: [0, 0]}, mass: 1e-6}
+joints:
+  W: {pin: [ground, wheel], angle: theta}
+  S: {slide: [ground, pin], along: x, distance: x}
+forces: {F: {body: pin, value: [0, 20 kN]}}
+efforts: {theta: 1e-4 N*m}
+"""
+
+
+class Loads(Case):
+    def test_a_light_body_held_against_a_load_hides_no_small_acceleration(self):
+        text = self.good("solve", self.write("light.yaml", LIGHT)).out
+        self.assertEqual(numbers(text, "wheel"), [0, 0, 2e-7])
+        self.assertIn("  theta         0.0001\n", text)
+
+
+class Limits(Case):
+    def test_what_grows_without_bound_at_a_limit_hides_nothing(self):
+        """Near a limit accelerations and forces grow without bound: beside them, and in the rows before, the rest stays what it is."""
+        path = self.write("rocking.yaml", ROCKING)
+        limit = math.acos(0.25)
+        for off in (1e-5, 1e-7, 1e-9):
+            words = ("--over", "theta=1:%r" % (limit - off), "--steps", "4", "--of",
+                     "phi.accel,psi.accel,crank.A.x.accel,arm.P.x.rate,arm.P.y.accel,O.force.x,C.force.x,Q.force.x,theta.effort,kinetic")
+            rows = [line.split() for line in self.good("sweep", path, *words).out.split("\n\n")[1].splitlines()[1:]]
+            exact = self.good("sweep", path, *words, "--format", "json").json()["rows"]
+            self.assertEqual(len(rows), 5)
+            self.assertGreater(abs(exact[4][1]), off ** -1.5 / 100)
+            for told, true in zip(rows, exact):
+                for have, want in list(zip(told, true))[1:]:
+                    self.assertAlmostEqual(float(have), want, delta=1e-5 * abs(want))
+
+
 class ChangePoints(Case):
     def test_zeros_at_and_beside_a_change_point_are_0(self):
         """A parallelogram moves alike at every pose: accelerations of its cranks are 0, and so is the coupler's rate."""

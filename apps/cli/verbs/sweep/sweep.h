@@ -14,6 +14,11 @@ typedef struct YkHeldColumn { // an effort that dry friction leaves open in some
     YkEffortRange range; // and there
 } YkHeldColumn;
 
+typedef struct YkNoise { // of a cell
+    float usual;    // beside the largest values of its row
+    float measured; // by poses a hair off; infinite if there are none
+} YkNoise;
+
 typedef struct YkSweepAnswer {
     YkSession *session;
     YkOver over;
@@ -29,8 +34,12 @@ typedef struct YkSweepAnswer {
     const char *ranges_of; // the coordinate they are of, or NULL
     YkQuantity ranges_quantity;
     YkStroke *strokes; // of each column; ratio 0 if there is none
-    float *sines;      // per row, for text: the least sine of a transmission angle, which spoils digits; NULL: none
-    size_t row_capacity, visited; // of it
+    // For text: the noise of each row's cells, and behind them, as usual, the least sine of a transmission angle, which
+    // spoils digits.
+    YkNoise *noise;
+    YkState *beside;              // the pose a hair off
+    double *values;               // [4 * column_count]: of a row, and of the poses beside it
+    size_t row_capacity, visited; // of noise
     YkLawWatch *laws;             // that the rows have left
     YkStopWatch *stops;           // that they have passed
     YkHeldColumn *held;           // [column]
@@ -49,6 +58,8 @@ void yk_sweep_look_at_friction(void *answer, const YkState *state);
 void yk_sweep_warn_of_friction(const YkSweepAnswer *answer);
 // Returns what is swept at a state: the coordinate, or the time.
 double yk_sweep_place(const YkSweepAnswer *answer, const YkState *state);
+// Measures the noise of a row, with session->dynamics and session->scale as scratch.
+void yk_sweep_measure_noise(YkSweepAnswer *answer, const YkState *state, size_t row);
 void yk_sweep_text(const YkSweepAnswer *answer);
 void yk_sweep_json(const YkSweepAnswer *answer);
 void yk_sweep_csv(const YkSweepAnswer *answer);

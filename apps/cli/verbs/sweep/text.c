@@ -35,12 +35,45 @@ static double shown_at(const YkSweepAnswer *answer, double at)
     return fabs(at) <= 1e-15 * largest ? 0 : yk_amount_of(answer->session->model, at, answer->over.quantity);
 }
 
+static const YkNoise *noise_of(const YkSweepAnswer *answer, size_t row)
+{
+    return answer->noise + row * (answer->column_count + 1);
+}
+
+// Returns a cell of a row in the file's unit. 0: noise by the whole table and by what was measured there, which says
+// nothing of limits.
+static double shown_in_row(const YkSweepAnswer *answer, size_t row, size_t column)
+{
+    double value = yk_sweep_cell(answer, row, column);
+    YkChannel channel = answer->columns[column].channel;
+    bool is_limit = yk_sweep_row_status(answer->sweep, row) == YK_CHANGE_POINT;
+    if (!is_limit && fabs(value) > (double)noise_of(answer, row)[column].measured)
+        return yk_amount_of(answer->session->model, value, channel.quantity);
+    return yk_column_shown(answer->session, value, channel);
+}
+
+// Does the same for a value at an event. 0: noise by the whole table, and at a place that is known to fewer digits by
+// the rows around it.
+static double shown_at_event(const YkSweepAnswer *answer, size_t event, size_t column)
+{
+    double value = yk_sweep_event_value(answer->sweep, event, column), at = yk_sweep_event(answer->sweep, event).at;
+    double way = answer->over.to > answer->over.from ? 1 : -1;
+    YkChannel channel = answer->columns[column].channel;
+    size_t row = 0, rows = yk_sweep_row_count(answer->sweep);
+    while (row + 1 < rows && way * yk_sweep_at(answer->sweep, row + 1) < way * at) row++;
+    size_t next = row + 1 < rows ? row + 1 : row;
+    float usual = fmaxf(noise_of(answer, row)[column].usual, noise_of(answer, next)[column].usual);
+    if (rows > 0 && fabs(value) > 1e3 * (double)usual)
+        return yk_amount_of(answer->session->model, value, channel.quantity);
+    return yk_column_shown(answer->session, value, channel);
+}
+
 // Beside a change point rates and accelerations lose digits, with the sine of the transmission angle to the third
 // power; at one they are limits. So there is more noise there, which is at most taken for 1e-8.
 static double blur_of(const YkSweepAnswer *answer, size_t row)
 {
     const double most = 1e5;
-    double sine = row < answer->row_capacity ? answer->sines[row] : 1;
+    double sine = (double)noise_of(answer, row)[answer->column_count].usual;
     if (yk_sweep_row_status(answer->sweep, row) == YK_CHANGE_POINT) return YK_BLUR_AT_CHANGE_POINT;
     return fmin(most, fmax(1, 1e-2 / (sine * sine * sine)));
 }
@@ -57,8 +90,7 @@ static void add_rows(const YkSweepAnswer *answer)
         session->scale.blur = blur_of(answer, row);
         yk_table_number(table, shown_at(answer, yk_sweep_at(answer->sweep, row)), YK_DIGITS);
         for (size_t c = 0; c < answer->column_count; c++)
-            yk_table_number(table, yk_column_shown(session, yk_sweep_cell(answer, row, c), answer->columns[c].channel),
-                            YK_DIGITS);
+            yk_table_number(table, shown_in_row(answer, row, c), YK_DIGITS);
     }
     session->scale.blur = 0;
     write_table(&answer->session->out, table, rows > 0);
@@ -102,11 +134,7 @@ static void add_events(const YkSweepAnswer *answer)
         yk_table_word(table, yk_event_word(event));
         yk_table_number(table, shown_at(answer, event.at), EVENT_DIGITS);
         yk_table_word(table, yk_text_get(&words));
-        for (size_t c = 0; c < columns; c++)
-            yk_table_number(
-                table,
-                yk_column_shown(answer->session, yk_sweep_event_value(answer->sweep, i, c), answer->columns[c].channel),
-                YK_DIGITS);
+        for (size_t c = 0; c < columns; c++) yk_table_number(table, shown_at_event(answer, i, c), YK_DIGITS);
     }
     yk_text_free(&words);
     write_table(&answer->session->out, table, count > 0);

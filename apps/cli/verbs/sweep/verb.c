@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "elementary/elementary.h"
 #include "certify.h"
 #include "laws_left.h"
 #include "reach.h"
@@ -107,15 +106,6 @@ static void tell(YkSweepAnswer *answer)
     yk_text_free(&ranges);
 }
 
-// Returns the least sine of a transmission angle: near a change point or a dead point it is small.
-static double least_sine(const YkMechanism *mech, const YkState *state)
-{
-    double least = 1;
-    for (size_t k = 0; k < yk_block_count(mech); k++)
-        if (yk_block_info(mech, k).assur_class == 2) least = fmin(least, fabs(yk_sin(yk_state_transmission(state, k))));
-    return least;
-}
-
 // Notes where a load has no finite value.
 static void look_at_loads(YkSweepAnswer *answer, const YkState *state)
 {
@@ -144,11 +134,11 @@ static void look(void *context, const YkState *state)
 {
     YkSweepAnswer *answer = context;
     size_t row = answer->visited++;
-    if (row < answer->row_capacity) answer->sines[row] = (float)least_sine(answer->session->mech, state);
     yk_sweep_look_at_friction(answer, state);
     look_at_loads(answer, state);
     yk_law_watch_look(answer->laws, state, answer->session->dynamics, yk_sweep_place(answer, state));
     yk_stop_watch_look(answer->stops, state, yk_sweep_place(answer, state));
+    if (row < answer->row_capacity) yk_sweep_measure_noise(answer, state, row);
 }
 
 static bool run(YkSweepAnswer *answer, size_t steps)
@@ -161,8 +151,11 @@ static bool run(YkSweepAnswer *answer, size_t steps)
     answer->laws = yk_session_watch_laws(session);
     answer->stops = yk_session_watch_stops(session);
     answer->row_capacity = session->request->format == YK_FORMAT_TEXT ? steps + 1 : 0;
-    answer->sines = calloc(answer->row_capacity + 1, sizeof *answer->sines);
-    if (start && channels && answer->strokes && answer->held && answer->sines && answer->laws && answer->stops) {
+    answer->noise = calloc(answer->row_capacity + 1, (answer->column_count + 1) * sizeof *answer->noise);
+    answer->values = calloc(answer->column_count + 1, 4 * sizeof *answer->values);
+    answer->beside = yk_state_new(session->mech);
+    if (start && channels && answer->strokes && answer->held && answer->noise && answer->values && answer->beside &&
+        answer->laws && answer->stops) {
         YkSweepOptions options = yk_default_sweep_options();
         options.coordinate = answer->over.coordinate;
         options.from = answer->over.from;
@@ -282,7 +275,9 @@ int yk_run_sweep(YkSession *session)
     yk_text_free(&answer->label);
     free(answer->columns);
     free(answer->strokes);
-    free(answer->sines);
+    free(answer->noise);
+    free(answer->values);
+    yk_state_free(answer->beside);
     free(answer->held);
     free(answer);
     return exit_code;

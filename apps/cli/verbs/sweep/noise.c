@@ -1,0 +1,120 @@
+// Measures the rounding noise of every cell of a sweep: what the machine's largest value lets pass for noise may be a
+// true value of a body that takes no part in it, or of a row far from the pose where rates grow without bound.
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include "elementary/elementary.h"
+#include "session.h"
+#include "verbs/sweep/sweep.h"
+
+enum { PAIRS = 4 };
+static const double reach[PAIRS] = {1, 1.7, 2.9, 4.3}; // of the poses beside a row, in steps
+
+// Returns the least sine of a transmission angle: near a change point or a dead point it is small.
+static double least_sine(const YkMechanism *mech, const YkState *state)
+{
+    double least = 1;
+    for (size_t k = 0; k < yk_block_count(mech); k++)
+        if (yk_block_info(mech, k).assur_class == 2) least = fmin(least, fabs(yk_sin(yk_state_transmission(state, k))));
+    return least;
+}
+
+// Brings the state beside to the row's pose with every input moved by `step` (rad, or sizes of the machine). Returns
+// whether it has all that the row has.
+static bool go_beside(const YkSweepAnswer *answer, const YkState *state, double step, bool has_forces)
+{
+    const YkSession *session = answer->session;
+    const YkMechanism *mech = session->mech;
+    YkState *beside = answer->beside;
+    yk_state_copy(beside, state);
+    for (size_t i = 0; i < yk_input_count(mech); i++) {
+        YkMotion motion = yk_state_input(state, i);
+        bool is_distance = yk_coordinate_info(mech, yk_input_coordinate(mech, i)).is_distance;
+        motion.position += step * (is_distance ? yk_mechanism_size(mech) : 1);
+        yk_state_set_input(beside, i, motion);
+    }
+    YkStatus status = yk_state_solve(beside);
+    if (status < 0 || (yk_state_has_rates(state) && !yk_state_has_rates(beside))) return false;
+    if (has_forces) status = yk_dynamics_solve(session->dynamics, beside, answer->method);
+    return !has_forces || status == YK_OK || status == YK_REDUNDANT;
+}
+
+// Returns the largest input, rad or sizes of the machine: its last place is as good as the inputs are known.
+static double largest_input(const YkMechanism *mech, const YkState *state)
+{
+    double largest = 0;
+    for (size_t i = 0; i < yk_input_count(mech); i++) {
+        bool is_distance = yk_coordinate_info(mech, yk_input_coordinate(mech, i)).is_distance;
+        largest = fmax(largest, fabs(yk_state_input(state, i).position) / (is_distance ? yk_mechanism_size(mech) : 1));
+    }
+    return largest;
+}
+
+static void read_values(const YkSweepAnswer *answer, const YkState *state, double *values)
+{
+    for (size_t c = 0; c < answer->column_count; c++)
+        values[c] = yk_column_value(answer->session, state, answer->columns[c].channel);
+}
+
+// A value is a smooth function of the inputs, and noise is not: raises each column's noise to what is left of it beside
+// a straight line through two poses a hair off, on both sides or, at a limit, on one, and to what the last place of the
+// inputs changes.
+static bool add_pair(YkSweepAnswer *answer, const YkState *state, double step, double last_place, bool has_forces)
+{
+    enum { SAFE = 8 };
+    size_t count = answer->column_count;
+    double *here = answer->values, *near = here + count, *far = near + count, *noise = far + count;
+    double first = go_beside(answer, state, step, has_forces) ? step : -step;
+    if (first < 0 && !go_beside(answer, state, first, has_forces)) return false;
+    read_values(answer, answer->beside, near);
+    double second = first > 0 && go_beside(answer, state, -step, has_forces) ? -step : 2 * first;
+    if (second == 2 * first && !go_beside(answer, state, second, has_forces)) return false;
+    read_values(answer, answer->beside, far);
+    for (size_t c = 0; c < count; c++) {
+        double slope = (far[c] - near[c]) / (second - first), off = here[c] - near[c] + slope * first;
+        noise[c] = fmax(noise[c], SAFE * fabs(off) + 4 * fabs(slope) * last_place);
+    }
+    return true;
+}
+
+// Returns the part of a column's noise that is as smooth as a value, since it comes of rounded constants: the x of a
+// guide at 90 degrees is its length times 6e-17.
+static double smooth_noise(const YkSweepAnswer *answer, const YkState *state, size_t column, double usual)
+{
+    YkChannel across = answer->columns[column].channel;
+    bool is_x = across.kind == YK_CHANNEL_POINT_X || across.kind == YK_CHANNEL_FORCE_X;
+    bool is_y = across.kind == YK_CHANNEL_POINT_Y || across.kind == YK_CHANNEL_FORCE_Y;
+    bool is_turn = across.quantity == YK_QUANTITY_ANGLE_RATE || across.quantity == YK_QUANTITY_ANGLE_ACCELERATION;
+    if (!is_x && !is_y) return usual * (is_turn ? 1e-5 : 1e-2);
+    across.kind = (YkChannelKind)((int)across.kind + (is_x ? 1 : -1));
+    return 4 * DBL_EPSILON * yk_hypot(answer->values[column], yk_column_value(answer->session, state, across));
+}
+
+void yk_sweep_measure_noise(YkSweepAnswer *answer, const YkState *state, size_t row)
+{
+    YkSession *session = answer->session;
+    size_t count = answer->column_count;
+    YkNoise *noise = answer->noise + row * (count + 1);
+    double sine = least_sine(session->mech, state), last_place = DBL_EPSILON * largest_input(session->mech, state);
+    double step = fmax(1e-5 * sine * sine, 64 * fmax(DBL_EPSILON, last_place)), *measured = answer->values + 3 * count;
+    bool is_measured = yk_input_count(session->mech) > 0;
+    YkStatus status = session->dynamics ? yk_dynamics_report(session->dynamics)->status : YK_SINGULAR;
+    bool has_forces = status == YK_OK || status == YK_REDUNDANT;
+    noise[count].usual = (float)sine;
+    yk_scale_begin(session);
+    yk_scale_add_pose(session, state);
+    read_values(answer, state, answer->values);
+    for (size_t c = 0; c < count; c++) yk_scale_add(session, answer->values[c], answer->columns[c].channel.quantity);
+    session->scale.blur = 0;
+    for (size_t c = 0; c < count; c++) {
+        double usual = yk_scale_noise(session, answer->columns[c].channel.quantity);
+        measured[c] = 0;
+        noise[c] = (YkNoise){.usual = (float)usual, .measured = (float)smooth_noise(answer, state, c, usual)};
+    }
+    for (size_t k = 0; k < PAIRS && is_measured; k++)
+        is_measured = add_pair(answer, state, reach[k] * step, last_place, has_forces);
+    for (size_t c = 0; c < count; c++) {
+        if (measured[c] == 0) measured[c] = 1e-2 * (double)noise[c].usual; // a constant may be noise wholly
+        noise[c].measured = is_measured ? fmaxf(noise[c].measured, (float)measured[c]) : INFINITY;
+    }
+}
