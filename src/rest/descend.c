@@ -47,8 +47,17 @@ static double find_step(YkRest *rest, bool is_least)
     return longest;
 }
 
-// Newton's method, with a line search on the magnitude of the accelerations. Where those that are left are rounding
-// beside the largest, a stiff direction may hide a weak one: it goes on as long as steps are short and help.
+// Returns how large accelerations are that are none, if those of this pose may be: rounding beside the largest, and also
+// beside what the loads here would give if none balanced another. Stiff springs may be slack here. Changes rest->trial.
+static double find_none(YkRest *rest, double size)
+{
+    const double ROUNDING = 1e-12;
+    bool may_be = size <= ROUNDING * rest->force_scale && yk_rest_weigh_loads(rest);
+    return ROUNDING * (may_be ? fmin(rest->loads, rest->force_scale) : rest->force_scale);
+}
+
+// Newton's method, with a line search on the magnitude of the accelerations. Where those that are left are rounding, a
+// stiff direction may hide a weak one: it goes on as long as steps are short and help.
 bool yk_rest_descend(YkRest *rest)
 {
     enum { STEPS_MAX = 60 };
@@ -63,7 +72,7 @@ bool yk_rest_descend(YkRest *rest)
     rest->force_scale = fmax(rest->force_scale, size);
     for (int k = 0; k < STEPS_MAX; k++) {
         if (!yk_pace_spend(rest->pace, f * f * f)) return false;
-        double none = 1e-12 * rest->force_scale;
+        double none = find_none(rest, size);
         bool is_none = size <= none;
         longest = size > 0 ? find_step(rest, false) : 0;
         if (is_none && (!(longest < SHORT) || (size <= 0.1 * none && longest <= NO_STEP))) return true;

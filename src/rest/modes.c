@@ -1,6 +1,7 @@
 // Linearises the equations at an equilibrium, and finds their modes.
 #include <string.h>
 #include "elementary/elementary.h"
+#include "loads/point.h"
 #include "num/dense.h"
 #include "num/eigen.h"
 #include "rest/rest.h"
@@ -140,8 +141,25 @@ static bool find_energy(YkRest *rest, size_t i, size_t j, double *energy)
     return true;
 }
 
-// Returns the power of all loads, as the last energy had the bodies move, if none took any and gravity gave all that it
-// may. 0 where one has no value.
+// Returns the power that a spring has in the least favourable direction of its pull: that of a spring which points
+// nearly at a pin comes from levers far longer than the one that is left, and a pull from lengths.
+static double most_power(const YkRest *rest, const YkLoadItem *spring)
+{
+    const double ROUNDED = 1e-3; // of the lengths that give the pull, over NOISE of the pull
+    YkLoadPoint end[2];
+    double speed = 0;
+    for (int k = 0; k < 2; k++) {
+        end[k] = yk_load_point(rest->mech, &rest->state->space, &spring->end[k]);
+        YkVec turning = yk_scale(end[k].w, yk_quarter(end[k].arm)); // about the body's reference point
+        speed += yk_norm(end[k].velocity) + yk_norm(yk_sub(end[k].velocity, turning));
+    }
+    double pull = fabs(yk_norm(yk_sub(end[1].at, end[0].at)) - spring->length);
+    pull += ROUNDED * (yk_norm(end[0].at) + yk_norm(end[1].at) + fabs(spring->length) + rest->mech->size);
+    return spring->stiffness * pull * speed;
+}
+
+// Returns the power of all loads, as the last energy had the bodies move, if none took any, and gravity and springs
+// gave all that they may. 0 where one has no value.
 static double power_of_loads(const YkRest *rest)
 {
     const YkModel *model = rest->mech->model;
@@ -150,7 +168,10 @@ static double power_of_loads(const YkRest *rest)
     double power = 0;
     memset(d->load, 0, model->body_count * sizeof *d->load);
     if (!yk_loads_add(d->loads, rest->state, &rest->state->space, d->load, d->power, &culprit)) return 0;
-    for (size_t i = 0; i < d->loads->item_count; i++) power += fabs(d->power[i]);
+    for (size_t i = 0; i < d->loads->item_count; i++) {
+        const YkLoadItem *item = &d->loads->items[i];
+        power += fmax(fabs(d->power[i]), item->kind == YK_LOAD_SPRING ? most_power(rest, item) : 0);
+    }
     for (size_t b = 0; b < model->body_count; b++) {
         YkVec velocity = yk_body_motion(rest->mech, &rest->state->space, b).velocity;
         power += model->bodies[b].mass * yk_norm(model->gravity) * yk_norm(velocity);
@@ -364,6 +385,18 @@ static bool is_rounding(YkRest *rest, double size)
     return size <= FLAT * scale && (slope < 0.5 * size || size < 3e-8 * slope || slope * BESIDE < NOISE * scale);
 }
 
+// Returns whether a machine with one freedom rests on one side of the pose, as a gap in the loads lets it, and not on
+// the other.
+static bool is_edge(YkRest *rest)
+{
+    double a[2] = {0, 0}, most[2] = {0, 0}, noise = 10 * NOISE * rest->loads * rest->scale[0];
+    for (double h = 1e-3; h < 2e-2; h *= 3) {
+        if (!yk_rest_beside(rest, h, a)) return false;
+        for (int k = 0; k < 2; k++) most[k] = fmax(most[k], fabs(a[k]));
+    }
+    return (most[0] <= noise) != (most[1] <= noise);
+}
+
 bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
 {
     size_t f = rest->freedom;
@@ -371,7 +404,7 @@ bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
     if (!by_position || !by_rate || !find_mass(rest, p->mass)) return false;
     if (!differentiate_finely(rest, by_position, by_rate, &gap)) return false;
     double size = distance(rest, by_position, NULL), noise = fmax(10 * fmax(gap, 1e-15) * size, NOISE * rest->loads);
-    bool is_flat = size <= noise || is_rounding(rest, size);
+    bool ends = f == 1 && is_edge(rest), is_flat = ends || size <= noise || is_rounding(rest, size);
     if (!differentiate_by_rates(rest, sqrt(is_flat ? rest->loads : size), by_rate)) return false;
     if (is_flat) memset(by_position, 0, f * f * sizeof *by_position);
     times_mass(f, p->mass, by_position, p->stiffness);
@@ -382,6 +415,7 @@ bool yk_rest_linearise(YkRest *rest, YkRestPoint *p)
     p->is_continuous = forceless > 0;
     clear_roots(rest, p, forceless, noise);
     p->at.stability = judge(rest, p, forceless, noise);
-    if (is_flat && f == 1 && p->at.stability == YK_STABILITY_NEUTRAL) p->at.stability = judge_beside(rest, &p->at);
+    if (is_flat && !ends && f == 1 && p->at.stability == YK_STABILITY_NEUTRAL)
+        p->at.stability = judge_beside(rest, &p->at);
     return true;
 }

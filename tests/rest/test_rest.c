@@ -329,11 +329,12 @@ static void only_loads_that_repeat_are_searched_whole(void **unused)
 }
 
 // A spring without a free length carries an arm in every pose, k a b = m g l: what is left of the forces is rounding,
-// also where the arm hangs and no load has a lever.
+// also where the arm hangs and no load has a lever, and where the spring pulls with a short one far from the pin.
 static void a_balanced_arm_rests_anywhere(void **unused)
 {
     (void)unused;
-    static const double arms[][3] = {{0.17, 0.25, 0.3}, {15.4, 0.6, 1.6}, {2.4, 0.5, 0.0127}, {0.11, 0.32, 4.2}};
+    static const double arms[][3] = {
+        {0.17, 0.25, 0.3}, {15.4, 0.6, 1.6}, {2.4, 0.5, 0.0127}, {0.0047, 17.27, 6.59}, {0.093, 0.0071, 0.32}};
     for (size_t k = 0; k < sizeof arms / sizeof *arms; k++) {
         char text[600];
         snprintf(text, sizeof text,
@@ -351,6 +352,32 @@ static void a_balanced_arm_rests_anywhere(void **unused)
         CHECK_NEAR(yk_rest_mode(rest, 0, 0).frequency, 0, 0);
         yk_rest_free(rest);
         yk_model_free(model);
+    }
+}
+
+// An arm between two soft bumpers rests anywhere between them: where it touches one is a pose of these, however the
+// bumper's torque grows.
+static void the_ends_of_a_gap_are_no_others(void **unused)
+{
+    (void)unused;
+    static const char *const torques[] = {"4 N*m * max(q, 0) + 2 N*m * min(q + 1, 0)",
+                                          "4 N*m * max(q, 0)^3 + 2 N*m * min(q + 1, 0)^3", "4 N*m * max(q, 0)^2"};
+    for (size_t k = 0; k < sizeof torques / sizeof *torques; k++) {
+        for (int start = -1; start <= 1; start += 2) {
+            char text[400];
+            snprintf(text, sizeof text,
+                     "bodies: {ground: {points: {O: [0, 0]}}, arm: {points: {O: [0, 0]}, mass: 1, inertia: 1}}\n"
+                     "joints: {O: {pin: [ground, arm], angle: q}}\nsprings: {k: {along: q, torque: '%s'}}\n"
+                     "start: {q: %g}\n",
+                     torques[k], 0.7 * start);
+            YkModel *model;
+            YkRest *rest = rest_of(text, &model);
+            assert_int_equal(yk_rest_count(rest), 1);
+            assert_int_equal(yk_rest_equilibrium(rest, 0).stability, YK_STABILITY_NEUTRAL);
+            assert_false(yk_rest_equilibrium(rest, 0).is_higher_order);
+            yk_rest_free(rest);
+            yk_model_free(model);
+        }
     }
 }
 
@@ -383,12 +410,13 @@ static void a_curved_continuum_is_one_equilibrium(void **unused)
 static void a_pendulum_on_a_cart_hangs_or_stands(void **unused)
 {
     (void)unused;
-    static const char *const texts[] = {ON_A_CART(""), ON_A_CART("springs: {k: {along: x, stiffness: 1e11}}\n")};
-    for (size_t k = 0; k < 2; k++) {
+    static const char *const texts[] = {ON_A_CART(""), ON_A_CART("springs: {k: {along: x, stiffness: 1e11}}\n"),
+                                        ON_A_CART("springs: {k: {along: x, stiffness: 1e12}}\n")};
+    for (size_t k = 0; k < 3; k++) {
         YkModel *model;
         YkRest *rest = rest_of(texts[k], &model);
         assert_int_equal(yk_rest_count(rest), 2);
-        static const YkStability hangs[] = {YK_STABILITY_NEUTRAL, YK_STABILITY_STABLE};
+        static const YkStability hangs[] = {YK_STABILITY_NEUTRAL, YK_STABILITY_STABLE, YK_STABILITY_STABLE};
         double square = k == 0 ? 20 : 10;
         assert_int_equal(yk_rest_equilibrium(rest, 0).stability, hangs[k]);
         CHECK_NEAR(yk_rest_mode(rest, 0, k == 0).frequency, sqrt(square), 1e-5);
@@ -554,6 +582,7 @@ int main(void)
         cmocka_unit_test(forces_that_touch_zero_hold_nothing),
         cmocka_unit_test(only_loads_that_repeat_are_searched_whole),
         cmocka_unit_test(a_balanced_arm_rests_anywhere),
+        cmocka_unit_test(the_ends_of_a_gap_are_no_others),
         cmocka_unit_test(a_curved_continuum_is_one_equilibrium),
         cmocka_unit_test(a_pendulum_on_a_cart_hangs_or_stands),
         cmocka_unit_test(shafts_turn_together_without_force),
