@@ -47,8 +47,9 @@ static double find_step(YkRest *rest, bool is_least)
     return longest;
 }
 
-// Returns how large accelerations are that are none, if those of this pose may be: rounding beside the largest, and also
-// beside what the loads here would give if none balanced another. Stiff springs may be slack here. Changes rest->trial.
+// Returns how large accelerations are that are none, if those of this pose may be: rounding beside the largest, and
+// also beside what the loads here would give if none balanced another. Stiff springs may be slack here. Changes
+// rest->trial.
 static double find_none(YkRest *rest, double size)
 {
     const double ROUNDING = 1e-12;

@@ -345,6 +345,27 @@ class Sweep(Case):
         span = at[1] - at[0]
         slow = max(span, 2 * math.pi - span)
         self.assertAlmostEqual(stroke["ratio"], slow / (2 * math.pi - slow), places=6)
+        for over, strokes in (("0:720deg", 1), ("360deg:-720deg", 1), ("0:540deg", 0), ("0:180deg", 0)):
+            more = self.good("sweep", self.four_bar, "--over", "theta1=" + over, "--of", "theta3", "--format", "json").json()["strokes"]
+            self.assertEqual(len(more), strokes, over)
+            for key in ("low", "high", "ratio"):
+                self.assertTrue(all(abs(each[key] - stroke[key]) < 1e-6 for each in more))
+
+    def test_turns_that_differ_have_no_stroke(self):
+        """A slider on a wheel that turns half as fast as the crank rises in one turn and falls in the next."""
+        machine = self.write("halved.yaml", """\
+bodies:
+  ground: {points: {O: [0, 0], W: [3, 0]}}
+  crank: {points: {O: [0, 0]}}
+  wheel: {points: {W: [0, 0], P: [0.5, 0.1]}}
+joints:
+  O: {pin: [ground, crank], angle: theta}
+  W: {pin: [ground, wheel], angle: psi}
+gears: {g: {mesh: [crank, wheel], teeth: [20, 40]}}
+""")
+        for over in ("0:360deg", "0:720deg", "0:1440deg"):
+            answer = self.good("sweep", machine, "--over", "theta=" + over, "--of", "wheel.P.x", "--format", "json").json()
+            self.assertEqual(answer["strokes"], [])
 
     def test_bad_requests_are_refused(self):
         self.wrong(818, "sweep", self.four_bar)

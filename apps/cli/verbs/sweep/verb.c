@@ -62,18 +62,32 @@ static void find_ranges(YkSweepAnswer *answer, YkState *start)
     answer->ranges_quantity = yk_quantity_of(info.is_distance, 0);
 }
 
-// Finds time ratios of quick-returns, if the sweep is one whole turn of an input.
+// Returns whether all extremes of a column are those of the stroke of one turn.
+static bool repeats(const YkSweepAnswer *answer, size_t column, const YkStroke *stroke)
+{
+    double most = 1e-7 * (stroke->high - stroke->low); // by which the places of extremes change them
+    for (size_t k = 0; k < yk_sweep_event_count(answer->sweep); k++) {
+        YkEvent e = yk_sweep_event(answer->sweep, k);
+        bool is_its = e.kind == YK_EVENT_EXTREME && e.channel == column;
+        if (is_its && fabs(e.value - (e.is_maximum ? stroke->high : stroke->low)) > most) return false;
+    }
+    return true;
+}
+
+// Finds time ratios of quick-returns, if the sweep is whole turns of an input that repeat one another.
 static void find_strokes(YkSweepAnswer *answer, YkState *start)
 {
-    if (answer->over.quantity != YK_QUANTITY_ANGLE ||
-        fabs(fabs(answer->over.to - answer->over.from) - full_turn) > 1e-9)
+    double turns = fabs(answer->over.to - answer->over.from) / full_turn;
+    if (answer->over.quantity != YK_QUANTITY_ANGLE || turns < 0.5 ||
+        fabs(turns - floor(turns + 0.5)) * full_turn > 1e-9)
         return;
     size_t input = (size_t)yk_coordinate_info(answer->session->mech, (size_t)answer->over.coordinate).input;
     for (size_t c = 0; answer->strokes && c < answer->column_count; c++) {
         YkChannel channel = answer->columns[c].channel;
-        YkStatus status = channel.order > 0 ? YK_BAD_ARGUMENT : yk_stroke(start, input, channel, &answer->strokes[c]);
+        YkStroke *stroke = &answer->strokes[c];
+        YkStatus status = channel.order > 0 ? YK_BAD_ARGUMENT : yk_stroke(start, input, channel, stroke);
         yk_note_status(answer->session, status);
-        if (status != YK_OK) answer->strokes[c].ratio = 0;
+        if (status != YK_OK || !repeats(answer, c, stroke)) stroke->ratio = 0;
     }
 }
 
