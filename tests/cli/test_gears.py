@@ -134,6 +134,18 @@ class Gears(Case):
         self.assertEqual((run.code, run.json()["status"]), (1, "locked"))
         self.assertIn("theta4", run.json()["message"])
 
+    def test_a_ratio_that_is_asked_for_leaves_drives_out(self):
+        """The file drives the sun, the lock holds it: ring to arm has a ratio all the same, that of the file without drives."""
+        with open(example("simple-planetary"), encoding="utf-8") as file:
+            text = file.read()
+        driven = self.write("driven.yaml", text + "drives: {theta_s: 100 rpm * t}\n")
+        words = ("--lock", "sun-held", "--in", "ring", "--out", "arm")
+        run = self.good("gears", driven, *words)
+        self.assertIn("leaves out the file's drives: the hold of `sun`", run.out)
+        ratio = self.good("gears", driven, *words, "--format", "json").json()["ratio"]
+        self.assertEqual(ratio, self.answer("simple-planetary", *words)["ratio"])
+        self.assertEqual(Run("gears", driven, "--lock", "sun-held").code, 1)
+
     def test_wrong_requests_are_refused(self):
         for words, code in ((["--lock", "tenth"], "E0511"), (["--in", "moon"], "E0512"), (["--efficiency", "2"], "E0513"),
                             (["--effort", "nothing=1"], "E0814")):

@@ -135,6 +135,8 @@ static void add_ratio(const YkGearsAnswer *answer)
     yk_text_puts(out, "\n");
     if (!ratio.formula && !ratio.is_by_drives)
         yk_text_puts(out, "  (too large a train for a formula in tooth numbers)\n");
+    if (yk_gears_leave_drives_out(answer->session, answer->train))
+        yk_text_format(out, "  This leaves out the file's drives: %s\n", yk_train_message(answer->train));
 }
 
 // Shows the step from the gear before, as a driver feels it.

@@ -61,6 +61,7 @@ static int judge(YkSession *session, const YkTrain *train)
     bool has_table = yk_train_gear_count(train) > 0 || yk_train_ratio(train).is_known;
     if (status == YK_TRAIN_STATUS_OK || status == YK_TRAIN_STATUS_FREE) return YK_EXIT_DONE;
     if (status == YK_TRAIN_STATUS_UNDETERMINED && has_table) return YK_EXIT_DONE; // each row reports its own status
+    if (yk_gears_leave_drives_out(session, train)) return YK_EXIT_DONE;
     yk_problem(session->problems, code, nowhere, "%s", yk_train_message(train));
     return YK_EXIT_NO_ANSWER;
 }
