@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 import numpy as np
@@ -46,6 +47,9 @@ class Candidate(NamedTuple):
     circuits: int
     pivots: tuple[tuple[float, float], tuple[float, float]]
     lengths: tuple[float, float, float, float]  # ground, input, coupler, output
+    # Slider-crank: of the slider's line from the input's pivot, to the left of the line; inverted slider-crank: of the
+    # output's pivot from the coupler's line; others: None.
+    offset: Optional[float]
     point: tuple[float, float]  # of the coupler, in its axes
     dyads: Optional[tuple[int, int]]
     parameters: dict[str, float]
@@ -134,7 +138,7 @@ def _parameters(synthesis: CData, k: int) -> dict[str, float]:
 def _candidate(synthesis: CData, k: int, c: CData, is_kept: bool) -> Candidate:
     return Candidate(
         text_of(c.model), text_of(c.mechanism), text_of(c.type), c.error, c.worst, _pair(c.transmission), c.size, c.circuits,
-        (_pair(c.pivots[0]), _pair(c.pivots[1])), (c.lengths[0], c.lengths[1], c.lengths[2], c.lengths[3]), _pair(c.point),
+        (_pair(c.pivots[0]), _pair(c.pivots[1])), (c.lengths[0], c.lengths[1], c.lengths[2], c.lengths[3]), None if isnan(c.offset) else c.offset, _pair(c.point),
         (c.dyads[0], c.dyads[1]) if c.dyads[0] >= 0 else None, _parameters(synthesis, k) if is_kept else {},
         _angles(synthesis, k) if is_kept else np.empty(0), _curve(synthesis, k) if is_kept else np.empty((0, 2)),
         None if is_kept else text_of(lib.yk_defect_name(c.defect)))

@@ -49,7 +49,7 @@ YkExpr *yk_parser_expected(YkParser *parser, const char *wanted)
     }
     char found[2] = {c, '\0'};
     yk_problem(parser->problems, YK_CODE_EXPR_SYNTAX, place, "expected %s, found `%s`", wanted, found);
-    if (c == ',') yk_problem_hint(parser->problems, "the decimal mark is a point");
+    if (c == ',') yk_problem_hint(parser->problems, "a comma ends a number: write `1.5` and `1000`");
     return NULL;
 }
 
@@ -85,6 +85,6 @@ YkExpr *yk_parser_refuse_arguments(YkParser *parser, YkFunction function, size_t
     int arity = yk_function_arity(function);
     yk_problem(parser->problems, YK_CODE_EXPR_ARGUMENTS, yk_parser_place(parser, start, end), "%q takes %s",
                yk_function_name(function), arity == 1 ? "one argument" : "two arguments");
-    if (arity == 1) yk_problem_hint(parser->problems, "the decimal mark is a point");
+    if (arity == 1) yk_problem_hint(parser->problems, "a comma ends a number: write `1.5` and `1000`");
     return NULL;
 }

@@ -118,6 +118,8 @@ bool yk_load_expect(YkLoader *loader, const YkNode *node, YkNodeKind kind, const
 YkPlace yk_load_text_place(const YkNode *node);
 // Reads a scalar; the target gets its value now (a plain number) or in the second pass. Returns NULL after a mistake.
 YkExpr *yk_load_value(YkLoader *loader, const YkNode *node, const YkWant *want, double *target);
+// Returns whether a node is a list of two; otherwise adds a problem.
+bool yk_load_expect_pair(YkLoader *loader, const YkNode *node, const YkWant *want);
 // Reads [x, y].
 bool yk_load_pair(YkLoader *loader, const YkNode *node, const YkWant *want, YkExpr *expr[2], YkVec *target);
 // strengths.c: reads an expression, or {law: NAME, of: expression}; without `want->own` the scope is that of `want`.

@@ -114,6 +114,7 @@ static const char *const synonyms[][2] = {
     {"force", "value"},          {"torque", "moment"},
     {"cog", "center"},           {"com", "center"},
     {"k", "stiffness"},          {"c", "damping"},
+    {"dampers", "springs"},      {"damper", "damping"},
 };
 
 // Returns the key of these that `name` means elsewhere, or NULL.

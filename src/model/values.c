@@ -148,15 +148,20 @@ YkExpr *yk_load_value(YkLoader *loader, const YkNode *node, const YkWant *want, 
     return expr;
 }
 
+bool yk_load_expect_pair(YkLoader *loader, const YkNode *node, const YkWant *want)
+{
+    if (!yk_load_expect(loader, node, YK_NODE_LIST, &want->subject)) return false;
+    if (node->count == 2) return true;
+    yk_problem(loader->problems, YK_CODE_COMPONENTS, node->place, "%s has two components, x and y; here are %z",
+               yk_load_subject(loader, &want->subject), node->count);
+    if (node->count > 2) yk_problem_hint(loader->problems, "a comma ends a number: write `1.5` and `1000`");
+    return false;
+}
+
 bool yk_load_pair(YkLoader *loader, const YkNode *node, const YkWant *want, YkExpr *expr[2], YkVec *target)
 {
     if (target) *target = yk_vec(NAN, NAN);
-    if (!yk_load_expect(loader, node, YK_NODE_LIST, &want->subject)) return false;
-    if (node->count != 2) {
-        yk_problem(loader->problems, YK_CODE_COMPONENTS, node->place, "%s has two components, x and y; here are %z",
-                   yk_load_subject(loader, &want->subject), node->count);
-        return false;
-    }
+    if (!yk_load_expect_pair(loader, node, want)) return false;
     YkWant component = *want;
     component.subject.axis = "x of ";
     expr[0] = yk_load_value(loader, node->items[0], &component, target ? &target->x : NULL);

@@ -106,7 +106,7 @@ static void a_missing_piece_is_named_where_it_is_missing(void **state)
         {"(a) b", 301, 5, "`*`"},
         {"2^", 301, 3, "expected a value"},
         {"a**2", 301, 3, "`^`"},
-        {"0,5", 301, 2, "point"},
+        {"0,5", 301, 2, "1.5"},
         {".", 301, 1, "expected a value"},
         {"a.", 301, 2, "operator"},
         {"1.2.3", 301, 4, "operator"},

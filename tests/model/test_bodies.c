@@ -156,6 +156,7 @@ static void mistakes_in_points_are_refused_where_they_stand(void **state)
 {
     (void)state;
     refused_body("{points: {P: [1, 2, 3]}}", YK_CODE_COMPONENTS, 26, "x and y; here are 3");
+    refused_body("{points: {P: [1,000 mm, 2]}}", YK_CODE_COMPONENTS, 26, "a comma ends a number");
     refused_body("{points: {P: [1]}}", YK_CODE_COMPONENTS, 26, "point `P` of `b`");
     refused_body("{points: {P: 3}}", YK_CODE_WRONG_KIND, 26, "point `P` of `b` must be a list");
     refused_body("{points: {P: [1, [2]]}}", YK_CODE_WRONG_KIND, 30, "y of point `P` of `b`");

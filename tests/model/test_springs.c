@@ -72,6 +72,8 @@ static void mistakes_in_its_place_are_refused(void **state)
     refused("springs: {k: {along: phi.rate, stiffness: 1}}", YK_CODE_RATE_NOT_HERE, 22, "phi.rate");
     refused("springs: {k: {along: [phi], stiffness: 1}}", YK_CODE_WRONG_KIND, 22, "along of `k`");
     refused("springs: {k: {along: phi, between: [ground.P, ram.C]}}", YK_CODE_RIVAL_KEYS, 27, "coordinate already");
+    refused("dampers: {k: {along: phi, damping: 1}}", YK_CODE_UNKNOWN_KEY, 1, "did you mean `springs`?");
+    refused("springs: {k: {along: phi, damping: 0, damper: 1}}", YK_CODE_UNKNOWN_KEY, 39, "did you mean `damping`?");
     refused("springs: {k: {along: phi}}", YK_CODE_MISSING_KEY, 14, "`stiffness`, `damping` or `torque`");
     refused("springs: {k: 3}", YK_CODE_WRONG_KIND, 14, "spring `k`");
     refused("springs: {k: {along: phi, stifness: 3, damping: 1}}", YK_CODE_UNKNOWN_KEY, 27, "did you mean `stiffness`");

@@ -36,6 +36,16 @@ def test_a_candidate_goes_through_its_positions():
     assert {one.defect for one in found.defects} == {"branch"}
 
 
+def test_an_offset_belongs_to_a_slider():
+    """A crank r and a rod l carry a slider whose line is e off the pivot between sqrt((l - r)^2 - e^2) and sqrt((l + r)^2 - e^2)."""
+    told = answer("synthesize", TASKS / "quick-slider.yaml")["candidates"]
+    for one, same in zip(yoke.synthesize(TASKS / "quick-slider.yaml"), told, strict=True):
+        _, r, l, _ = one.lengths
+        assert one.offset == same["lengths"]["offset"] > 0
+        assert abs(np.sqrt((l + r) ** 2 - one.offset ** 2) - np.sqrt((l - r) ** 2 - one.offset ** 2) - 0.1) < 1e-12
+    assert {one.offset for one in yoke.synthesize(TASKS / "quick-rocker.yaml")} == {None}
+
+
 def test_a_task_as_text_and_its_seed():
     text = Path(TASKS / "four-positions.yaml").read_text()
     first, again, other = yoke.synthesize(text), yoke.synthesize(text), yoke.synthesize(text, seed=2, best=3)

@@ -150,6 +150,13 @@ bool yk_unit_read(const char *text, size_t length, double *size, YkDimension *di
     return *size > 0 && isfinite(*size); // min^9*min^9*... leaves the range of double
 }
 
+// Words that people write for units, perhaps with an `s` behind them.
+static const struct {
+    char word[11], unit[4];
+} words[] = {{"degree", "deg"},    {"radian", "rad"},    {"meter", "m"},   {"metre", "m"},
+             {"millimeter", "mm"}, {"millimetre", "mm"}, {"micron", "um"}, {"sec", "s"},
+             {"second", "s"},      {"kilogram", "kg"},   {"pound", "lb"},  {"newton", "N"}};
+
 const char *yk_unit_nearest(const char *text, size_t length)
 {
     const char *names[UNIT_COUNT];
@@ -159,6 +166,9 @@ const char *yk_unit_nearest(const char *text, size_t length)
     if (length >= sizeof word) return NULL;
     if (length > 0) memcpy(word, text, length);
     word[length] = '\0';
+    if (length > 3 && word[length - 1] == 's') length--;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strlen(words[i].word) == length && memcmp(words[i].word, word, length) == 0) return words[i].unit;
     for (size_t i = 0; i < UNIT_COUNT; i++) names[i] = units[i].name;
     return yk_nearest(word, names, UNIT_COUNT);
 }

@@ -16,12 +16,7 @@ static void read_axes(YkLoader *loader, YkForce *force, const YkNode *axes)
 // Reads [x, y], each a strength of its own.
 static void read_components(YkLoader *loader, YkForce *force, const YkNode *value, YkWant *want)
 {
-    if (!yk_load_expect(loader, value, YK_NODE_LIST, &want->subject)) return;
-    if (value->count != 2) {
-        yk_problem(loader->problems, YK_CODE_COMPONENTS, value->place, "%s has two components, x and y; here are %z",
-                   yk_load_subject(loader, &want->subject), value->count);
-        return;
-    }
+    if (!yk_load_expect_pair(loader, value, want)) return;
     want->subject.axis = "x of ";
     force->x = yk_load_strength(loader, value->items[0], want);
     want->subject.axis = "y of ";
