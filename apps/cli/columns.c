@@ -7,8 +7,7 @@
 #include "session.h"
 #include "write/amount.h"
 
-// Adds one column. Returns false when out of memory, or for an unknown name, with a problem.
-static bool add_column(YkSession *session, YkAnswerColumns *columns, const char *name)
+bool yk_columns_add(YkSession *session, YkAnswerColumns *columns, const char *name)
 {
     if (!name || !YK_ROOM(columns->items, columns->count, columns->capacity))
         return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
@@ -23,7 +22,7 @@ bool yk_columns_read(YkSession *session, YkAnswerColumns *columns)
     for (const char *at = session->request->of; at && *at;) {
         size_t length = strcspn(at, ",");
         const char *name = yk_arena_copy(session->request->arena, at, length);
-        if (length > 0 || at[length] == ',') good &= add_column(session, columns, name);
+        if (length > 0 || at[length] == ',') good &= yk_columns_add(session, columns, name);
         at += length + (at[length] == ',');
     }
     return good;

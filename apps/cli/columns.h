@@ -13,6 +13,8 @@ struct YkAnswerColumns {
     size_t count, capacity;
 };
 
+// Adds a column. Returns false when out of memory, or for an unknown name, with a problem.
+bool yk_columns_add(YkSession *session, YkAnswerColumns *columns, const char *name);
 // Reads --of a,b,c (nothing without it). Reports all bad names; then returns false.
 bool yk_columns_read(YkSession *session, YkAnswerColumns *columns);
 bool yk_columns_need_forces(const YkAnswerColumns *columns);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "columns.h"
 #include "session.h"
 #include "verbs/simulate/simulate.h"
 #include "write/file.h"
@@ -83,41 +84,27 @@ double yk_simulate_time_of(const YkSimulationAnswer *answer, size_t row)
     return answer->from + (answer->to - answer->from) * (double)row / (double)answer->steps;
 }
 
-static bool add_column(YkSimulationAnswer *answer, size_t *capacity, const char *name)
-{
-    if (!YK_ROOM(answer->columns, answer->column_count, *capacity))
-        return yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    YkAnswerColumn *column = &answer->columns[answer->column_count++];
-    column->name = name;
-    return yk_channel_parse(answer->session->mech, name, &column->channel, answer->session->problems) == YK_OK;
-}
-
 // Takes the coordinates (those that the file names, if any) and the energy.
-static bool take_usual_columns(YkSimulationAnswer *answer, size_t *capacity)
+static bool take_usual_columns(YkSession *session, YkAnswerColumns *columns)
 {
-    const YkMechanism *mech = answer->session->mech;
+    const YkMechanism *mech = session->mech;
     size_t count = yk_coordinate_count(mech);
     bool good = true, names_some = false;
     for (size_t i = 0; i < count; i++) names_some |= yk_coordinate_info(mech, i).is_declared;
     for (size_t i = 0; i < count; i++)
         if (!names_some || yk_coordinate_info(mech, i).is_declared)
-            good &= add_column(answer, capacity, yk_coordinate_info(mech, i).name);
-    return good && add_column(answer, capacity, "energy");
+            good &= yk_columns_add(session, columns, yk_coordinate_info(mech, i).name);
+    return good && yk_columns_add(session, columns, "energy");
 }
 
 // Reads --of a,b,c; reports all bad names.
 static bool read_columns(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
-    size_t capacity = 0;
-    bool good = true;
-    if (!session->request->of) return take_usual_columns(answer, &capacity);
-    for (const char *at = session->request->of; *at;) {
-        size_t length = strcspn(at, ",");
-        const char *name = yk_arena_copy(session->request->arena, at, length);
-        if (length > 0 || at[length] == ',') good &= name && add_column(answer, &capacity, name);
-        at += length + (at[length] == ',');
-    }
+    YkAnswerColumns columns = {0};
+    bool good = session->request->of ? yk_columns_read(session, &columns) : take_usual_columns(session, &columns);
+    answer->columns = columns.items;
+    answer->column_count = columns.count;
     return good;
 }
 

@@ -1,6 +1,7 @@
 // Reads the request for a study: which parameters vary and how, at which poses, with which columns.
 #include <stdlib.h>
 #include <string.h>
+#include "columns.h"
 #include "reach.h"
 #include "session.h"
 #include "stop.h"
@@ -116,19 +117,11 @@ YkDesigns yk_study_designs(const YkStudyAnswer *answer)
 
 static bool read_columns(YkStudyAnswer *answer)
 {
-    YkSession *session = answer->session;
-    size_t capacity = 0;
-    bool good = true;
-    for (const char *at = session->request->of; *at;) {
-        size_t length = strcspn(at, ",");
-        const char *name = yk_arena_copy(session->request->arena, at, length);
-        if (!name || !YK_ROOM(answer->columns, answer->column_count, capacity))
-            return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-        YkAnswerColumn *column = &answer->columns[answer->column_count++];
-        column->name = name;
-        good &= yk_channel_parse(session->mech, name, &column->channel, session->problems) == YK_OK;
-        at += length + (at[length] == ',');
-    }
+    YkAnswerColumns columns = {0};
+    bool good = yk_columns_read(answer->session, &columns);
+    answer->columns = columns.items;
+    answer->column_count = columns.count;
+    answer->has_forces = yk_columns_need_forces(&columns);
     return good;
 }
 
@@ -167,13 +160,6 @@ static bool read_poses(YkStudyAnswer *answer, size_t steps)
     }
     yk_state_free(state);
     return good;
-}
-
-static bool has_force(const YkStudyAnswer *answer)
-{
-    for (size_t c = 0; c < answer->column_count; c++)
-        if (yk_channel_needs_forces(answer->columns[c].channel)) return true;
-    return false;
 }
 
 // --- the whole
@@ -267,6 +253,6 @@ bool yk_study_read(YkStudyAnswer *answer)
     good = good && yk_session_load(session, swept) && yk_session_inputs(session);
     good = good && (!answer->over.name || yk_over_read(session, &answer->over));
     good = good && read_columns(answer) && (request->sample ? read_sample(answer) : read_grid(answer));
-    if (good && has_force(answer)) good = yk_session_forces(session, true) && yk_session_has_forces(session);
+    if (good && answer->has_forces) good = yk_session_forces(session, true) && yk_session_has_forces(session);
     return good && stand(answer) && read_poses(answer, steps) && yk_study_check_turns(answer) && make_study(answer);
 }

@@ -42,6 +42,7 @@ typedef struct YkStudyAnswer {
     const double **input_row; // NULL: the state's
     YkAnswerColumn *columns;  // --of
     size_t column_count;
+    bool has_forces; // among them
     double *times;  // [pose]; over a coordinate: NULL
     YkState *timed; // the session's state at the time that is asked
     YkState *start; // if other inputs gave the assembly: its pose with these; otherwise NULL

@@ -7,9 +7,6 @@
 #include "session.h"
 #include "verbs/sweep/sweep.h"
 
-enum { PAIRS = 4 };
-static const double reach[PAIRS] = {1, 1.7, 2.9, 4.3}; // of the poses beside a row, in steps
-
 // Returns the least sine of a transmission angle: near a change point or a dead point it is small.
 static double least_sine(const YkMechanism *mech, const YkState *state)
 {
@@ -57,22 +54,19 @@ static void read_values(const YkSweepAnswer *answer, const YkState *state, doubl
 }
 
 // A value is a smooth function of the inputs, and noise is not: raises each column's noise to what is left of it beside
-// a straight line through two poses a hair off, on both sides or, at a limit, on one, and to what the last place of the
-// inputs changes.
-static bool add_pair(YkSweepAnswer *answer, const YkState *state, double step, double last_place, bool has_forces)
+// a straight line through two poses a hair off on one side, and to what the last place of the inputs changes.
+static bool add_side(YkSweepAnswer *answer, const YkState *state, double step, double last_place, bool has_forces)
 {
     enum { SAFE = 8 };
     size_t count = answer->column_count;
     double *here = answer->values, *near = here + count, *far = near + count, *noise = far + count;
-    double first = go_beside(answer, state, step, has_forces) ? step : -step;
-    if (first < 0 && !go_beside(answer, state, first, has_forces)) return false;
-    read_values(answer, answer->beside, near);
-    double second = first > 0 && go_beside(answer, state, -step, has_forces) ? -step : 2 * first;
-    if (second == 2 * first && !go_beside(answer, state, second, has_forces)) return false;
-    read_values(answer, answer->beside, far);
+    for (int k = 1; k <= 2; k++) {
+        if (!go_beside(answer, state, k * step, has_forces)) return false;
+        read_values(answer, answer->beside, here + (size_t)k * count);
+    }
     for (size_t c = 0; c < count; c++) {
-        double slope = (far[c] - near[c]) / (second - first), off = here[c] - near[c] + slope * first;
-        noise[c] = fmax(noise[c], SAFE * fabs(off) + 4 * fabs(slope) * last_place);
+        double off = here[c] - near[c], slope = (far[c] - near[c]) / step;
+        noise[c] = fmax(noise[c], SAFE * fabs(off + slope * step) + 4 * fabs(slope) * last_place);
     }
     return true;
 }
@@ -111,8 +105,9 @@ void yk_sweep_measure_noise(YkSweepAnswer *answer, const YkState *state, size_t 
         measured[c] = 0;
         noise[c] = (YkNoise){.usual = (float)usual, .measured = (float)smooth_noise(answer, state, c, usual)};
     }
-    for (size_t k = 0; k < PAIRS && is_measured; k++)
-        is_measured = add_pair(answer, state, reach[k] * step, last_place, has_forces);
+    for (int k = 0; k < 4 && is_measured; k++, step *= -1.7) // at a limit, on one side alone
+        is_measured = add_side(answer, state, step, last_place, has_forces) ||
+                      add_side(answer, state, -step, last_place, has_forces);
     for (size_t c = 0; c < count; c++) {
         if (measured[c] == 0) measured[c] = 1e-2 * (double)noise[c].usual; // a constant may be noise wholly
         noise[c].measured = is_measured ? fmaxf(noise[c].measured, (float)measured[c]) : INFINITY;

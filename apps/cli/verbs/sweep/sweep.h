@@ -25,6 +25,7 @@ typedef struct YkSweepAnswer {
     YkMethod method;
     YkAnswerColumn *columns; // as --of names them, without the swept variable
     size_t column_count;
+    bool has_forces; // among them
     YkSweep *sweep;
     YkStatus status;
     YkText message;                // one sentence, if the status is not ok

@@ -52,18 +52,16 @@ static double shown_in_row(const YkSweepAnswer *answer, size_t row, size_t colum
     return yk_column_shown(answer->session, value, channel);
 }
 
-// Does the same for a value at an event. 0: noise by the whole table, and at a place that is known to fewer digits by
-// the rows around it.
+// Does the same for a value at an event. 0: noise by the whole table, and, at a place that is known to fewer digits, by
+// the row before.
 static double shown_at_event(const YkSweepAnswer *answer, size_t event, size_t column)
 {
     double value = yk_sweep_event_value(answer->sweep, event, column), at = yk_sweep_event(answer->sweep, event).at;
-    double way = answer->over.to > answer->over.from ? 1 : -1;
     YkChannel channel = answer->columns[column].channel;
     size_t row = 0, rows = yk_sweep_row_count(answer->sweep);
-    while (row + 1 < rows && way * yk_sweep_at(answer->sweep, row + 1) < way * at) row++;
-    size_t next = row + 1 < rows ? row + 1 : row;
-    float usual = fmaxf(noise_of(answer, row)[column].usual, noise_of(answer, next)[column].usual);
-    if (rows > 0 && fabs(value) > 1e3 * (double)usual)
+    double first = yk_sweep_at(answer->sweep, 0);
+    while (row + 1 < rows && fabs(yk_sweep_at(answer->sweep, row + 1) - first) < fabs(at - first)) row++;
+    if (fabs(value) > 1e3 * (double)noise_of(answer, row)[column].usual)
         return yk_amount_of(answer->session->model, value, channel.quantity);
     return yk_column_shown(answer->session, value, channel);
 }

@@ -12,31 +12,18 @@
 enum { STEPS_MAX = 10000000, STEPS = 36 };
 static const double full_turn = 6.28318530717958647692;
 
-static bool add_column(YkSweepAnswer *answer, size_t *capacity, const char *name)
-{
-    if (!YK_ROOM(answer->columns, answer->column_count, *capacity))
-        return yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
-    YkAnswerColumn *column = &answer->columns[answer->column_count++];
-    column->name = name;
-    return yk_channel_parse(answer->session->mech, name, &column->channel, answer->session->problems) == YK_OK;
-}
-
 // Reads --of a,b,c; without it takes all coordinates but the swept one. Reports all bad names.
 static bool read_columns(YkSweepAnswer *answer)
 {
     YkSession *session = answer->session;
-    size_t capacity = 0;
-    bool good = true;
-    for (const char *at = session->request->of; at && *at;) {
-        size_t length = strcspn(at, ",");
-        const char *name = yk_arena_copy(session->request->arena, at, length);
-        if (length > 0 || at[length] == ',') good &= name && add_column(answer, &capacity, name);
-        at += length + (at[length] == ',');
-    }
-    if (session->request->of) return good;
-    for (size_t i = 0; i < yk_coordinate_count(session->mech); i++)
+    YkAnswerColumns columns = {0};
+    bool good = yk_columns_read(session, &columns);
+    for (size_t i = 0; !session->request->of && i < yk_coordinate_count(session->mech); i++)
         if ((int)i != answer->over.coordinate)
-            good &= add_column(answer, &capacity, yk_coordinate_info(session->mech, i).name);
+            good &= yk_columns_add(session, &columns, yk_coordinate_info(session->mech, i).name);
+    answer->columns = columns.items;
+    answer->column_count = columns.count;
+    answer->has_forces = yk_columns_need_forces(&columns);
     return good;
 }
 
@@ -255,13 +242,6 @@ static bool check_request(YkSession *session)
     return yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--plot writes .svg, .pdf or .png, not %q", request->plot);
 }
 
-static bool wants_forces(const YkSweepAnswer *answer)
-{
-    for (size_t c = 0; c < answer->column_count; c++)
-        if (yk_channel_needs_forces(answer->columns[c].channel)) return true;
-    return false;
-}
-
 int yk_run_sweep(YkSession *session)
 {
     YkSweepAnswer *answer = calloc(1, sizeof *answer);
@@ -280,7 +260,7 @@ int yk_run_sweep(YkSession *session)
     good =
         good && yk_session_load(session, swept) && yk_session_inputs(session) && yk_over_read(session, &answer->over);
     good = good && yk_certify_begin(session) && read_columns(answer) &&
-           (!wants_forces(answer) || (yk_session_forces(session, true) && yk_session_has_forces(session)));
+           (!answer->has_forces || (yk_session_forces(session, true) && yk_session_has_forces(session)));
     if (good) exit_code = answer_sweep(answer, steps);
     yk_sweep_free(answer->sweep);
     yk_law_watch_free(answer->laws);
