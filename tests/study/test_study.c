@@ -264,6 +264,48 @@ static void test_a_pose_in_another_range_of_the_same_label_is_a_limit(void **unu
     machine_free(&m);
 }
 
+// Two cranks of 0.5 on pins 1 apart, joined by links of 0.6: they close while their ends are at most 1.2 apart, which
+// ends for the first one near 150.6 and -90.6 deg if the other is at 120. Where one ended blocks no pose before that
+// place, nor the other crank.
+static void test_a_known_limit_blocks_what_lies_beyond_it_alone(void **unused)
+{
+    (void)unused;
+    static const double degrees[][2] = {{60, 120}, {170, 120},  {149, 120}, {153, 120}, {60, 120}, {60, 160},
+                                        {60, 120}, {-100, 120}, {-88, 120}, {-93, 120}, {0, 120},  {150, 120}};
+    enum { COUNT = sizeof degrees / sizeof *degrees };
+    Machine m = machine_parse("parameters: {l: 0.6}\n"
+                              "bodies:\n"
+                              "  ground: {points: {O: [0, 0], C: [1, 0]}}\n"
+                              "  one:    {points: {O: [0, 0], A: [0.5, 0]}}\n"
+                              "  other:  {points: {C: [0, 0], B: [0.5, 0]}}\n"
+                              "  left:   {points: {A: [0, 0], D: [l, 0]}}\n"
+                              "  right:  {points: {B: [0, 0], D: [0.6, 0]}}\n"
+                              "joints:\n"
+                              "  O: {pin: [ground, one], angle: p}\n"
+                              "  C: {pin: [ground, other], angle: q}\n"
+                              "  A: {pin: [one, left], angle: u}\n"
+                              "  B: {pin: [other, right], angle: v}\n"
+                              "  D: {pin: [left, right]}\n"
+                              "drives: {p: 1 + 1 rad/s * t, q: 2 + 1 rad/s * t}\nstart: {u: 0, v: 0}\n",
+                              true);
+    const char *name = "l", *of[] = {"left.D.x", "left.D.y"};
+    double length[] = {0.6}, p[COUNT], q[COUNT], *outputs[] = {out[0], out[1]};
+    const double *parameters[] = {length}, *inputs[] = {p, NULL, NULL, q, NULL, NULL};
+    for (int k = 0; k < COUNT; k++) p[k] = degrees[k][0] * YK_PI / 180, q[k] = degrees[k][1] * YK_PI / 180;
+    YkStudy *study = study_of(&m, &name, 1, of, 2, 1);
+    YkStudyCase asked = {parameters, 1, inputs, COUNT, false};
+    assert_int_equal(yk_study_run(study, &asked, outputs, status), YK_LIMIT);
+    for (int k = 0; k < COUNT; k++) {
+        YkVec A = yk_scale(0.5, yk_unit(p[k])), B = yk_add(yk_vec(1, 0), yk_scale(0.5, yk_unit(q[k])));
+        assert_int_equal(status[k], yk_norm(yk_sub(A, B)) <= 1.2 ? YK_OK : YK_LIMIT);
+        if (status[k] < 0) continue;
+        CHECK_NEAR(yk_norm(yk_sub(yk_vec(out[0][k], out[1][k]), A)), 0.6, 1e-14);
+        CHECK_NEAR(yk_norm(yk_sub(yk_vec(out[0][k], out[1][k]), B)), 0.6, 1e-14);
+    }
+    yk_study_free(study);
+    machine_free(&m);
+}
+
 // A parallelogram stays one through its change points at 0 and 180 deg, its cranks parallel for turn after turn; fine
 // poses and far ones, forth and back.
 static void test_a_parallelogram_stays_one_through_its_change_points(void **unused)
@@ -539,6 +581,7 @@ int main(void)
         cmocka_unit_test(test_extents_are_those_of_the_poses),
         cmocka_unit_test(test_forces_follow_masses_and_lengths),
         cmocka_unit_test(test_a_pose_in_another_range_of_the_same_label_is_a_limit),
+        cmocka_unit_test(test_a_known_limit_blocks_what_lies_beyond_it_alone),
         cmocka_unit_test(test_a_parallelogram_stays_one_through_its_change_points),
         cmocka_unit_test(test_turns_are_counted_along_the_poses),
         cmocka_unit_test(test_turns_are_counted_up_to_a_change_point),
