@@ -176,6 +176,29 @@ class Loads(Case):
         self.assertIn("  theta         0.0001\n", text)
 
 
+# A stiff damped spring throws a bead at the start; beside it a heavy flywheel gathers speed.
+JOLT = """\
+bodies:
+  ground: {points: {O: [0, 0]}}
+  bead: {mass: 1e-3}
+  wheel: {points: {O: [0, 0]}, mass: 1, inertia: 500}
+joints:
+  S: {slide: [ground, bead], along: x, distance: x}
+  O: {pin: [ground, wheel], angle: q}
+springs: {k: {along: x, stiffness: 1e7, damping: 200}}
+efforts: {q: 1e-6 N*m}
+start: {x: 0.1}
+"""
+
+
+class Jolts(Case):
+    def test_a_jolt_hides_no_later_acceleration(self):
+        out = self.good("simulate", self.write("jolt.yaml", JOLT), "--to", "1", "--every", "0.1", "--of", "x.accel,q.accel").out
+        rows = [line.split() for line in out.split("\n\n")[1].splitlines()[1:]]
+        self.assertEqual(float(rows[0][1]), -1e9)
+        self.assertEqual([row[2] for row in rows[6:]], ["2e-9"] * 5)
+
+
 class Limits(Case):
     def test_what_grows_without_bound_at_a_limit_hides_nothing(self):
         """Near a limit accelerations and forces grow without bound: beside them, and in the rows before, the rest stays what it is."""

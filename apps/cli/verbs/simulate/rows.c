@@ -58,11 +58,13 @@ static void add_text_head(YkSimulationAnswer *answer, YkText *head)
     yk_text_puts(out, "\n");
 }
 
-// The scale grows as rows arrive.
+// The scale grows as rows arrive. Accelerations follow them down as well, to a tenth from row to row: a jolt hides none
+// for long.
 static void raise_scale(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
     if (answer->row_count == 1) yk_scale_begin(session);
+    session->scale.acceleration *= 0.1;
     yk_scale_add_bodies(session, yk_simulation_state(answer->simulation));
     for (size_t c = 0; c < answer->column_count; c++)
         yk_scale_add(session, answer->row[c + 1], answer->columns[c].channel.quantity);
