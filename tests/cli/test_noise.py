@@ -1,4 +1,5 @@
 """Rounding noise is 0 in the tables for people and exact in JSON; what is small and true is told."""
+import csv
 import math
 import re
 import unittest
@@ -214,6 +215,19 @@ class Limits(Case):
             for told, true in zip(rows, exact):
                 for have, want in list(zip(told, true))[1:]:
                     self.assertAlmostEqual(float(have), want, delta=1e-5 * abs(want))
+
+
+    def test_a_design_at_its_limit_hides_nothing_of_the_others(self):
+        path = self.write("designs.yaml", ROCKING.replace("B: [0.4, 0]", "B: [b, 0]").replace("theta: 1", "theta: 1.31811607 + 1") + "parameters: {b: 0.4}\n")
+        words = ("--vary", "b=0.4:0.41:3", "--of", "psi.accel,crank.A.x.accel,arm.P.x.rate,C.force.x,theta.effort")
+        tables = self.good("study", path, *words).out.split("\n\n")
+        exact = list(csv.reader(self.good("study", path, *words, "--format", "csv").out.splitlines()))[1:]
+        self.assertGreater(abs(float(exact[0][4])), 1e11)
+        for told, true in zip([line.split()[2:] for line in tables[1].splitlines()[2:]], exact[1:]):
+            for have, want in zip(told, map(float, true[4:])):
+                self.assertAlmostEqual(float(have), want, delta=1e-5 * abs(want))
+        (told,) = [line.split()[2:] for line in tables[2].splitlines() if line.startswith("  crank")]
+        self.assertEqual(told, ["-0.125", "0", "-0.125", "-0.125"])
 
 
 class ChangePoints(Case):

@@ -17,6 +17,27 @@ static double shown_parameter(const YkStudyAnswer *a, size_t axis, double value)
     return value / yk_model_parameter_unit(a->session->model, a->axes[axis].name);
 }
 
+// Scales by what one design has: beside its limit another may have numbers of any size.
+static void scale_by_row(YkStudyAnswer *a, const double *row)
+{
+    yk_scale_begin(a->session);
+    for (size_t k = yk_study_first(a); k < a->width; k++)
+        yk_scale_add(a->session, row[k], yk_study_quantity(a, k - yk_study_first(a)));
+}
+
+// Scales by the design with the least.
+static void scale_by_least(YkStudyAnswer *a)
+{
+    YkScale least = a->session->scale, *scale = &a->session->scale;
+    double sum, least_sum = HUGE_VAL;
+    for (size_t d = 0; d < a->done; d++) {
+        scale_by_row(a, yk_study_row(a, d));
+        sum = scale->rate + scale->acceleration + scale->force + scale->energy;
+        if (sum > 0 && sum < least_sum) least = *scale, least_sum = sum;
+    }
+    *scale = least;
+}
+
 // Writes the designs one by one if there are few.
 static void add_rows(YkStudyAnswer *a)
 {
@@ -32,6 +53,7 @@ static void add_rows(YkStudyAnswer *a)
     }
     for (size_t d = 0; d < a->done; d++) {
         const double *row = yk_study_row(a, d);
+        scale_by_row(a, row);
         for (size_t k = 0; k < a->axis_count; k++) yk_table_number(table, shown_parameter(a, k, row[k]), YK_DIGITS);
         yk_table_word(table, yk_status_name(yk_row_status(a, row)));
         for (size_t k = first; k < a->width; k++)
@@ -93,20 +115,9 @@ static void add_sensitivities(const YkStudyAnswer *a, size_t column)
     write_table(out, table);
 }
 
-static void find_scale(const YkStudyAnswer *a)
-{
-    yk_scale_begin(a->session);
-    for (size_t k = 0; k < a->width - yk_study_first(a); k++) {
-        YkMoments m = yk_study_moments(a, k);
-        yk_scale_add(a->session, m.least, yk_study_quantity(a, k));
-        yk_scale_add(a->session, m.largest, yk_study_quantity(a, k));
-    }
-}
-
 void yk_study_text(YkStudyAnswer *a)
 {
     YkText *out = &a->session->out;
-    find_scale(a);
     yk_text_format(out, "%s: %z designs", yk_model_name(a->session->model), a->done);
     if (a->over.name) yk_text_format(out, ", %z poses each over %s", a->pose_count, a->over.name);
     if (a->is_sample) yk_text_format(out, ", seed %z", (size_t)a->seed);
@@ -116,6 +127,7 @@ void yk_study_text(YkStudyAnswer *a)
         if (status != YK_OK && count > 0) yk_text_format(out, "%s: %z\n", yk_status_name((YkStatus)status), count);
     }
     add_rows(a);
+    scale_by_least(a);
     add_moments(a);
     for (size_t c = 0; a->derivative && a->sensitivity_status >= 0 && c < a->column_count; c++) add_sensitivities(a, c);
 }

@@ -16,8 +16,8 @@ static double least_sine(const YkMechanism *mech, const YkState *state)
     return least;
 }
 
-// Brings the state beside to the row's pose with every input moved by `step` (rad, or sizes of the machine). Returns
-// whether it has all that the row has.
+// Brings the state beside to the row's pose with every input moved by `step`, of itself or at least of a radian or the
+// machine's size. Returns whether it has all that the row has.
 static bool go_beside(const YkSweepAnswer *answer, const YkState *state, double step, bool has_forces)
 {
     const YkSession *session = answer->session;
@@ -27,24 +27,13 @@ static bool go_beside(const YkSweepAnswer *answer, const YkState *state, double 
     for (size_t i = 0; i < yk_input_count(mech); i++) {
         YkMotion motion = yk_state_input(state, i);
         bool is_distance = yk_coordinate_info(mech, yk_input_coordinate(mech, i)).is_distance;
-        motion.position += step * (is_distance ? yk_mechanism_size(mech) : 1);
+        motion.position += step * fmax(fabs(motion.position), is_distance ? yk_mechanism_size(mech) : 1);
         yk_state_set_input(beside, i, motion);
     }
     YkStatus status = yk_state_solve(beside);
     if (status < 0 || (yk_state_has_rates(state) && !yk_state_has_rates(beside))) return false;
     if (has_forces) status = yk_dynamics_solve(session->dynamics, beside, answer->method);
     return !has_forces || status == YK_OK || status == YK_REDUNDANT;
-}
-
-// Returns the largest input, rad or sizes of the machine: its last place is as good as the inputs are known.
-static double largest_input(const YkMechanism *mech, const YkState *state)
-{
-    double largest = 0;
-    for (size_t i = 0; i < yk_input_count(mech); i++) {
-        bool is_distance = yk_coordinate_info(mech, yk_input_coordinate(mech, i)).is_distance;
-        largest = fmax(largest, fabs(yk_state_input(state, i).position) / (is_distance ? yk_mechanism_size(mech) : 1));
-    }
-    return largest;
 }
 
 static void read_values(const YkSweepAnswer *answer, const YkState *state, double *values)
@@ -55,7 +44,7 @@ static void read_values(const YkSweepAnswer *answer, const YkState *state, doubl
 
 // A value is a smooth function of the inputs, and noise is not: raises each column's noise to what is left of it beside
 // a straight line through two poses a hair off on one side, and to what the last place of the inputs changes.
-static bool add_side(YkSweepAnswer *answer, const YkState *state, double step, double last_place, bool has_forces)
+static bool add_side(YkSweepAnswer *answer, const YkState *state, double step, bool has_forces)
 {
     enum { SAFE = 8 };
     size_t count = answer->column_count;
@@ -66,7 +55,7 @@ static bool add_side(YkSweepAnswer *answer, const YkState *state, double step, d
     }
     for (size_t c = 0; c < count; c++) {
         double off = here[c] - near[c], slope = (far[c] - near[c]) / step;
-        noise[c] = fmax(noise[c], SAFE * fabs(off + slope * step) + 4 * fabs(slope) * last_place);
+        noise[c] = fmax(noise[c], SAFE * fabs(off + slope * step) + 4 * fabs(slope) * DBL_EPSILON);
     }
     return true;
 }
@@ -89,8 +78,8 @@ void yk_sweep_measure_noise(YkSweepAnswer *answer, const YkState *state, size_t 
     YkSession *session = answer->session;
     size_t count = answer->column_count;
     YkNoise *noise = answer->noise + row * (count + 1);
-    double sine = least_sine(session->mech, state), last_place = DBL_EPSILON * largest_input(session->mech, state);
-    double step = fmax(1e-5 * sine * sine, 64 * fmax(DBL_EPSILON, last_place)), *measured = answer->values + 3 * count;
+    double sine = least_sine(session->mech, state), step = fmax(1e-5 * sine * sine, 64 * DBL_EPSILON),
+           *measured = answer->values + 3 * count;
     bool is_measured = yk_input_count(session->mech) > 0;
     YkStatus status = session->dynamics ? yk_dynamics_report(session->dynamics)->status : YK_SINGULAR;
     bool has_forces = status == YK_OK || status == YK_REDUNDANT;
@@ -106,8 +95,7 @@ void yk_sweep_measure_noise(YkSweepAnswer *answer, const YkState *state, size_t 
         noise[c] = (YkNoise){.usual = (float)usual, .measured = (float)smooth_noise(answer, state, c, usual)};
     }
     for (int k = 0; k < 4 && is_measured; k++, step *= -1.7) // at a limit, on one side alone
-        is_measured = add_side(answer, state, step, last_place, has_forces) ||
-                      add_side(answer, state, -step, last_place, has_forces);
+        is_measured = add_side(answer, state, step, has_forces) || add_side(answer, state, -step, has_forces);
     for (size_t c = 0; c < count; c++) {
         if (measured[c] == 0) measured[c] = 1e-2 * (double)noise[c].usual; // a constant may be noise wholly
         noise[c].measured = is_measured ? fmaxf(noise[c].measured, (float)measured[c]) : INFINITY;
