@@ -9,7 +9,7 @@ print(path if os.path.exists(path + '/Python.h') else '')" OUTPUT_VARIABLE YOKE_
     set(YOKE_PYTHON_INCLUDE ${YOKE_PYTHON_FOUND} CACHE INTERNAL "Where Python.h is")
   endif()
 endif()
-if(NOT YOKE_PYTHON_INCLUDE OR YOKE_SANITIZE OR YOKE_FUZZ OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux")
+if(NOT YOKE_PYTHON_INCLUDE OR YOKE_SANITIZE OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux")
   return()
 endif()
 

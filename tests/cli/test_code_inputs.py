@@ -129,7 +129,7 @@ class Inputs(Printed):
                 self.assertEqual((run.returncode, run.stdout), (0, ""), flags)
 
     def test_inputs_that_are_no_numbers_or_too_large_are_bad_in_every_place(self):
-        for name in MACHINES:
+        for name in MACHINES if "YOKE_FULL" in os.environ else FEW.union(MACHINES[::2]):
             if "YOKE_FEW" not in os.environ or name in FEW:
                 self.try_all(os.path.join(ROOT, "examples", name + ".yaml"))
 

@@ -15,7 +15,7 @@ int main(void)
 #else
 #include <mpfr.h>
 
-enum { BITS = 140, RANGES = 6, GATE = 50000, FULL = 10000000 };
+enum { BITS = 140, RANGES = 6, GATE = 20000, FULL = 10000000 };
 
 typedef struct Range {
     double low, high;

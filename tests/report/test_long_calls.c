@@ -247,6 +247,7 @@ static bool report(void *self, Watched *w, uint64_t *hash)
 static void code_and_reports_can_be_stopped(void **unused)
 {
     (void)unused;
+    check_without_sanitizers();
     Subject subject = subject_of(60);
     check_long_call("code", print_code, &subject);
     assert_int_equal(yk_state_set_progress(subject.m.state, (YkProgress){watch, NULL}), YK_OK);

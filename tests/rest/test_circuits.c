@@ -292,6 +292,7 @@ static void springs_of_groups_are_wound_up(void **unused)
 static void minima_and_maxima_take_turns(void **unused)
 {
     (void)unused;
+    check_without_sanitizers();
     static const char text[] =
         "gravity: [0, -9.81]\n"
         "bodies:\n"

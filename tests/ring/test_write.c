@@ -22,7 +22,7 @@ static void random_elements_read_back_as_themselves_in_every_format_and_style(vo
 {
     (void)state;
     Fixture f = fixture_new(1);
-    for (int i = 0; i < 5000; i++) {
+    for (uint64_t i = 0; i < check_cases(5000); i++) {
         if (i % 300 == 299) { // start anew: the ring keeps all it ever made
             uint64_t seed = f.seed;
             yk_ring_free(f.ring);

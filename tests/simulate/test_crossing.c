@@ -239,6 +239,7 @@ static void check_resting_drives(bool is_copied)
 static void drives_that_rest_at_a_change_point_keep_the_branch(void **unused)
 {
     (void)unused;
+    check_without_sanitizers();
     check_resting_drives(false);
     check_resting_drives(true);
 }

@@ -510,6 +510,7 @@ static void test_where_the_search_gave_up_it_says_so(void **unused)
 static void test_where_there_are_too_many_branches_it_gives_up_and_says_so(void **unused)
 {
     (void)unused;
+    check_without_sanitizers();
     enum { FOUR_BARS = 22 };
     static char text[20000];
     size_t n = (size_t)snprintf(text, sizeof text, "bodies:\n  ground: {points: {O: [0, 0], C: [4, 0]}}\n");

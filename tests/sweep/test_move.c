@@ -468,6 +468,7 @@ static void check_continuity(const char *name, double way)
 static void test_no_example_jumps(void **unused)
 {
     (void)unused;
+    check_without_sanitizers();
     DIR *folder = opendir(YOKE_ROOT "/examples");
     assert_non_null(folder);
     size_t count = 0;

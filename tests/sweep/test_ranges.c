@@ -250,6 +250,7 @@ static void check_group_range(const char *file)
 static void test_ranges_of_groups_end_at_limits_of_the_map(void **unused)
 {
     (void)unused;
+    check_without_sanitizers();
     check_group_range("stephenson-awkward");
     check_group_range("double-butterfly");
 }

@@ -84,6 +84,7 @@ static double hoeken(void)
 static void a_line_from_random_starts_is_straighter_than_hoekens(void **state)
 {
     (void)state;
+    check_without_sanitizers();
     static const char *const names[] = {"coupler.P.x", "coupler.P.y", "B.transmission", NULL};
     double low[3], high[3];
     Driven d = best_of("straight-line-from-anywhere", names, YK_PI / 2, 3 * YK_PI / 2);
@@ -123,6 +124,7 @@ static void a_foot_has_a_flat_stride_and_the_lift_that_is_asked(void **state)
 static void outputs_rest_and_swing(void **state)
 {
     (void)state;
+    check_without_sanitizers();
     static const char *const names[] = {"psi", "B.transmission", "D.transmission", NULL};
     static const struct {
         const char *task;
@@ -149,6 +151,7 @@ static void outputs_rest_and_swing(void **state)
 static void a_load_stays_level_with_little_torque(void **state)
 {
     (void)state;
+    check_without_sanitizers();
     static const char *const names[] = {"jib.tip.y", "theta.effort", "jib.tip.x", "energy", NULL};
     double low, high, step = YK_PI / 6 / STEPS;
     Driven d = best_of("level-luffing", names, YK_PI / 4, YK_PI * 5 / 12);

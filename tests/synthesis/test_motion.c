@@ -185,6 +185,7 @@ static void three_positions_with_pivots_have_one_machine_or_a_reason(void **stat
 static void two_and_four_positions_are_sampled_and_every_candidate_passes(void **state)
 {
     (void)state;
+    check_without_sanitizers();
     uint64_t seed = 13;
     for (size_t count = 2; count <= 4; count += 2) {
         YkPose pose[5] = {{.angle = 0}};
@@ -450,6 +451,7 @@ static size_t dyads_of(const char *positions, const char *mechanisms, YkDyadKind
 static void machines_with_slides_alone_get_a_fair_sample(void **state)
 {
     (void)state;
+    check_without_sanitizers();
     static const char three[] =
         "positions: [{at: [0, 0], angle: 0}, {at: [60, 45], angle: 15 deg}, {at: [140, 50], angle: -10 deg}]\n";
     static const char four[] =

@@ -327,6 +327,7 @@ static void hear(void *context, const YkCandidate *c, size_t place, size_t best)
 static void what_is_found_is_told_while_the_search_runs(void **state)
 {
     (void)state;
+    check_without_sanitizers();
     YkSynthesisOptions options = yk_default_synthesis_options();
     Told told = {.count = 0};
     options.best = 4;
