@@ -92,8 +92,10 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
         yk_batch_free(b);
         return NULL;
     }
-    b->run = (YkRun){b->mech,        NULL,   b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference,
-                     b->rates_alone, b->idle};
+    b->run = (YkRun){b->mech,        NULL,    b->lanes_of, b->state->branch, NULL, 0, b->home->slot_reference,
+                     b->rates_alone, b->idle, NULL};
+    bool may_fail = !YK_KNOWS_BLOCKS || is_along || b->mech->block_count > 0 || yk_measures_gaps(b->mech);
+    if (!may_fail) b->run.is_plain = &b->is_plain;
     yk_batch_restart(b, state);
     return b;
 }

@@ -32,6 +32,7 @@ struct YkBatch {
     bool is_along;        // the poses follow one path:
     YkBranchWatch watch;  // where its branches could have met
     double *next;         // [coordinate]: angles at the end of this block of lanes, references of the next
+    bool is_plain;        // the inputs of this block are numbers, and nothing else can fail: see YkRun
     bool has_settled;     // some lanes of this block have the state's answers
     size_t clear;         // lanes of this block that are certainly on the path
     const double *times;  // of the lanes of this block; NULL: the state's

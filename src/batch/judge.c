@@ -65,11 +65,12 @@ YkStatus yk_batch_write_settled(YkBatch *b, double *const *outputs, size_t at, s
 YkStatus yk_batch_judge(YkBatch *b, signed char *status, size_t n)
 {
     YkStatus worst = YK_OK;
-    bool well;
+    bool well = b->is_plain && n > 1;
     b->has_settled = false;
-    yk_lanes_well(&well, b->run.space->margin,
-                  YK_KNOWS_BLOCKS && !yk_measures_gaps(b->mech) ? NULL : b->run.space->gap,
-                  yk_state_close_margin(b->state), b->mech->size * YK_CLOSING_TOLERANCE, n);
+    if (!well)
+        yk_lanes_well(&well, b->run.space->margin,
+                      YK_KNOWS_BLOCKS && !yk_measures_gaps(b->mech) ? NULL : b->run.space->gap,
+                      yk_state_close_margin(b->state), b->mech->size * YK_CLOSING_TOLERANCE, n);
     if (well) {
         if (status) memset(status, YK_OK, n);
         return YK_OK;

@@ -180,10 +180,16 @@ YK_APART void mark_row(const double *value, double *ok, size_t n)
         if (!(fabs(value[i]) <= 1e100)) ok[i] = -1;
 }
 
-YK_INLINE void check_rows(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
+// Returns whether all rows fit.
+YK_INLINE bool check_rows(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
 {
-    for (size_t k = 0; k < tree->checked_count; k++)
-        if (!fits(tree->checked[k] + at, n)) mark_row(tree->checked[k] + at, ok, n);
+    bool all_fit = true;
+    for (size_t k = 0; k < tree->checked_count; k++) {
+        if (fits(tree->checked[k] + at, n)) continue;
+        mark_row(tree->checked[k] + at, ok, n);
+        all_fit = false;
+    }
+    return all_fit;
 }
 
 YK_INLINE bool all_well(const double *ok, size_t n)
@@ -235,11 +241,12 @@ YK_APART void repeat_far(const YkTreeLanes *tree, double *ok, bool *bad, size_t 
     chain_choose(tree, true, ok, bad, n);
 }
 
+// Rows are checked last: they are then in the cache, while the pass before waits for memory as it computes.
 YK_INLINE void yk_lanes_chain_body(bool *well, const YkTreeLanes *tree, double *ok, size_t n)
 {
     bool bad;
-    check_rows(tree, ok, 0, n);
     if (sincos_is_far(chain_choose(tree, false, ok, &bad, n))) repeat_far(tree, ok, &bad, n);
+    bad |= !check_rows(tree, ok, 0, n);
     if (bad) mask(tree, ok, 0, n);
     *well = !bad;
 }

@@ -42,7 +42,6 @@ typedef struct YkTreeRows { // of a link; links come after their parents
     bool has_mass;                // the file gives one
     double sense;                 // of the coordinate: +1 or -1
 } YkTreeRows;
-enum { YK_CHAIN_MOST = 3 }; // links of a short chain, each on the one before: kernels_chain.h
 
 typedef struct YkTreeLanes {
     const YkTreeRows *link;
@@ -52,6 +51,8 @@ typedef struct YkTreeLanes {
     const double *const *checked; // rows that must contain numbers of reasonable size
     size_t checked_count;
     YkAxis axis;
+    double side; // of two links along an axis: the sign of their vectors, if it is one for all, all senses are +1 and
+                 // gravity acts along y alone; otherwise 0
 } YkTreeLanes;
 
 // Computes the accelerations of n states. ok[lane] is 1 on entry, or -1 if something is wrong already. On return it is

@@ -1,6 +1,6 @@
 // Forward dynamics of open trees of pins.
 #include "equations/tree_pins.h"
-#include "equations/tree_articulated.h"
+#include "equations/short_chain.h"
 
 typedef struct Link {     // constant
     YkVec at;             // its pin on the parent, in the parent's axes, relative to the parent's pin
@@ -23,8 +23,15 @@ typedef struct Fork { // a link with a child that does not come right after it
     double alpha;
 } Fork;
 
+typedef struct Straight { // a link of a short chain, constant, in its own axes: see short_chain.h
+    YkVec moment, end;
+    double behind;
+} Straight;
+
 struct YkTreePins {
     YkTreeAngles angles;
+    Straight chain[YK_CHAIN_MOST];
+    bool is_chain;  // two or three links, each on the one before
     Link *link;     // [link]
     Answer *answer; // [link]
     Fork *fork;     // [fork]
@@ -43,6 +50,21 @@ static void find_least(const YkTreeLinks *links, Link *link, double *mass_out)
         mass_out[parent] += mass_out[k];
         link[parent].least += mass_out[k] * yk_dot(link[k].at, link[k].at);
         link[k].least *= YK_LEAST_PIVOT;
+    }
+}
+
+static void find_chain(YkTreePins *pins, const double *mass_out)
+{
+    size_t links = pins->angles.count - 1;
+    pins->is_chain = links > 1 && links <= YK_CHAIN_MOST;
+    for (size_t k = 1; pins->is_chain && k <= links; k++) {
+        Straight *own = &pins->chain[k - 1];
+        *own = (Straight){.moment = pins->link[k].moment, .behind = pins->link[k].inertia};
+        pins->is_chain = pins->angles.turn[k].parent == (int32_t)k - 1;
+        if (k == links) break;
+        own->end = pins->link[k + 1].at;
+        own->moment = yk_add(own->moment, yk_scale(mass_out[k + 1], own->end));
+        own->behind += mass_out[k + 1] * yk_dot(own->end, own->end);
     }
 }
 
@@ -65,6 +87,7 @@ YkTreePins *yk_tree_pins_new(const YkTreeLinks *links, YkVec gravity, YkArena *a
                                .inertia = l->inertia + l->mass * yk_dot(l->center, l->center)};
     }
     find_least(links, pins->link, mass_out);
+    find_chain(pins, mass_out);
     return pins;
 }
 
@@ -129,9 +152,48 @@ static void outward(const YkTreePins *pins, double *out)
     }
 }
 
+// Places a link of a short chain, on which `torque` acts at its pin and `next` at the pin of the next one.
+YK_INLINE ChainLink place_straight(const YkTreePins *pins, size_t k, double torque, double next)
+{
+    const Straight *own = &pins->chain[k];
+    YkVec e = yk_vec(pins->angles.c[k + 1], pins->angles.s[k + 1]);
+    double w = pins->angles.w[k + 1];
+    ChainLink link = {.moment = yk_mul(e, own->moment), .square = w * w, .behind = own->behind};
+    link.end = yk_mul(e, own->end);
+    link.effort = torque - next + yk_cross(link.moment, pins->gravity);
+    return link;
+}
+
+YK_INLINE int accelerate_chain(const YkTreePins *pins, const double *effort, double *out, size_t links)
+{
+    const YkLinkTurn *turn = pins->angles.turn + 1;
+    ChainLink link[YK_CHAIN_MOST];
+    double next = 0;
+#pragma GCC unroll 4
+    for (size_t k = links; k-- > 0;) {
+        double torque = effort ? (double)turn[k].sense * effort[turn[k].input] : 0;
+        link[k] = place_straight(pins, k, torque, next);
+        next = torque;
+    }
+#pragma GCC unroll 4
+    for (size_t k = 1; k < links; k++) link[k].couple = chain_couple_of(link[k - 1].end, link[k].moment);
+    chain_couple(link, links);
+    if (!chain_solve(link, links)) {
+        size_t k = links - 1;
+        while (k > 0 && chain_resists(link, k)) k--;
+        return turn[k].input;
+    }
+#pragma GCC unroll 4
+    for (size_t k = 0; k < links; k++)
+        out[turn[k].input] = (double)turn[k].sense * (k > 0 ? link[k].alpha - link[k - 1].alpha : link[k].alpha);
+    return -1;
+}
+
 int yk_tree_pins_accelerate(YkTreePins *pins, const double *q, const double *v, const double *effort, double *a)
 {
     yk_tree_angles_find(&pins->angles, q, v);
+    if (pins->is_chain && pins->angles.count == 3) return accelerate_chain(pins, effort, a, 2);
+    if (pins->is_chain) return accelerate_chain(pins, effort, a, 3);
     for (size_t k = 0; k < pins->angles.fork_count; k++) pins->fork[k].sum = (YkArticulated){0};
     int culprit = inward(pins, effort);
     if (culprit < 0) outward(pins, a);

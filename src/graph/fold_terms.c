@@ -186,13 +186,40 @@ static YkRef join_expanded(YkGraph *g, const Product *p, const Product *q)
 
 // --- sums
 
+// Returns the only factor that is a part of a unit vector; YK_NONE if there is none, or more than one.
+static YkRef direction_of(const YkGraph *g, const Product *p)
+{
+    YkRef found = YK_NONE;
+    for (size_t k = 0; k < p->count; k++) {
+        if (at(g, p->factor[k])->sine == 0) continue;
+        if (found != YK_NONE) return YK_NONE;
+        found = p->factor[k];
+    }
+    return found;
+}
+
+// Returns the sum of two products along one direction as a product with a sum, which other components share: YK_NONE
+// if they are along none, or along two.
+static YkRef join_along(YkGraph *g, const Product *p, const Product *q)
+{
+    YkRef direction = g->shares_signs ? direction_of(g, p) : YK_NONE;
+    if (direction == YK_NONE || direction_of(g, q) != direction) return YK_NONE;
+    Product one = *p, other = *q, common;
+    remove_common(&one, &other, &common);
+    YkRef sum = yk_graph_add(g, product_of(g, &one), product_of(g, &other));
+    return yk_graph_multiply(g, product_of(g, &common), sum);
+}
+
 // Returns a + sign b in a simpler form; YK_NONE if there is none.
 static YkRef join(YkGraph *g, YkRef a, YkRef b, double sign)
 {
     Product p = {1, 0, {0}}, q = {sign, 0, {0}};
     if (!take(g, a, &p) || !take(g, b, &q)) return YK_NONE;
-    if (p.count == 0 && q.count == 0) return yk_graph_number(g, p.number + q.number);
-    return add_product(g, &p, q) ? product_of(g, &p) : join_expanded(g, &p, &q);
+    if (p.count == 0 && q.count == 0)
+        return yk_graph_number(g, is_almost(p.number, -q.number) ? 0 : p.number + q.number);
+    if (add_product(g, &p, q)) return product_of(g, &p);
+    YkRef joined = join_expanded(g, &p, &q);
+    return joined != YK_NONE ? joined : join_along(g, &p, &q);
 }
 
 // Looks for a term of a sum that b joins. depth: how many sums within each other are searched.

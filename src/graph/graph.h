@@ -107,7 +107,8 @@ typedef struct YkGraph {
     bool failed;       // out of memory, or stopped
     bool joins_terms;  // sums join multiples of the same factors, and c^2 + s^2 = 1 of unit vectors
     bool shares_signs; // b - a becomes -(a - b) where a - b is there, and sums with negative numbers are differences;
-                       // with joins_terms, a number multiplies each term of sums such as p x + q y
+                       // with joins_terms, a number multiplies each term of sums such as p x + q y, and parts along
+                       // one direction are added before they are turned
 } YkGraph;
 
 bool yk_graph_start(YkGraph *graph, YkArena *arena);

@@ -154,17 +154,26 @@ static bool make(YkTapeMaker *m, YkArena *work, const YkRef *leaves, const YkRef
     t->prelude_count = t->step_count;
     make_steps(m, false);
     t->scratch = YK_NEW(t->arena, double, m->most_arguments + 3);
-    return !yk_arena_failed(t->arena) && yk_tape_order(m, work, roots) &&
+    return !yk_arena_failed(t->arena) && yk_tape_turn_signs(m, work, roots) && yk_tape_order(m, work, roots) &&
            yk_tape_place(t, work, g, leaves, roots, m->made) && yk_tape_find_telling(m, work, roots) &&
            yk_tape_make_one(t, work);
 }
 
-YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
+// Makes the negatives of all numbers: see tape_signs.c.
+static void negate_numbers(YkGraph *g)
+{
+    size_t count = g->count;
+    for (size_t k = 0; YK_KNOWS_BLOCKS && k < count; k++)
+        if (g->values[k].op == YK_VALUE_NUMBER) yk_graph_number(g, -g->values[k].number);
+}
+
+YkTape *yk_tape_new(YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
                     size_t lanes, YkTapeLaws laws)
 {
     YkTape *t = calloc(1, sizeof *t);
     YkArena *work = yk_arena_new();
     if (t) t->arena = yk_arena_new();
+    negate_numbers(graph);
     bool good = t && t->arena && work && !graph->failed;
     if (good) {
         t->laws = laws;

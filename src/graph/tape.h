@@ -17,8 +17,9 @@ typedef struct YkTapeLaws {
 
 // Makes a tape that computes the roots in blocks of at most `lanes` poses. leaves[k]: the leaves that will be given
 // values; every leaf that the roots depend on must be among them. Returns NULL when out of memory, or if the
-// graph contains calls of groups, which a tape cannot run. The graph is not needed afterwards.
-YkTape *yk_tape_new(const YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
+// graph contains calls of groups, which a tape cannot run. The graph gets some more numbers; it is not needed
+// afterwards.
+YkTape *yk_tape_new(YkGraph *graph, const YkRef *leaves, size_t leaf_count, const YkRef *roots, size_t root_count,
                     size_t lanes, YkTapeLaws laws);
 void yk_tape_free(YkTape *tape);
 size_t yk_tape_length(const YkTape *tape); // operations a pose

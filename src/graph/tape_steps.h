@@ -131,6 +131,9 @@ int32_t yk_tape_scalar_operand(YkTapeOp op, int32_t bit);
 // Returns whether a step reads its operand lane by lane.
 bool yk_tape_reads_lanes(const YkTapeStep *step, int32_t operand);
 
+// tape_signs.c: leaves out steps of a pose that only turn a sign round. Returns false when out of memory.
+bool yk_tape_turn_signs(YkTapeMaker *maker, YkArena *work, const YkRef *roots);
+
 // tape_order.c: puts the steps of a pose into an order in which few values wait. Returns false when out of memory.
 bool yk_tape_order(YkTapeMaker *maker, YkArena *work, const YkRef *roots);
 

@@ -51,19 +51,28 @@ static void add_law(const YkRun *run, const YkRelation *r, YkScalar argument, Yk
     }
 }
 
+// Returns the argument of a law: a source itself if it is all, otherwise a sum in scratch lanes.
+static YkScalar argument_of(const YkRun *run, const YkRelation *r, double *angle)
+{
+    YkPlane scratch = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
+    YkScalar argument = {scratch.x, scratch.vx, scratch.ax};
+    const YkRelationSource *first = &run->mech->sources[r->first_argument_source];
+    if (r->argument_source_count == 1 && first->factor == 1 && r->argument_offset == 0)
+        return source_of(run, first, angle);
+    if (r->argument_source_count == 0) hold_still(run, r->argument_offset, argument);
+    add_sources(run, r->first_argument_source, r->argument_source_count, r->argument_offset, argument, angle);
+    return argument;
+}
+
 // Evaluates a relation's value with its rates.
 static void evaluate(const YkRun *run, size_t index, YkScalar out)
 {
     const YkRelation *r = &run->mech->relations[index];
-    YkPlane argument = yk_space_scratch(run->space, YK_SCRATCH_ARM_1);
-    YkScalar turned = {argument.x, argument.vx, argument.ax};
     double *angle = yk_space_scratch(run->space, YK_SCRATCH_ARM_2).x;
     if (r->source_count == 0 && !r->law) hold_still(run, r->offset, out);
     add_sources(run, r->first_source, r->source_count, r->offset, out, angle);
     if (!r->law) return;
-    if (r->argument_source_count == 0) hold_still(run, r->argument_offset, turned);
-    add_sources(run, r->first_argument_source, r->argument_source_count, r->argument_offset, turned, angle);
-    add_law(run, r, turned, out, run->space->gain + index * run->space->stride);
+    add_law(run, r, argument_of(run, r, angle), out, run->space->gain + index * run->space->stride);
 }
 
 void yk_run_relation(const YkRun *run, size_t index)

@@ -15,11 +15,21 @@ static void begin_single(const YkRun *run)
     run->space->gap[0] = 0;
 }
 
+// Returns whether all inputs are numbers.
+static bool are_numbers(const YkRun *run)
+{
+    bool all = true;
+    for (size_t i = 0; all && i < run->mech->input_count; i++)
+        yk_lanes_numbers(&all, run->inputs[3 * i], run->inputs[3 * i + 1], run->inputs[3 * i + 2], run->lanes);
+    return all;
+}
+
 // Apart, so that one pose does not pay for it.
 YK_APART void begin_lanes(const YkRun *run)
 {
     double *margin = run->space->margin;
     size_t n = run->lanes, inputs = run->mech->input_count;
+    if (YK_KNOWS_BLOCKS && run->is_plain && (*run->is_plain = are_numbers(run))) return;
     if (yk_measures_gaps(run->mech)) memset(run->space->gap, 0, n * sizeof(double));
     for (size_t i = 0; i < inputs; i++)
         yk_lanes_begin(margin, run->inputs[3 * i], run->inputs[3 * i + 1], run->inputs[3 * i + 2], i == 0, n);

@@ -14,6 +14,8 @@ typedef struct YkRun {
     const double *references; // [mech->reference_count]: references of the angles from which relations start
     const bool *rates_alone;  // [slot]: nobody reads its direction, so that lanes need not turn it; or NULL
     const bool *idle;         // [slot]: nobody reads anything of it; or NULL
+    bool *is_plain;           // whether all inputs of several lanes are numbers, of a machine in which nothing else may
+                              // fail: margins are then left alone; or NULL
 } YkRun;
 
 // Returns where an input or a relation turns an orientation: without its direction if nobody reads that.

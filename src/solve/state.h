@@ -96,8 +96,9 @@ void yk_state_place_phases(YkState *state);
 static inline YkRun yk_state_run(YkState *state, const YkSpace *space)
 {
     if (state->has_phases) yk_state_place_phases(state);
-    return (YkRun){state->mech, space, state->input_lanes, state->branch, &state->groups, 1, state->slot_reference,
-                   NULL,        NULL};
+    return (YkRun){state->mech,    space, state->input_lanes,    state->branch,
+                   &state->groups, 1,     state->slot_reference, NULL,
+                   NULL,           NULL};
 }
 
 // Tolerances, in one place.

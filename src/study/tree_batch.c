@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/memory.h"
+#include "equations/short_chain.h"
 #include "expr/formula.h"
 #include "solve/kernels/kernels.h"
 #include "solve/state.h"
@@ -38,6 +39,7 @@ struct YkTreeBatch {
     size_t parameter_count, link_count, input_count;
     bool is_chain;    // a short one
     YkAxis axis;      // of its links
+    double side;      // see YkTreeLanes
     Link *link;       // parents before children
     YkTreeRows *rows; // of the links, as the kernel reads them
     YkTreeFound *found;
@@ -165,6 +167,20 @@ static YkAxis axis_of(const YkTreeBatch *b)
     return !has[1] ? YK_AXIS_X : !has[0] ? YK_AXIS_Y : YK_AXIS_NONE;
 }
 
+// Returns YkTreeLanes.side, after all else is given.
+static double side_of(const YkTreeBatch *b)
+{
+    int32_t along = b->axis == YK_AXIS_Y ? 1 : 0;
+    double side = b->rows[0].sign[YK_GIVEN_CENTER_X + along];
+    const Part *gravity = &b->gravity_part[0];
+    bool is_plain = b->is_chain && b->link_count == 2 && b->axis != YK_AXIS_NONE;
+    is_plain = is_plain && !gravity->formula && gravity->constant == 0;
+    for (size_t k = 0; is_plain && k < 2; k++) is_plain = b->rows[k].sense == 1;
+    is_plain = is_plain && b->rows[1].sign[YK_GIVEN_CENTER_X + along] == side &&
+               b->rows[1].sign[YK_GIVEN_AT_X + along] == side;
+    return is_plain ? side : 0;
+}
+
 static bool give_all(YkTreeBatch *b)
 {
     const YkMechanism *mech = b->variant->mech;
@@ -189,6 +205,7 @@ static bool give_all(YkTreeBatch *b)
     b->gravity_part[0] = part_of(b, &mech->model->gravity.x, 1);
     b->gravity_part[1] = part_of(b, &mech->model->gravity.y, 1);
     for (int c = 0; c < 2; c++) find_constant(&b->gravity_part[c], b->gravity[c]);
+    b->side = side_of(b);
     return true;
 }
 
@@ -373,7 +390,7 @@ static void point_links(YkTreeBatch *b, const YkMotionCase *asked, double *const
 static YkStatus run_block(YkTreeBatch *b, size_t from, size_t n, signed char *status)
 {
     YkTreeLanes tree = {b->rows,    b->found,         b->link_count, {b->gravity[0], b->gravity[1]},
-                        b->checked, b->checked_count, b->axis};
+                        b->checked, b->checked_count, b->axis,       b->side};
     bool well;
     (b->is_chain ? yk_lanes_chain : yk_lanes_tree)(&well, &tree, b->ok, n);
     if (well) {

@@ -93,6 +93,31 @@ static void random_sums_of_products_keep_their_value(void **state)
         }
 }
 
+// c x + c y and s x + s y have one sum x + y, whose numbers cancel as far as they are more than rounded.
+static void what_lies_along_one_direction_shares_a_sum(void **state)
+{
+    (void)state;
+    for (int shares = 0; shares < 2; shares++) {
+        YkGraph g;
+        YkArena *arena = yk_arena_new();
+        assert_true(arena && yk_graph_start(&g, arena));
+        g.joins_terms = true, g.shares_signs = shares == 1;
+        YkRef x = yk_graph_leaf(&g, YK_LEAF_POSE, "x"), y = yk_graph_leaf(&g, YK_LEAF_POSE, "y"), along[2];
+        YkRef part[2] = {yk_graph_leaf(&g, YK_LEAF_POSE, "c"), yk_graph_leaf(&g, YK_LEAF_POSE, "s")};
+        yk_graph_is_unit(&g, (YkRefVec){part[0], part[1]});
+        for (int k = 0; k < 2; k++) {
+            YkRef terms[] = {x, yk_graph_number(&g, 0.1), y, yk_graph_number(&g, 0.2), yk_graph_number(&g, -0.3)};
+            along[k] = yk_graph_number(&g, 0);
+            for (size_t i = 0; i < 5; i++)
+                along[k] = yk_graph_add(&g, along[k], yk_graph_multiply(&g, part[k], terms[i]));
+        }
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(along[k] == yk_graph_multiply(&g, part[k], yk_graph_add(&g, x, y)), shares);
+        yk_graph_end(&g);
+        yk_arena_free(arena);
+    }
+}
+
 // Moments of what turns with a body, in any order of their terms, for every k: k c (c x + s y) + k s (s x - c y) is
 // k x, and k s (c x + s y) - k c (s x - c y) is k y.
 static void what_turns_with_one_body_folds(void **state)
@@ -161,6 +186,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_sums_of_products_keep_their_value),
         cmocka_unit_test(what_turns_with_one_body_folds),
+        cmocka_unit_test(what_lies_along_one_direction_shares_a_sum),
         cmocka_unit_test(a_number_multiplies_each_term),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -106,8 +106,8 @@ static void test_random_graphs(void **unused)
     for (int round = 0; round < 300; round++) {
         start(&c, &seed);
         grow(&c, &seed);
+        YkTape *t = tape_of(&c, (YkTapeLaws){0}); // adds numbers to the graph
         double *numbers = calloc(c.graph.count, sizeof *numbers), alone[ROOTS];
-        YkTape *t = tape_of(&c, (YkTapeLaws){0});
         run(&c, t, 0, LANES);
         for (size_t i = 0; i < LANES; i++) {
             for (int k = 0; k < LEAVES + PARAMETERS; k++) numbers[c.leaves[k]] = c.leaf[k][i];
@@ -123,6 +123,81 @@ static void test_random_graphs(void **unused)
         free(numbers);
         end(&c);
     }
+}
+
+// Sums with v in each of their places: as a term, as a factor of the first or of the second product.
+static YkRef reader_of(YkGraph *g, YkRef v, const YkRef *x, YkRef number, int kind)
+{
+    YkRef xy = yk_graph_multiply(g, x[0], x[1]), nx = yk_graph_multiply(g, number, x[2]);
+    YkRef vx = yk_graph_multiply(g, v, x[3]), term = kind / 12 % 2 ? v : vx;
+    YkRef other = kind / 24 % 2 ? nx : xy;
+    switch (kind % 12) {
+    case 0:
+        return yk_graph_add(g, term, other);
+    case 1:
+        return yk_graph_subtract(g, term, other);
+    case 2:
+        return yk_graph_subtract(g, other, term);
+    case 3:
+        return yk_graph_add(g, x[3], yk_graph_add(g, term, other));
+    case 4:
+        return yk_graph_subtract(g, x[3], yk_graph_subtract(g, term, other));
+    case 5:
+        return yk_graph_subtract(g, yk_graph_subtract(g, other, term), x[3]);
+    case 6:
+        return yk_graph_add(g, yk_graph_add(g, x[3], other), term);
+    case 7:
+        return yk_graph_subtract(g, yk_graph_subtract(g, x[3], other), term);
+    case 8:
+        return yk_graph_unary(g, YK_VALUE_SIZE, v);
+    case 9:
+        return yk_graph_multiply(g, number, v);
+    case 10:
+        return yk_graph_divide(g, number, v);
+    default:
+        return yk_graph_multiply(g, v, v);
+    }
+}
+
+static size_t length_of(Case *c)
+{
+    YkTape *t = tape_of(c, (YkTapeLaws){0});
+    size_t length = yk_tape_length(t);
+    yk_tape_free(t);
+    return length;
+}
+
+// Where -v is asked for and v is read, the negative is computed alone as far as signs allow it, with the same values.
+static void test_signs_cost_no_step(void **unused)
+{
+    (void)unused;
+    static Case c;
+    uint64_t seed = 8;
+    size_t kept = 0;
+    for (int kind = 0; kind < 40 * 48; kind++) {
+        start(&c, &seed);
+        YkGraph *g = &c.graph;
+        YkRef number = yk_graph_number(g, 0.7);
+        YkRef v = reader_of(g, c.leaves[4], c.leaves, number, kind / 48),
+              u = reader_of(g, v, c.leaves + 2, number, kind);
+        for (int k = 0; k < ROOTS; k++) c.roots[k] = k == 0 ? v : k == 1 ? u : c.leaves[0];
+        size_t plain = length_of(&c);
+        c.roots[0] = yk_graph_minus(g, v);
+        YkTape *t = tape_of(&c, (YkTapeLaws){0});
+        kept += yk_tape_length(t) > plain;
+        run(&c, t, 0, LANES);
+        double *numbers = calloc(g->count, sizeof *numbers);
+        for (size_t i = 0; i < LANES; i++) {
+            for (int k = 0; k < LEAVES + PARAMETERS; k++) numbers[c.leaves[k]] = c.leaf[k][i];
+            graph_evaluate(g, numbers);
+            for (int k = 0; k < 2; k++) assert_true(c.out[k][i] == numbers[c.roots[k]]);
+        }
+        free(numbers);
+        yk_tape_free(t);
+        end(&c);
+    }
+    assert_true(!YK_KNOWS_BLOCKS ||
+                kept <= 1507); // sums of products without numbers, of one sign each, have no negative
 }
 
 static bool are_finite(const Case *c, const YkTape *t, size_t lane, bool only_telling)
@@ -477,6 +552,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_graphs),
+        cmocka_unit_test(test_signs_cost_no_step),
         cmocka_unit_test(test_roots_that_tell),
         cmocka_unit_test(test_which_roots_tell),
         cmocka_unit_test(test_joined_sums),

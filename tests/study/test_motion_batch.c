@@ -124,6 +124,18 @@ static const char *const ALONG_X =
     "  A: {pin: [lower, upper], angle: q2}\n"
     "efforts: {q2: 0.3 N*m}\n";
 
+// All vectors are positive multiples of parameters, and gravity is along y: what is left out then.
+static const char *const PLAIN = "parameters: {l: 0.4, m: 2, c: 0.3, e: 0.1, g: 9.81}\n"
+                                 "gravity: [0, -g]\n"
+                                 "bodies:\n"
+                                 "  ground: {points: {O: [e, 0.2]}}\n"
+                                 "  upper: {points: {O: [0, 0], A: [l, 0]}, mass: m, center: [c, 0], inertia: 0.05}\n"
+                                 "  lower: {points: {A: [0, 0]}, mass: m/2, center: [e, 0], inertia: 0.01}\n"
+                                 "joints:\n"
+                                 "  O: {pin: [ground, upper], angle: q1}\n"
+                                 "  A: {pin: [upper, lower], angle: q2}\n"
+                                 "efforts: {q2: 0.3 N*m}\n";
+
 static const char *const SKEW = "parameters: {l: 0.4, m: 2, c: 0.3, e: 0.1, g: 9.81}\n"
                                 "gravity: [1, -g]\n"
                                 "bodies:\n"
@@ -175,6 +187,7 @@ static void test_short_chains_are_the_file_with_these_values(void **unused)
     const char *const names[] = {"l", "m", "c", "e", "g"};
     check_text(SINGLE, names, 5, 1);
     check_text(ALONG_X, names, 5, 1);
+    check_text(PLAIN, names, 5, 1);
     check_text(SKEW, names, 5, 1);
 }
 
