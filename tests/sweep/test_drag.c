@@ -166,8 +166,8 @@ static void a_point_on_a_circle_turns_towards_the_target(void **unused)
         double off = yk_state_coordinate(m.state, 0).position - atan2(target[1], target[0]);
         CHECK_NEAR(off - 2 * YK_PI * round(off / (2 * YK_PI)), 0, 1e-9);
     }
-    double bad[2] = {(double)NAN, 0};
-    assert_int_equal(yk_state_drag(drag, bad, &end), YK_BAD_ARGUMENT);
+    const double bad[][2] = {{(double)NAN, 0}, {0, (double)NAN}, {(double)INFINITY, 0}, {0, -(double)INFINITY}};
+    for (size_t k = 0; k < 4; k++) assert_int_equal(yk_state_drag(drag, bad[k], &end), YK_BAD_ARGUMENT);
     assert_null(yk_drag_new(m.state, 2, place, NULL));
     yk_drag_free(drag);
     machine_free(&m);

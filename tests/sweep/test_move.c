@@ -377,6 +377,58 @@ static void test_an_input_ends_exactly_where_a_base_vanishes(void **unused)
     }
 }
 
+// A way over time, with rates that change and at steady ones, is told in parts of its time from its start; up to the
+// limit, where the crank pin is as far from the other pivot as coupler and rocker reach.
+typedef struct Told {
+    const YkState *state;
+    double from, to, last;
+    bool is_in_time; // the state tells how far it is
+    size_t count;
+} Told;
+
+static bool check_part(void *context, double part)
+{
+    Told *told = context;
+    if (told->is_in_time) CHECK_NEAR(part, (yk_state_time(told->state) - told->from) / (told->to - told->from), 1e-12);
+    assert_true(part >= told->last && part <= 1);
+    told->last = part;
+    told->count++;
+    return true;
+}
+
+static void test_parts_of_a_way_over_time(void **unused)
+{
+    (void)unused;
+    static const char *const laws[] = {"0.2 rad + 0.05 rad * (t/(1 s))^2", "0.2 rad + 0.2 rad/s * t"};
+    const double limit = acos(-0.44);
+    for (int k = 0; k < 8; k++) {
+        char text[1000];
+        bool is_steady = k % 2, arrives = k % 4 < 2, is_back = k >= 4;
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O2: [0, 0], O4: [10, 0]}}\n  crank: {points: {O2: [0, 0], A: [5, 0]}}\n"
+                 "  coupler: {points: {A: [0, 0], B: [6, 0]}}\n  rocker: {points: {O4: [0, 0], B: [7, 0]}}\n"
+                 "joints:\n  O2: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, coupler], angle: u}\n"
+                 "  O4: {pin: [ground, rocker], angle: v}\n  B: {pin: [coupler, rocker]}\n"
+                 "drives: {th: \"%s\"}\nstart: {u: 1, v: 2}\n",
+                 laws[is_steady]);
+        Machine m = machine_parse(text, true);
+        double ends = is_steady ? (limit - 0.2) / 0.2 : sqrt((limit - 0.2) / 0.05), from = 2.5, to = arrives ? 5 : 12;
+        if (is_back) to = arrives ? -0.5 : is_steady ? -30 : -12, ends = is_steady ? (-limit - 0.2) / 0.2 : -ends;
+        assert_true(yk_state_move_time(m.state, from, NULL, NULL, m.problems) >= 0);
+        Told told = {m.state, from, to, 0, !is_steady, 0};
+        YkMoveOptions options = yk_default_move_options();
+        YkMove move;
+        options.goes_on = check_part;
+        options.context = &told;
+        YkStatus status = yk_state_move_time(m.state, to, &options, &move, m.problems);
+        assert_true(arrives ? status >= 0 : status == YK_LIMIT);
+        assert_true(told.count >= 3);
+        CHECK_NEAR(move.part, arrives ? 1 : (ends - from) / (to - from), 1e-7);
+        CHECK_NEAR(yk_state_time(m.state), arrives ? to : ends, 1e-6);
+        machine_free(&m);
+    }
+}
+
 static bool stop_half_way(void *context, double part)
 {
     (void)context;
@@ -503,6 +555,7 @@ int main(void)
         cmocka_unit_test(test_events_of_both_ways_are_in_order),
         cmocka_unit_test(test_an_input_ends_exactly_where_a_base_vanishes),
         cmocka_unit_test(test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure),
+        cmocka_unit_test(test_parts_of_a_way_over_time),
         cmocka_unit_test(test_a_move_can_be_stopped),
         cmocka_unit_test(test_no_example_jumps),
     };
