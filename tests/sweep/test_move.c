@@ -152,9 +152,8 @@ static bool count_call(void *context, double part)
     return true;
 }
 
-static void check_turns(const char *file, double turns, size_t most)
+static void check_turns(Machine one, Machine many, double turns, size_t most)
 {
-    Machine one = machine_load(file), many = machine_load(file);
     double from = yk_state_input(one.state, 0).position;
     YkMoveOptions options = yk_default_move_options();
     size_t calls = 0;
@@ -176,13 +175,38 @@ static void check_turns(const char *file, double turns, size_t most)
     machine_free(&many);
 }
 
+// A belt from a wheel to the coupler turns the crank of a crank-rocker, three times for each turn of the wheel: loop and
+// belt are solved together, and its angles count their turns.
+static const char belted[] = "bodies:\n"
+                             "  ground: {points: {O: [0, 0], Q: [2, 0]}}\n"
+                             "  wheel: {points: {O: [0, 0]}}\n"
+                             "  crank: {points: {O: [0, 0], A: [0.25, 0]}}\n"
+                             "  coupler: {points: {A: [0, 0], B: [2, 0]}}\n"
+                             "  rocker: {points: {Q: [0, 0], B: [1.5, 0]}}\n"
+                             "joints:\n"
+                             "  W: {pin: [ground, wheel], at: O, angle: q}\n"
+                             "  O: {pin: [ground, crank], angle: th}\n"
+                             "  A: {pin: [crank, coupler], angle: u}\n"
+                             "  Q: {pin: [ground, rocker], angle: v}\n"
+                             "  B: {pin: [coupler, rocker]}\n"
+                             "belts: {g: {between: [wheel, coupler], radii: [0.3, 0.2], carrier: crank}}\n"
+                             "drives: {q: 0.4}\n"
+                             "start: {th: 1, u: -0.4, v: 1.7}\n";
+
 static void test_many_turns_cost_one(void **unused)
 {
     (void)unused;
-    check_turns("four-bar", 180000, 1000);
-    check_turns("slider-crank", 180000, 1000);
-    check_turns("jansen", 1000, 1000);
-    check_turns("geared-five-bar", 5000, 4000);
+    static const struct {
+        const char *file;
+        double turns;
+        size_t most;
+    } cases[] = {{"four-bar", 180000, 1000},
+                 {"slider-crank", 180000, 1000},
+                 {"jansen", 1000, 1000},
+                 {"geared-five-bar", 5000, 4000}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+        check_turns(machine_load(cases[k].file), machine_load(cases[k].file), cases[k].turns, cases[k].most);
+    check_turns(machine_parse(belted, true), machine_parse(belted, true), 700, 4000);
 }
 
 // An hour at 3000 rpm along the drives.
@@ -453,6 +477,17 @@ static void test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure(void
     assert_int_equal(report->block, -1);
     assert_int_equal(report->joint, -1);
     assert_true(report->gap == 0 && report->determinant == 0);
+    machine_free(&m);
+    m = machine_parse(
+        "bodies:\n  ground: {points: {O: [0, 0], Q: [2, 0]}}\n  crank: {points: {O: [0, 0], A: [0.3, 0]}}\n"
+        "  coupler: {points: {A: [0, 0], B: [2, 0]}}\n  rocker: {points: {Q: [0, 0], B: [1.5, 0]}}\n"
+        "joints:\n  O: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, coupler], angle: u}\n"
+        "  Q: {pin: [ground, rocker], angle: v}\n  B: {pin: [coupler, rocker]}\n"
+        "drives: {th: 1 rad/s * t + 0.5 rad * sin(1e3 rad/s * t)}\nstart: {u: -0.4, v: 1.7}\n",
+        true);
+    assert_int_equal(yk_state_move_time(m.state, 1e8, NULL, NULL, m.problems), YK_STOPPED); // over time, too
+    assert_non_null(strstr(yk_state_report(m.state)->message, "too long"));
+    assert_true(yk_state_time(m.state) == 0);
     machine_free(&m);
 }
 

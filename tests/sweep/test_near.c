@@ -72,6 +72,10 @@ static void check_place(YkPath *path, size_t k, double at, uint64_t *seed)
     double b = at + check_uniform(seed, 0.05, 0.3), part = check_uniform(seed, 0.1, 0.9);
     double length = yk_path_way(path, at, b);
     assert_true(length >= size_of_step(k, at, b) * (1 - 1e-12));
+    double whole = yk_path_length(path, at, b), back = yk_path_length(path, b, at);
+    if (drives[k].is_monotone) CHECK_NEAR(whole, size_of_step(k, at, b), 0.02 * size_of_step(k, at, b));
+    CHECK_NEAR(back, whole, 0.02 * whole);
+    CHECK_NEAR(yk_path_scale(path), 1 / fmax(1, yk_path_fastest(path->state)), 0);
     if (!drives[k].is_monotone) return;
     CHECK_NEAR(length, size_of_step(k, at, b), 1e-12 * (1 + length));
     double between = yk_path_between(path, at, b, part);
