@@ -454,7 +454,8 @@ static void set_inputs(Printed *m, Engine *e)
     }
 }
 
-// Moves the inputs a little; from_rest: they only begin to move there. Returns false where the machine does not close, or is near a dead point.
+// Moves the inputs a little; from_rest: they only begin to move there. Returns false where the machine does not close,
+// or is near a dead point.
 static bool move(Engine *e, double by, bool from_rest)
 {
     e->is_from_rest = from_rest;

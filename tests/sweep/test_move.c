@@ -175,8 +175,8 @@ static void check_turns(Machine one, Machine many, double turns, size_t most)
     machine_free(&many);
 }
 
-// A belt from a wheel to the coupler turns the crank of a crank-rocker, three times for each turn of the wheel: loop and
-// belt are solved together, and its angles count their turns.
+// A belt from a wheel to the coupler turns the crank of a crank-rocker, three times for each turn of the wheel: loop
+// and belt are solved together, and its angles count their turns.
 static const char belted[] = "bodies:\n"
                              "  ground: {points: {O: [0, 0], Q: [2, 0]}}\n"
                              "  wheel: {points: {O: [0, 0]}}\n"
