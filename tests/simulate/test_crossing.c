@@ -240,6 +240,30 @@ static void drives_that_rest_at_a_change_point_keep_the_branch(void **unused)
     }
 }
 
+// A swing of two arms on a driven cart: where it turns back the machine moves on with the cart, but it has no dead point
+// there.
+static void a_swing_on_a_driven_cart_has_no_dead_point(void **unused)
+{
+    (void)unused;
+    Run run = run_of_text("gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"
+                          "  cart: {points: {O: [0, 0], Q: [1, 0]}, mass: 2}\n  a: {points: {O: [0, 0], A: [0, -1]}}\n"
+                          "  b: {points: {Q: [0, 0], B: [0, -1]}}\n"
+                          "  seat: {points: {A: [0, 0], B: [1, 0]}, mass: 1, center: [0.5, 0], inertia: 0.1}\njoints:\n"
+                          "  O: {pin: [cart, a], at: O, angle: q}\n  A: {pin: [a, seat], angle: u}\n"
+                          "  Q: {pin: [cart, b], angle: r}\n  B: {pin: [seat, b]}\n"
+                          "  S: {slide: [ground, cart], along: x, distance: x}\n"
+                          "drives: {x: 1.5 m/s * t}\nstart: {q: 1, u: -1, r: 1}\n",
+                          run_options(1e-10));
+    for (int row = 1; row <= 10; row++) {
+        assert_int_equal(yk_simulation_advance(run.sim, 0.5 * row), YK_OK);
+        double q = run_value(&run, "q"), rate = run_value(&run, "q.rate");
+        CHECK_NEAR(0.5 * rate * rate, 9.81 * (cos(q) - cos(1)), 1e-8); // as beside a cart at rest
+    }
+    assert_int_equal(yk_simulation_happening_count(run.sim), 0);
+    assert_true(yk_simulation_summary(run.sim).energy_error < 1e-8);
+    run_free(&run);
+}
+
 // A slider-crank whose crank is 0.3 m long and whose rod `rod`, in gravity.
 static Run slider_crank(const char *rod, double rate)
 {
@@ -394,6 +418,7 @@ int main(void)
         cmocka_unit_test(a_lever_does_not_turn_over_where_the_pin_passes_its_pivot),
         cmocka_unit_test(no_row_is_wrong_near_a_change_point),
         cmocka_unit_test(drives_that_rest_at_a_change_point_keep_the_branch),
+        cmocka_unit_test(a_swing_on_a_driven_cart_has_no_dead_point),
         cmocka_unit_test(equal_links_pass_their_change_points),
         cmocka_unit_test(almost_equal_links_keep_their_circuit),
         cmocka_unit_test(a_motion_that_is_not_known_ends),
