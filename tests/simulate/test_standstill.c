@@ -54,6 +54,7 @@ static void without_a_dead_point_the_fastest_coordinate_is_named(void **unused)
     assert_int_equal(yk_simulation_advance(run.sim, 2), YK_NOT_CONVERGED);
     assert_non_null(strstr(yk_simulation_report(run.sim)->message, "changes too fast (`"));
     const YkMechanism *mech = yk_state_mechanism(yk_simulation_state(run.sim));
+    assert_int_equal(yk_simulation_report(run.sim)->block, -1);
     const char *fastest = NULL;
     double most = 0;
     for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
