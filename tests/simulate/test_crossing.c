@@ -353,6 +353,44 @@ static void a_motion_that_is_not_known_ends(void **unused)
     }
 }
 
+// A crank is driven to where its four-bar does not close any more, at acos(-0.44) to either side; beside it another one
+// rests or turns through, before or behind it in the order of solution. The motion ends there, and says at which joint.
+static void a_drive_into_a_limit_ends_there(void **unused)
+{
+    (void)unused;
+    static const double rates[] = {1, -1, 0.2, 30};
+    for (size_t k = 0; k < 2 * sizeof rates / sizeof *rates; k++) {
+        double rate = rates[k / 2], start = 0.5, limit = (rate > 0 ? 1 : -1) * acos(-0.44),
+               end = (limit - start) / rate;
+        bool is_first = k % 2, rests = k % 4 < 2; // the other crank
+        char text[2200];
+#define BAR(i, y, a, b, c)                                                                                             \
+    "  a" i ": {points: {O" i ": [0, 0], A" i ": [" a ", 0]}, mass: 1, inertia: 1, center: [0, 0]}\n"                  \
+    "  b" i ": {points: {A" i ": [0, 0], B" i ": [" b ", 0]}}\n  c" i ": {points: {Q" i ": [0, 0], B" i ": [" c        \
+    ", 0]}}\n"
+#define PINS(i)                                                                                                        \
+    "  O" i ": {pin: [ground, a" i "], angle: t" i "}\n  A" i ": {pin: [a" i ", b" i "], angle: u" i "}\n"             \
+    "  Q" i ": {pin: [ground, c" i "], angle: v" i "}\n  B" i ": {pin: [b" i ", c" i "]}\n"
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O1: [0, 0], Q1: [10, 0], O2: [0, 9], Q2: [10, 9]}}\n"
+                 "%s%sjoints:\n%s%sdrives: {t1: 0.5 + %.17g rad/s * t, t2: 0.3 + %.17g rad/s * t}\n"
+                 "start: {u1: 1, v1: 2, u2: 1, v2: 2}\n",
+                 is_first ? BAR("1", "0", "5", "6", "7") : BAR("2", "9", "2", "9", "8"),
+                 is_first ? BAR("2", "9", "2", "9", "8") : BAR("1", "0", "5", "6", "7"),
+                 is_first ? PINS("1") : PINS("2"), is_first ? PINS("2") : PINS("1"), rate, rests ? 0 : 0.5 * rate);
+        Run run = run_of_text(text, run_options(1e-9));
+        YkStatus status = yk_simulation_advance(run.sim, 0.9 * end);
+        assert_int_equal(status, YK_OK);
+        CHECK_NEAR(run_value(&run, "t1"), start + 0.9 * (limit - start), 1e-9);
+        assert_int_equal(yk_simulation_advance(run.sim, 3 * end), YK_LIMIT);
+        CHECK_NEAR(yk_simulation_time(run.sim), end, (rests ? 1e-9 : 1e-4) * end); // where two move, it stops before
+        assert_true(yk_simulation_time(run.sim) <= end * (1 + 1e-12));
+        assert_string_equal(yk_simulation_report(run.sim)->message,
+                            "a limit position: beyond, joint `B1` does not close");
+        run_free(&run);
+    }
+}
+
 // Two four-bars that pass dead points of their cranks, beside a pendulum with a gear.
 #define FOUR_BAR_POINTS(i, x, end) "      O" i ": [" x ", 0]\n      C" i ": [" end ", 0]\n"
 #define FOUR_BAR_BODIES(i)                                                                                             \
@@ -419,6 +457,7 @@ int main(void)
         cmocka_unit_test(no_row_is_wrong_near_a_change_point),
         cmocka_unit_test(drives_that_rest_at_a_change_point_keep_the_branch),
         cmocka_unit_test(a_swing_on_a_driven_cart_has_no_dead_point),
+        cmocka_unit_test(a_drive_into_a_limit_ends_there),
         cmocka_unit_test(equal_links_pass_their_change_points),
         cmocka_unit_test(almost_equal_links_keep_their_circuit),
         cmocka_unit_test(a_motion_that_is_not_known_ends),
