@@ -240,8 +240,8 @@ static void drives_that_rest_at_a_change_point_keep_the_branch(void **unused)
     }
 }
 
-// A swing of two arms on a driven cart: where it turns back the machine moves on with the cart, but it has no dead point
-// there.
+// A swing of two arms on a driven cart: where it turns back the machine moves on with the cart, but it has no dead
+// point there.
 static void a_swing_on_a_driven_cart_has_no_dead_point(void **unused)
 {
     (void)unused;
