@@ -1,5 +1,5 @@
-// The file that is written of a machine is that machine: of every kind, however it is built, the engine finds its traced
-// point where the machine's own equations have it, at the pose that is written and at others.
+// The file that is written of a machine is that machine: of every kind, however it is built, the engine finds its
+// traced point where the machine's own equations have it, at the pose that is written and at others.
 #include "solve/machine.h"
 #include "synthesis/paths/path_chain.h"
 
