@@ -42,12 +42,6 @@ static char *copy_of(const char *text)
     return strcpy(copy, text);
 }
 
-// Points near an oval, which no four-bar meets.
-static const char OVAL[] = "synthesis: path\n"
-                           "points: [[-40, 0], [-34, 10], [-20, 17], [0, 20], [20, 17], [34, 10],\n"
-                           "  [40, 0], [34, -10], [20, -17], [0, -20], [-20, -17], [-34, -10]]\n"
-                           "closed: true\nmechanisms: [four-bar]\nrequire: {input: turns}\nunits: {length: mm}\n";
-
 static void check_all(const Answer *a, const YkVec *point, size_t count)
 {
     double last = 0;
