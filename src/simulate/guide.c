@@ -68,7 +68,7 @@ bool yk_simulation_stands_with_guide(YkSimulation *sim, double t, bool must_be_s
 
 void yk_simulation_end_at_limit(YkSimulation *sim)
 {
-    const double NEAR = 1e-5, // how far the inputs may be from there, rad or lengths over the machine's size,
+    const double NEAR = 1e-3, // how far the inputs may be from there, rad or lengths over the machine's size,
         SOON = 1e-3;          // and the time, over what has passed: a drive may be coming to rest
     double rate = 0;
     if (!sim->guide || sim->commands || sim->contact_count > 0) return;

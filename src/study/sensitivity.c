@@ -84,6 +84,7 @@ typedef struct Linear { // the loops and inputs at the pose, as equations of dx
     YkVec *origin; // [body]
     double *angle; // [body] of its orientation
     size_t rank;
+    double size; // of the machine, with the file's parameters
 } Linear;
 
 static bool is_position(YkChannel channel)
@@ -127,6 +128,12 @@ static bool start_linear(Linear *l, const YkMechanism *mech)
     return true;
 }
 
+// Returns the unit of a variable in J, whose entries are lengths: a radian, or the machine's size.
+static double unit_of(const Linear *l, size_t variable)
+{
+    return variable < l->mech->orientation_count - 1 ? 1 : l->size;
+}
+
 // Takes x from the pose; fills J from the loops and one row per input, whose coordinate does not change.
 static void linearise(Linear *l, const YkState *state)
 {
@@ -137,6 +144,7 @@ static void linearise(Linear *l, const YkState *state)
     }
     for (size_t d = 0; d < mech->distance_count; d++)
         l->x[mech->orientation_count - 1 + d] = yk_space_slide(&state->space, (int32_t)d).d[0];
+    l->size = mech->size;
     memset(l->J, 0, l->rows * l->variables * sizeof *l->J);
     yk_closure(mech, l->x, l->work, l->J);
     for (size_t i = 0; i < mech->input_count; i++) {
@@ -145,10 +153,11 @@ static void linearise(Linear *l, const YkState *state)
         if (q->is_distance) {
             row[variable_of(mech, true, q->distance)] = 1;
         } else {
-            if (q->angle.b > 0) row[variable_of(mech, false, q->angle.b)] += 1;
-            if (q->angle.a > 0) row[variable_of(mech, false, q->angle.a)] -= 1;
+            if (q->angle.b > 0) row[variable_of(mech, false, q->angle.b)] += mech->size;
+            if (q->angle.a > 0) row[variable_of(mech, false, q->angle.a)] -= mech->size;
         }
     }
+    for (size_t k = 0; k < l->rows * l->variables; k++) l->J[k] *= unit_of(l, k % l->variables);
     l->rank = yk_qr_factor(l->rows, l->variables, l->J, l->order, l->tau, 1e-10);
 }
 
@@ -222,6 +231,7 @@ static bool directions(YkStudy *study, Linear *l, size_t parameter)
     }
     for (size_t k = 0; good && k < l->rows; k++) l->b[k] = k < n ? -extrapolate(stages + k * STAGES, STAGES) : 0;
     if (good) yk_qr_solve(l->rows, l->variables, l->J, l->order, l->tau, l->rank, l->b, l->dx);
+    for (size_t k = 0; good && k < l->variables; k++) l->dx[k] *= unit_of(l, k);
     return good;
 }
 

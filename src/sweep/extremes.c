@@ -7,6 +7,12 @@ static bool is_smooth(YkChannel c)
     return c.order == 0 && c.kind != YK_CHANNEL_TIME && c.kind < YK_CHANNEL_POINT_SPEED;
 }
 
+// Returns one unit of a channel: a turn, or the machine's size.
+static double unit_of(const YkSweep *w, YkChannel c)
+{
+    return c.quantity == YK_QUANTITY_ANGLE ? 2 * YK_PI : w->walk.path.state->mech->size;
+}
+
 // Returns the derivative of a channel along the path, or 0 if it is not above rounding, or could be another branch's.
 // Near a change point the pose is known to the rounding over the sine of the transmission angle, rates to that over its
 // square.
@@ -16,7 +22,7 @@ static double slope_here(const YkSweep *w, YkChannel c)
     const YkState *s = w->walk.path.state;
     double margin = s->space.margin[0], noise = s->is_regular ? 0 : ROUNDING / margin;
     if (!s->has_rates || (margin < YK_BRANCH_MARGIN && !s->is_regular)) return 0;
-    double value = yk_state_channel(s, c), unit = c.quantity == YK_QUANTITY_ANGLE ? 2 * YK_PI : s->mech->size;
+    double value = yk_state_channel(s, c), unit = unit_of(w, c);
     c.order = 1;
     double slope = yk_state_channel(s, c), least = fmax(1e-10, noise) * (unit + fabs(value));
     return fabs(slope) * yk_path_scale(&w->walk.path) > least ? slope : 0;
@@ -86,12 +92,14 @@ static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, d
 
 void yk_sweep_watch_extremes(YkSweep *w, double at)
 {
+    const double STEEP = 1e6; // units over one of the path: so the channel goes to a limit, and does not turn round
     bool moved = false;
     for (size_t c = 0; c < w->channel_count; c++) {
         if (!is_smooth(w->channels[c])) continue;
         double slope = slope_here(w, w->channels[c]);
         if (slope == 0) continue;
-        if (w->slope[c] * slope < 0 && fabs(slope) * yk_path_scale(&w->walk.path) < 1e6) {
+        if (w->slope[c] * slope < 0 &&
+            fabs(slope) * yk_path_scale(&w->walk.path) < STEEP * unit_of(w, w->channels[c])) {
             bisect_extreme(w, c, w->slope_at[c], at, w->slope[c]);
             moved = true;
             yk_path_try(&w->walk.path, at, true);

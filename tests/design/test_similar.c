@@ -90,7 +90,7 @@ static void test_designs_in_other_units(void **unused)
                                         "examples/steam-engine.yaml", "examples/geared-five-bar.yaml"};
     static const double weights[][3] = {{0, 0, 0}, {1, 0.5, 0.25}};
     for (size_t k = 0; k < check_cases(sizeof files / sizeof *files); k++) {
-        static const int units[][3] = {{-5, 4, -3}, {3, -6, 5}};
+        static const int units[][3] = {{-35, 24, -33}, {33, -26, 25}};
         Similar m[2];
         similar_load_both(&m[0], &m[1], files[k], units[k % 2]);
         for (int i = 0; i < 2; i++)

@@ -1,7 +1,7 @@
 // The examples in other units (tests/similar.h): forces, efforts and energies are similar, in every number.
 #include "../similar.h"
 
-static const int units[][3] = {{3, 0, 0}, {0, -7, 0}, {-5, 4, 3}};
+static const int units[][3] = {{33, 0, 0}, {0, -37, 0}, {-35, 24, 33}};
 
 static void check_method(Similar *a, Similar *b, YkMethod method)
 {

@@ -179,10 +179,12 @@ static void no_row_is_wrong_near_a_change_point(void **unused)
 }
 
 // A drive alone moves the parallelogram, and rests or turns back exactly where it is flat: whatever is answered is on
-// its branch, or the run stops with a status. Where it turns back at once, it goes on. A copy made on the way does the
-// same.
-static void check_resting_drives(bool is_copied)
+// its branch, or the run stops with a status. Where it turns back at once, it goes on. Half of them
+// are copied on the way. Couples do their work there, too.
+static void drives_that_rest_at_a_change_point_keep_the_branch(void **unused)
 {
+    (void)unused;
+    check_without_sanitizers();
     static const struct {
         const char *law; // of T = t/s, in units of 60 deg around the flat pose
         double start;
@@ -209,14 +211,16 @@ static void check_resting_drives(bool is_copied)
             "  crank:   {points: {O2: [0, 0], A: [2, 0]}, mass: 1, inertia: 0.2, center: [1, 0]}\n"
             "  coupler: {points: {A: [0, 0], B: [4, 0]}, mass: 2, inertia: 0.5, center: [2, 0]}\n"
             "  rocker:  {points: {O4: [0, 0], B: [2, 0]}, mass: 1, inertia: 0.2, center: [1, 0]}\n" PARALLELOGRAM_JOINTS
-            "gravity: [0, -10]\n"
+            "gravity: [0, -10]\nsprings: {k: {along: theta2, stiffness: 3, damping: 0.5}}\n"
+            "forces: {f: {body: coupler, at: A, value: [2, -1], moment: 0.7}, g: {body: rocker, at: B, value: [0, 0], "
+            "moment: 1.5}}\n"
             "drives: {theta2: '180 deg + 60 deg*(%s)'}\nstart: {theta3: %.17g deg, theta4: %.17g deg}\n",
             drives[k].law, -theta, theta);
         Run run = run_of_text(text, run_options(1e-9));
         YkStatus status = YK_OK;
         for (int row = 0; row <= 24 && status == YK_OK; row++) {
             status = yk_simulation_advance(run.sim, row / 8.0);
-            if (is_copied && row == 4) {
+            if (k % 2 == 1 && row == 4) {
                 YkSimulation *copy = yk_simulation_clone(run.sim);
                 assert_non_null(copy);
                 yk_simulation_free(run.sim);
@@ -236,12 +240,28 @@ static void check_resting_drives(bool is_copied)
     }
 }
 
-static void drives_that_rest_at_a_change_point_keep_the_branch(void **unused)
+// A swing of two arms on a driven cart: where it turns back the machine moves on with the cart, but it has no dead
+// point there.
+static void a_swing_on_a_driven_cart_has_no_dead_point(void **unused)
 {
     (void)unused;
-    check_without_sanitizers();
-    check_resting_drives(false);
-    check_resting_drives(true);
+    Run run = run_of_text("gravity: [0, -9.81]\nbodies:\n  ground: {points: {O: [0, 0]}}\n"
+                          "  cart: {points: {O: [0, 0], Q: [1, 0]}, mass: 2}\n  a: {points: {O: [0, 0], A: [0, -1]}}\n"
+                          "  b: {points: {Q: [0, 0], B: [0, -1]}}\n"
+                          "  seat: {points: {A: [0, 0], B: [1, 0]}, mass: 1, center: [0.5, 0], inertia: 0.1}\njoints:\n"
+                          "  O: {pin: [cart, a], at: O, angle: q}\n  A: {pin: [a, seat], angle: u}\n"
+                          "  Q: {pin: [cart, b], angle: r}\n  B: {pin: [seat, b]}\n"
+                          "  S: {slide: [ground, cart], along: x, distance: x}\n"
+                          "drives: {x: 1.5 m/s * t}\nstart: {q: 1, u: -1, r: 1}\n",
+                          run_options(1e-10));
+    for (int row = 1; row <= 10; row++) {
+        assert_int_equal(yk_simulation_advance(run.sim, 0.5 * row), YK_OK);
+        double q = run_value(&run, "q"), rate = run_value(&run, "q.rate");
+        CHECK_NEAR(0.5 * rate * rate, 9.81 * (cos(q) - cos(1)), 1e-8); // as beside a cart at rest
+    }
+    assert_int_equal(yk_simulation_happening_count(run.sim), 0);
+    assert_true(yk_simulation_summary(run.sim).energy_error < 1e-8);
+    run_free(&run);
 }
 
 // A slider-crank whose crank is 0.3 m long and whose rod `rod`, in gravity.
@@ -333,6 +353,44 @@ static void a_motion_that_is_not_known_ends(void **unused)
     }
 }
 
+// A crank is driven to where its four-bar does not close any more, at acos(-0.44) to either side; beside it another one
+// rests or turns through, before or behind it in the order of solution. The motion ends there, and says at which joint.
+static void a_drive_into_a_limit_ends_there(void **unused)
+{
+    (void)unused;
+    static const double rates[] = {1, -1, 0.2, 30};
+    for (size_t k = 0; k < 2 * sizeof rates / sizeof *rates; k++) {
+        double rate = rates[k / 2], start = 0.5, limit = (rate > 0 ? 1 : -1) * acos(-0.44),
+               end = (limit - start) / rate;
+        bool is_first = k % 2, rests = k % 4 < 2; // the other crank
+        char text[2200];
+#define BAR(i, y, a, b, c)                                                                                             \
+    "  a" i ": {points: {O" i ": [0, 0], A" i ": [" a ", 0]}, mass: 1, inertia: 1, center: [0, 0]}\n"                  \
+    "  b" i ": {points: {A" i ": [0, 0], B" i ": [" b ", 0]}}\n  c" i ": {points: {Q" i ": [0, 0], B" i ": [" c        \
+    ", 0]}}\n"
+#define PINS(i)                                                                                                        \
+    "  O" i ": {pin: [ground, a" i "], angle: t" i "}\n  A" i ": {pin: [a" i ", b" i "], angle: u" i "}\n"             \
+    "  Q" i ": {pin: [ground, c" i "], angle: v" i "}\n  B" i ": {pin: [b" i ", c" i "]}\n"
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O1: [0, 0], Q1: [10, 0], O2: [0, 9], Q2: [10, 9]}}\n"
+                 "%s%sjoints:\n%s%sdrives: {t1: 0.5 + %.17g rad/s * t, t2: 0.3 + %.17g rad/s * t}\n"
+                 "start: {u1: 1, v1: 2, u2: 1, v2: 2}\n",
+                 is_first ? BAR("1", "0", "5", "6", "7") : BAR("2", "9", "2", "9", "8"),
+                 is_first ? BAR("2", "9", "2", "9", "8") : BAR("1", "0", "5", "6", "7"),
+                 is_first ? PINS("1") : PINS("2"), is_first ? PINS("2") : PINS("1"), rate, rests ? 0 : 0.5 * rate);
+        Run run = run_of_text(text, run_options(1e-9));
+        YkStatus status = yk_simulation_advance(run.sim, 0.9 * end);
+        assert_int_equal(status, YK_OK);
+        CHECK_NEAR(run_value(&run, "t1"), start + 0.9 * (limit - start), 1e-9);
+        assert_int_equal(yk_simulation_advance(run.sim, 3 * end), YK_LIMIT);
+        CHECK_NEAR(yk_simulation_time(run.sim), end, (rests ? 1e-9 : 1e-4) * end); // where two move, it stops before
+        assert_true(yk_simulation_time(run.sim) <= end * (1 + 1e-12));
+        assert_string_equal(yk_simulation_report(run.sim)->message,
+                            "a limit position: beyond, joint `B1` does not close");
+        run_free(&run);
+    }
+}
+
 // Two four-bars that pass dead points of their cranks, beside a pendulum with a gear.
 #define FOUR_BAR_POINTS(i, x, end) "      O" i ": [" x ", 0]\n      C" i ": [" end ", 0]\n"
 #define FOUR_BAR_BODIES(i)                                                                                             \
@@ -398,6 +456,8 @@ int main(void)
         cmocka_unit_test(a_lever_does_not_turn_over_where_the_pin_passes_its_pivot),
         cmocka_unit_test(no_row_is_wrong_near_a_change_point),
         cmocka_unit_test(drives_that_rest_at_a_change_point_keep_the_branch),
+        cmocka_unit_test(a_swing_on_a_driven_cart_has_no_dead_point),
+        cmocka_unit_test(a_drive_into_a_limit_ends_there),
         cmocka_unit_test(equal_links_pass_their_change_points),
         cmocka_unit_test(almost_equal_links_keep_their_circuit),
         cmocka_unit_test(a_motion_that_is_not_known_ends),

@@ -76,7 +76,7 @@ static void test_motions_in_other_units(void **unused)
                                         "examples/spring-slider-crank.yaml",
                                         "examples/rocking-four-bar.yaml",
                                         "examples/swing-cam.yaml"};
-    static const int units[][3] = {{3, -6, 0}, {-5, 4, 0}};
+    static const int units[][3] = {{33, -26, 0}, {-35, 24, 0}};
     for (size_t k = 0; k < check_cases(sizeof files / sizeof *files); k++)
         for (size_t u = 0; u < sizeof units / sizeof *units; u++) check_file(files[k], 0.5, units[u]);
 }

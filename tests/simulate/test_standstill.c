@@ -53,6 +53,18 @@ static void without_a_dead_point_the_fastest_coordinate_is_named(void **unused)
                           run_options(1e-9));
     assert_int_equal(yk_simulation_advance(run.sim, 2), YK_NOT_CONVERGED);
     assert_non_null(strstr(yk_simulation_report(run.sim)->message, "changes too fast (`"));
+    const YkMechanism *mech = yk_state_mechanism(yk_simulation_state(run.sim));
+    assert_int_equal(yk_simulation_report(run.sim)->block, -1);
+    const char *fastest = NULL;
+    double most = 0;
+    for (size_t c = 0; c < yk_coordinate_count(mech); c++) {
+        double rate = fabs(yk_state_coordinate(yk_simulation_state(run.sim), c).velocity);
+        if (yk_coordinate_info(mech, c).is_distance) rate /= yk_mechanism_size(mech);
+        if (rate > most) fastest = yk_coordinate_info(mech, c).name, most = rate;
+    }
+    char words[100];
+    snprintf(words, sizeof words, "(`%s` moves at ", fastest);
+    assert_non_null(strstr(yk_simulation_report(run.sim)->message, words));
     double x = sqrt(0.08), speed = 0.2; // at the start; the crank stands across
     CHECK_NEAR(yk_simulation_time(run.sim), (0.4 - x) / speed, 1e-6);
     CHECK_NEAR(run_value(&run, "x.rate"), speed, 1e-6);

@@ -101,11 +101,30 @@ static void transmission_angles_have_closed_forms(void **unused)
     machine_free(&m);
 }
 
+// Whatever room there is, a label is cut to fit and ends, and its whole length is told.
+static void labels_fit_their_room(void **unused)
+{
+    (void)unused;
+    Machine m = machine_load("jansen");
+    char whole[200], text[200];
+    size_t length = yk_state_label(m.state, whole, sizeof whole);
+    assert_int_equal(length, strlen(whole));
+    for (size_t room = 0; room <= length + 2; room++) {
+        memset(text, '#', sizeof text);
+        assert_int_equal(yk_state_label(m.state, text, room), length);
+        if (room > 0) assert_int_equal(strlen(text), room <= length ? room - 1 : length);
+        if (room > 0) assert_memory_equal(text, whole, strlen(text));
+        for (size_t k = room; k < sizeof text; k++) assert_true(text[k] == '#');
+    }
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(angles_of_bodies_have_the_same_bits_however_they_are_asked_for),
         cmocka_unit_test(transmission_angles_have_closed_forms),
+        cmocka_unit_test(labels_fit_their_room),
     };
     return cmocka_run_group_tests_name("solve/answer", tests, NULL, NULL);
 }

@@ -2,7 +2,7 @@
 // sweeps, forward and back, against the closed form. YOKE_FULL=1 in the environment runs 1e5 of them.
 #include "four_bar.h"
 
-enum { FOUR_BARS = 1500, FOUR_BARS_FULL = 100000, TURN = 360, SIZES = 5 };
+enum { FOUR_BARS = 300, FOUR_BARS_FULL = 100000, TURN = 360, SIZES = 5 };
 static const size_t step_counts[SIZES] = {8, 12, 24, 72, TURN};
 static const char *const names[] = {"coupler.angle", "theta4", "gamma"};
 static double finest[TURN + 1][3];

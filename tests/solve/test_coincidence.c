@@ -104,8 +104,8 @@ typedef struct Family {
     char text[1400];
     double coincidence, start; // of the input; a pose of the same machine to come from
     const char *answer;
-    bool is_angle, is_limit;
-    Real a, b, c, d, e; // what the closed form needs
+    bool is_angle, is_limit, closes_there; // there: exactly at the coincidence, where an angle is left open
+    Real a, b, c, d, e;                    // what the closed form needs
     Truth (*truth)(const struct Family *family, Real input, int branch);
 } Family;
 
@@ -144,6 +144,7 @@ static Family four_bar(uint64_t *seed)
     if (kind == 2) f.b = f.c = f.d = f.a;
     if (kind == 3) f.c += 1e-13L, f.is_limit = true; // not far from where it opens
     f.a = (double)f.a, f.b = (double)f.b, f.c = (double)f.c, f.d = (double)f.d;
+    f.closes_there = kind != 1;
     snprintf(f.text, sizeof f.text,
              "bodies: {ground: {points: {O: [0, 0], Q: [%.17g, 0]}}, crank: {points: {O: [0, 0], A: [%.17g, 0]}},\n"
              "  coupler: {points: {A: [0, 0], B: [%.17g, 0], P: [1, 1]}}, rocker: {points: {Q: [0, 0], B: [%.17g, "
@@ -172,6 +173,7 @@ static Family slotted(uint64_t *seed)
     f.a = f.d = (double)random_length(seed);
     f.c = beside[check_random(seed) % 6];
     f.is_limit = f.c != 0;
+    f.closes_there = f.c < 1e-12L;
     f.e = check_random(seed) % 2 ? (double)check_uniform(seed, -3, 3) : 0;
     double away = check_random(seed) % 2 ? check_uniform(seed, -2, 2) : 0; // the slot's origin, along the slot
     Plane from = cexpl(I * f.e) * (away + I * f.c);
@@ -194,16 +196,19 @@ static Truth strut_truth(const Family *f, Real s, int branch)
 // A strut of length s between a pivot and the end of a rocker, which lies on the pivot where s = 0.
 static Family strut(uint64_t *seed)
 {
-    Family f = {.truth = strut_truth, .answer = "tube.angle", .is_angle = true, .start = 0.5};
+    Family f = {.truth = strut_truth, .answer = "tube.angle", .is_angle = true, .start = 0.5, .closes_there = true};
+    static const char *const strut_first[] = {
+        "O: {pin: [ground, tube], angle: u}, S: {slide: [tube, rod], along: x, distance: s, from: O, to: B},\n  ",
+        "  Q: {pin: [ground, rocker], angle: v}, "};
+    int order = (int)(check_random(seed) % 2); // which arm of the dyad is the strut
     f.a = (double)random_length(seed) + 0.5;
     f.a = (double)f.a;
     snprintf(f.text, sizeof f.text,
              "bodies: {ground: {points: {O: [0, 0], Q: [%.17g, 0]}}, tube: {points: {O: [0, 0], E: [1, 1]}},\n"
              "  rod: {points: {B: [0, 0]}}, rocker: {points: {Q: [0, 0], B: [%.17g, 0]}}}\n"
-             "joints: {O: {pin: [ground, tube], angle: u}, S: {slide: [tube, rod], along: x, distance: s, from: O, to: "
-             "B},\n"
-             "  Q: {pin: [ground, rocker], angle: v}, B: {pin: [rod, rocker]}}\nstart: {s: 0.5}\n",
-             (double)f.a, (double)f.a);
+             "joints: {%s%sB: {pin: [%s]}}\nstart: {s: 0.5}\n",
+             (double)f.a, (double)f.a, strut_first[order], strut_first[1 - order],
+             order == 0 ? "rod, rocker" : "rocker, rod");
     return f;
 }
 
@@ -261,9 +266,32 @@ static Family guides(uint64_t *seed)
     return f;
 }
 
+static Truth telescope_truth(const Family *f, Real s, int branch)
+{
+    (void)f;
+    if (s < 0) branch = -branch; // the determinant has the sign of s
+    return (Truth){branch * s, branch};
+}
+
+// A strut of length s between a pivot and a block whose guide leads through the pivot: folded up, any direction is its
+// own.
+static Family telescope(uint64_t *seed)
+{
+    Family f = {.truth = telescope_truth, .answer = "x", .start = 0.5, .closes_there = true};
+    (void)seed;
+    snprintf(f.text, sizeof f.text, "%s",
+             "bodies: {ground: {points: {O: [0, 0]}}, tube: {points: {O: [0, 0], E: [1, 1]}},\n"
+             "  rod: {points: {B: [0, 0]}}, block: {points: {B: [0, 0]}}}\n"
+             "joints: {O: {pin: [ground, tube], angle: u}, S: {slide: [tube, rod], along: x, distance: s, from: O, to: "
+             "B},\n"
+             "  G: {slide: [ground, block], along: x, distance: x, from: O, to: B}, B: {pin: [rod, block]}}\n"
+             "start: {s: 0.5}\n");
+    return f;
+}
+
 // --- the search ------------------------------------------------------------------------------------------------------
 
-static Family (*const families[])(uint64_t *) = {four_bar, slotted, strut, piston, guides};
+static Family (*const families[])(uint64_t *) = {four_bar, slotted, strut, piston, guides, telescope};
 enum { FAMILIES = sizeof families / sizeof *families };
 
 // What an answer with status OK may be off by, over what such an answer comes to. At a limit, where rates grow beyond
@@ -285,6 +313,12 @@ static double off_truth(const Machine *m, const Family *f, Truth truth)
 static void check_pose(const Machine *m, const Family *f, double input, int branch, Tally *tally)
 {
     YkStatus status = machine_solve(m, input, 1, 0.25);
+    if (f->closes_there && input == f->coincidence) { // the open angle stays as it was
+        if (status != YK_SINGULAR) print_error("%sstatus %d, branch %d\n", f->text, status, branch);
+        assert_int_equal(status, YK_SINGULAR);
+        check_lengths(m);
+        check_joints(m);
+    }
     if (status != YK_OK && status != YK_REDUNDANT) {
         assert_non_null(yk_state_report(m->state)->message);
         tally->told++;

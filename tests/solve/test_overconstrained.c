@@ -5,7 +5,7 @@
 #include "body_equations.h"
 #include "machine.h"
 
-enum { MACHINES = 600, MACHINES_FULL = 100000 };
+enum { MACHINES = 300, MACHINES_FULL = 100000 };
 #define RANK_TOLERANCE 1e-9 // of rows of about length 1
 #define CLEAR 1e-4          // a value below this, but not 0, is unclear
 

@@ -157,6 +157,28 @@ static void residuals_tell_a_miss(void **unused)
     machine_free(&m);
 }
 
+// What a wheel is off by counts the same however far it has turned.
+static void a_miss_is_the_same_after_many_turns(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(wheels, true);
+    double due[4];
+    for (int k = 0; k < 3; k++) {
+        assert_int_equal(yk_state_set_time(m.state, 40 * k, m.problems), YK_OK);
+        assert_true(yk_state_solve(m.state) >= 0);
+        for (int32_t wheel = 0; wheel < 4; wheel++) {
+            YkTurn t = yk_space_turn(&m.state->space, m.mech->bodies[2 + wheel].orientation);
+            YkVec kept = yk_vec(*t.c, *t.s), off = yk_mul(kept, yk_unit(0.01));
+            *t.c = off.x, *t.s = off.y;
+            double miss = yk_state_residuals(m.state).position;
+            if (k == 0) due[wheel] = miss;
+            CHECK_NEAR(miss, due[wheel], 1e-9);
+            *t.c = kept.x, *t.s = kept.y;
+        }
+    }
+    machine_free(&m);
+}
+
 // Loops determine angles only up to whole turns, and a whole turn does not enter a belt's equation as a whole number.
 static void whole_turns_are_no_miss_and_their_parts_are(void **unused)
 {
@@ -219,10 +241,9 @@ static void a_start_that_is_turns_away_counts_its_turns(void **unused)
 }
 
 // d/dt along q + v t + a t^2 / 2 by central differences of the eighth order, of positions and of rates.
-static void check_differences(const char *example, uint64_t *seed)
+static void check_differences(Machine m, const char *example, uint64_t *seed)
 {
     static const double weight[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280}, h = 1e-3;
-    Machine m = machine_load(example);
     size_t n = yk_input_count(m.mech), count = yk_coordinate_count(m.mech);
     YkMotion *base = calloc(n + 1, sizeof *base), *at = calloc(count + 1, sizeof *at);
     double *v = calloc(count + 1, sizeof *v), *a = calloc(count + 1, sizeof *a);
@@ -267,7 +288,37 @@ static void rates_are_differences_of_positions(void **unused)
                                            "planetary-gear",  "reverted-train",  "gearbox-8hp70", "two-rings",
                                            "swing-arm",       "formula-cam"};
     uint64_t seed = 41;
-    for (size_t k = 0; k < sizeof examples / sizeof *examples; k++) check_differences(examples[k], &seed);
+    for (size_t k = 0; k < sizeof examples / sizeof *examples; k++)
+        check_differences(machine_load(examples[k]), examples[k], &seed);
+}
+
+// A four-bar that a wheel on the crank's axis drives: a belt, a pair of gears or a law ties the wheel to the coupler or
+// the rocker as the crank carries them, so that the loop and the relation are solved together.
+static void rates_of_loops_that_wheels_drive_are_differences(void **unused)
+{
+    (void)unused;
+    static const char *const ties[] = {
+        "belts: {g: {between: [wheel, coupler], radii: [0.3, 0.2], carrier: crank}}\ndrives: {q: 0.4}\n",
+        "belts: {g: {between: [wheel, coupler], radii: [0.1, 0.3], carrier: crank, crossed: true}}\n"
+        "drives: {q: 0.4}\n",
+        "gears: {g: {mesh: [wheel, coupler], teeth: [20, 50], carrier: crank}}\ndrives: {q: 0.4}\n",
+        "laws: {swing: {table: [[-9, -13], [0, 0.5], [2, 3], [9, 13]], between: cubic}}\n"
+        "drives: {q: {law: swing, of: v}}\ngears: {g: {mesh: [wheel, coupler], teeth: [20, 50], carrier: crank}}\n"};
+    uint64_t seed = 7;
+    for (size_t k = 0; k < sizeof ties / sizeof *ties; k++) {
+        char text[2000];
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O: [0, 0], Q: [2, 0]}}\n  wheel: {points: {O: [0, 0]}}\n"
+                 "  crank: {points: {O: [0, 0], A: [0.7, 0]}}\n  coupler: {points: {A: [0, 0], B: [2, 0]}}\n"
+                 "  rocker: {points: {Q: [0, 0], B: [1.5, 0]}}\njoints:\n  O: {pin: [ground, crank], angle: th}\n"
+                 "  W: {pin: [ground, wheel], at: O, angle: q}\n  A: {pin: [crank, coupler], angle: u}\n"
+                 "  Q: {pin: [ground, rocker], angle: v}\n  B: {pin: [coupler, rocker]}\n%s"
+                 "start: {th: 1, u: -0.4, v: 1.7, q: 0.4}\n",
+                 ties[k]);
+        Machine m = machine_parse(text, true);
+        assert_true(m.mech->has_groups);
+        check_differences(m, ties[k], &seed);
+    }
 }
 
 // --- poses adopted by a machine with another input
@@ -399,9 +450,11 @@ int main(void)
         cmocka_unit_test(laws_follow_what_they_are_of),
         cmocka_unit_test(phases_are_no_miss),
         cmocka_unit_test(residuals_tell_a_miss),
+        cmocka_unit_test(a_miss_is_the_same_after_many_turns),
         cmocka_unit_test(whole_turns_are_no_miss_and_their_parts_are),
         cmocka_unit_test(a_start_that_is_turns_away_counts_its_turns),
         cmocka_unit_test(rates_are_differences_of_positions),
+        cmocka_unit_test(rates_of_loops_that_wheels_drive_are_differences),
         cmocka_unit_test(a_pose_is_adopted_where_it_closes),
         cmocka_unit_test(a_pose_is_not_adopted_where_it_does_not_close),
         cmocka_unit_test(repeated_belts_leave_the_start_nearest),

@@ -16,7 +16,8 @@ static const YkReport *check_report(const Machine *m, YkStatus status, const cha
     assert_non_null(strstr(report->message, words));
     CHECK_NEAR(report->gap, gap, 1e-12);
     CHECK_NEAR(report->determinant * report->determinant, determinant * determinant, 2e-15);
-    if (report->joint >= 0) assert_string_equal(m->model->joints[report->joint].name, joint);
+    assert_true(report->joint >= 0);
+    assert_string_equal(m->model->joints[report->joint].name, joint);
     const char *number = strpbrk(strrchr(report->message, '`'), "0123456789");
     if (number) CHECK_NEAR(strtod(number, NULL), gap + report->determinant, 0.006 * (gap + report->determinant));
     return report;
@@ -92,6 +93,57 @@ static void a_pin_nearer_to_the_pivot_than_its_slot_says_by_how_much(void **unus
     machine_free(&m);
     m = assembled(SLOTTED("0.7", "0.3", "0"), YK_SINGULAR); // the pin on the circle about the pivot
     check_report(&m, YK_SINGULAR, "A", "dead point", 0, 0);
+    machine_free(&m);
+}
+
+// A rod between a crank's pin and a block whose guide is on a beam that turns: they meet as long as the pin is within
+// the rod's length of the guide.
+static const char turning_guide[] =
+    "bodies:\n  ground: {points: {O: [0, 0], C: [1, 0]}}\n  crank: {points: {O: [0, 0], A: [2, 0]}}\n"
+    "  beam: {points: {C: [0, 0], G: [0.5, 0.1]}}\n  rod: {points: {A: [0, 0], B: [0.4, 0]}}\n"
+    "  block: {points: {B: [0, 0]}}\njoints:\n  O: {pin: [ground, crank], angle: th}\n"
+    "  C: {pin: [ground, beam], angle: be}\n  A: {pin: [crank, rod], angle: u}\n  B: {pin: [rod, block]}\n"
+    "  S: {slide: [beam, block], along: 20 deg, from: G, to: B, distance: s}\ndrives: {th: 0.1, be: 0.2}\n"
+    "start: {u: 1.5}\n";
+
+static void a_guide_that_turns_says_how_far_off_it_is(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(turning_guide, false);
+    for (double th = 0.1; th < 6; th += 0.5)
+        for (double be = -3; be < 3; be += 0.7) {
+            yk_state_set_input(m.state, 0, (YkMotion){th, 0, 0});
+            yk_state_set_input(m.state, 1, (YkMotion){be, 0, 0});
+            YkStatus status = yk_state_assemble(m.state);
+            double x = 2 * cos(th) - 1 - 0.5 * cos(be) + 0.1 * sin(be);
+            double y = 2 * sin(th) - 0.5 * sin(be) - 0.1 * cos(be), along = be + YK_PI / 9;
+            double off = fabs(cos(along) * y - sin(along) * x) - 0.4;
+            assert_int_equal(status, off < 0 ? YK_OK : YK_NO_ASSEMBLY);
+            if (off > 0) check_report(&m, status, "B", "cannot be assembled", off, 0);
+        }
+    machine_free(&m);
+}
+
+// Two guides on beams that turn come to be parallel where the beams turn alike.
+static void guides_that_turn_say_how_far_apart_they_are_where_they_are_parallel(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse(
+        "bodies:\n  ground: {points: {O: [0, 0], C: [1, 0.5]}}\n  a: {points: {O: [0, 0], G: [0.5, 0.1]}}\n"
+        "  b: {points: {C: [0, 0], H: [0.4, 0.7]}}\n  block: {points: {T: [0, 0]}}\njoints:\n"
+        "  O: {pin: [ground, a], angle: th}\n  C: {pin: [ground, b], angle: be}\n"
+        "  S: {pin-slot: [a, block], along: x, from: G, at: T, distance: s}\n"
+        "  T: {slide: [b, block], along: x, from: H, to: T}\ndrives: {th: 0.1, be: 0.9}\n",
+        true);
+    for (double th = -3; th < 3; th += 0.37) {
+        yk_state_set_input(m.state, 0, (YkMotion){th, 0, 0});
+        yk_state_set_input(m.state, 1, (YkMotion){th + 1, 0, 0});
+        assert_int_equal(yk_state_solve(m.state), YK_OK);
+        yk_state_set_input(m.state, 1, (YkMotion){th, 0, 0});
+        assert_int_equal(yk_state_solve(m.state), YK_LIMIT);
+        double apart = fabs(cos(th) * 0.5 - sin(th) * 1 + 0.7 - 0.1);
+        check_report(&m, YK_LIMIT, "T", "are parallel", apart, 0);
+    }
     machine_free(&m);
 }
 
@@ -193,6 +245,8 @@ int main(void)
         cmocka_unit_test(of_two_dead_points_the_nearer_is_told),
         cmocka_unit_test(of_two_loops_that_gape_the_first_is_told),
         cmocka_unit_test(a_pin_nearer_to_the_pivot_than_its_slot_says_by_how_much),
+        cmocka_unit_test(a_guide_that_turns_says_how_far_off_it_is),
+        cmocka_unit_test(guides_that_turn_say_how_far_apart_they_are_where_they_are_parallel),
         cmocka_unit_test(a_repeated_constraint_that_does_not_fit_says_by_how_much),
         cmocka_unit_test(a_repeated_gear_or_law_that_does_not_fit_says_by_what_angle_or_distance),
         cmocka_unit_test(the_longest_names_are_cut),

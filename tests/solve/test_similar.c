@@ -1,7 +1,8 @@
 // The examples in other units (tests/similar.h): compiled alike, and similar in every number of every pose.
 #include "../similar.h"
 
-static const int units[][3] = {{3, 0, 0}, {-5, 4, 3}, {7, -9, -6}};
+// So far apart that a tolerance without its unit, or with a wrong one, decides otherwise.
+static const int units[][3] = {{37, 0, 0}, {-35, 24, 33}, {17, -29, -36}};
 
 // Solves both at a time, and compares them.
 static void check_time(Similar *a, Similar *b, double time)

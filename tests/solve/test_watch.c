@@ -5,6 +5,7 @@
 
 enum { POSES = 48 };
 static double margin[POSES], angle[2][POSES]; // of the path
+static size_t moving;                         // the dyad that goes so; the other stands still
 
 static Machine machine;
 static YkSpace space;
@@ -12,8 +13,8 @@ static YkSpace space;
 static int start(void **unused)
 {
     (void)unused;
-    machine = machine_load("four-bar");
-    assert_int_equal(machine.mech->block_count, 1);
+    machine = machine_load("stephenson-six-bar");
+    assert_int_equal(machine.mech->block_count, 2);
     return yk_space_start(&space, machine.mech, POSES, true) ? 0 : -1;
 }
 
@@ -28,21 +29,22 @@ static int end(void **unused)
 // Lays poses from `at` into the lanes.
 static void fill(size_t at, size_t n)
 {
-    const YkBlock *block = &machine.mech->blocks[0];
-    for (size_t k = 0; k < n; k++) {
-        space.block_margin[k] = margin[at + k];
-        for (int e = 0; e < 2; e++) {
-            YkTurn turn = yk_space_turn(&space, block->column[e].index);
-            turn.c[k] = cos(angle[e][at + k]);
-            turn.s[k] = sin(angle[e][at + k]);
+    for (size_t b = 0; b < 2; b++)
+        for (size_t k = 0; k < n; k++) {
+            space.block_margin[b * space.stride + k] = b == moving ? margin[at + k] : 0.5;
+            for (int e = 0; e < 2; e++) {
+                YkTurn turn = yk_space_turn(&space, machine.mech->blocks[b].column[e].index);
+                turn.c[k] = b == moving ? cos(angle[e][at + k]) : 1;
+                turn.s[k] = b == moving ? sin(angle[e][at + k]) : 0;
+            }
         }
-    }
 }
 
 // How many poses of the path are clear, in lanes of the given widths (the last for the rest).
 static size_t watched(size_t first, size_t width)
 {
     YkBranchWatch watch;
+    moving = (first + width) % 2;
     assert_true(yk_watch_start(&watch, machine.mech));
     size_t at = 0;
     while (at < POSES) {

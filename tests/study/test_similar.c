@@ -140,7 +140,7 @@ static void test_studies_in_other_units(void **unused)
         assert_true(yk_state_set_time(a.state, 0, a.problems) >= 0 && yk_state_assemble(a.state) >= 0);
         ask(&asked, &a);
         answer(&asked, &a, &a, &answers[0]);
-        similar_set(3, -6, 5);
+        similar_set(33, -26, 25);
         Similar b = similar_load(path, NULL);
         assert_true(yk_state_set_time(b.state, 0, b.problems) >= 0 && yk_state_assemble(b.state) >= 0);
         answer(&asked, &a, &b, &answers[1]);

@@ -2,6 +2,7 @@
 // on the side from which it came; the way back ends where it began, for groups too; and what comes apart says so.
 #include "solve/machine.h"
 #include "compile/variant.h"
+#include "solve/state.h"
 
 static const char *const names[] = {"a", "b", "c", "d", "e"};
 enum { LENGTHS = 5 };
@@ -157,12 +158,47 @@ static void what_comes_apart_says_so(void **unused)
     end(&c);
 }
 
+// Labels, turns and references are taken from a machine of the same build, and from no other.
+static void labels_are_taken_from_the_same_build_alone(void **unused)
+{
+    (void)unused;
+    char text[1200];
+    snprintf(text, sizeof text, "%su: -0.6, v: 1.5}\n", four_bar);
+    Machine from = machine_parse(text, true), to = machine_parse(text, true), other = machine_load("slider-crank");
+    for (int k = 0; k < 2; k++) {
+        assert_int_equal(yk_state_take_labels(to.state, from.state), YK_OK);
+        assert_int_equal(yk_state_branch(to.state, 0), yk_state_branch(from.state, 0));
+        assert_true(machine_solve(&to, 1 + k, 0, 0) >= 0 && machine_solve(&from, 1 + k, 0, 0) >= 0);
+        CHECK_NEAR(machine_ask(&to, "v"), machine_ask(&from, "v"), 0);
+        yk_state_set_branch(from.state, 0, -yk_state_branch(from.state, 0));
+        assert_true(machine_solve(&from, 1, 0, 0) >= 0);
+    }
+    from.state->reference[yk_coordinate_find(from.mech, "v")] += 4 * YK_PI; // two turns on
+    double v = machine_ask(&from, "v");
+    assert_int_equal(yk_state_take_labels(to.state, from.state), YK_OK);
+    assert_true(machine_solve(&to, 1, 0, 0) >= 0);
+    CHECK_NEAR(machine_ask(&to, "v"), v, 1e-12);
+    assert_int_equal(yk_state_take_labels(other.state, from.state), YK_BAD_ARGUMENT);
+    char renamed[1200];
+    snprintf(renamed, sizeof renamed, "%s", text);
+    char *label = strstr(renamed, "  B: {pin");
+    label[2] = 'D';
+    strcpy(strstr(label, "rocker]}"), "rocker], at: B}\nstart: {q: 1, u: -0.6, v: 1.5}\n");
+    Machine named = machine_parse(renamed, true);
+    assert_int_equal(yk_state_take_labels(named.state, from.state), YK_BAD_ARGUMENT);
+    machine_free(&named);
+    machine_free(&other);
+    machine_free(&to);
+    machine_free(&from);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(four_bars_keep_their_side_and_close),
         cmocka_unit_test(a_group_comes_back_to_where_it_began),
         cmocka_unit_test(what_comes_apart_says_so),
+        cmocka_unit_test(labels_are_taken_from_the_same_build_alone),
     };
     return cmocka_run_group_tests_name("sweep/carry", tests, NULL, NULL);
 }

@@ -307,10 +307,45 @@ static void test_wheels_with_a_side_rod_start_in_line(void **unused)
     machine_free(&m);
 }
 
+// Pins bear what they like where all links are in line, but the effort is that of a body that moves in a circle: the
+// links turn alike, and the coupler goes with them.
+static void test_the_effort_of_a_parallelogram_in_line_is_that_of_one_crank(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("gravity: [0, -10]\nbodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n"
+                              "  crank: {points: {O: [0, 0], A: [2, 0]}, mass: 3, center: [0.5, 0], inertia: 1}\n"
+                              "  coupler: {points: {A: [0, 0], B: [4, 0]}, mass: 2, center: [1, 0.3]}\n"
+                              "  rocker: {points: {Q: [0, 0], B: [2, 0]}, mass: 1, center: [1, 0.2]}\njoints:\n"
+                              "  O: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, coupler], angle: u}\n"
+                              "  Q: {pin: [ground, rocker], angle: v}\n  B: {pin: [coupler, rocker]}\n"
+                              "drives: {th: 1}\nstart: {u: -1, v: 1}\n",
+                              true);
+    static const char *const of[] = {"th.effort", "v.rate"};
+    YkChannel channels[] = {machine_channel(&m, of[0]), machine_channel(&m, of[1])};
+    YkDynamics *dynamics = yk_dynamics_new(m.mech, m.problems);
+    YkSweepOptions options = yk_default_sweep_options();
+    options.coordinate = (int)yk_coordinate_find(m.mech, "th");
+    options.from = -1, options.to = 1, options.steps = 10, options.dynamics = dynamics; // the sixth row is in line
+    const double rate = 1.5, accel = -2, inertia = 1 + 3 * 0.25 + 2 * 4 + 1 * 1.04;
+    yk_state_set_input(m.state, 0, (YkMotion){1, rate, accel});
+    YkSweep *sweep = yk_sweep_run(m.state, &options, channels, 2, m.problems);
+    assert_true(sweep && yk_sweep_status(sweep) == YK_OK);
+    assert_int_equal(yk_sweep_row_status(sweep, 5), YK_CHANGE_POINT);
+    for (size_t row = 0; row <= 10; row++) {
+        double th = yk_sweep_at(sweep, row), weight = 10 * ((1.5 + 4 + 1) * cos(th) - 0.2 * sin(th));
+        CHECK_NEAR(yk_sweep_value(sweep, row, 0), inertia * accel + weight, 1e-6);
+        CHECK_NEAR(yk_sweep_value(sweep, row, 1), rate, 1e-8);
+    }
+    yk_sweep_free(sweep);
+    yk_dynamics_free(dynamics);
+    machine_free(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_parallelogram_stays_parallel),
+        cmocka_unit_test(test_the_effort_of_a_parallelogram_in_line_is_that_of_one_crank),
         cmocka_unit_test(test_an_antiparallelogram_stays_antiparallel),
         cmocka_unit_test(test_the_rocker_of_a_folded_kite_rests),
         cmocka_unit_test(test_a_rhombus_stays_a_rhombus),

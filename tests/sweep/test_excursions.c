@@ -200,7 +200,7 @@ static void test_no_excursion_is_missed(void **unused)
 {
     (void)unused;
     static const size_t steps[] = {1, 2, 3, 7, 30, 101};
-    for (uint64_t k = 1; k <= check_cases(20); k++) {
+    for (uint64_t k = 1; k <= check_cases(8); k++) {
         uint64_t seed = 1000 * k;
         size_t before = wrong, n = steps[k % 6];
         const Linkage *l = &linkages[check_random(&seed) % LINKAGES];

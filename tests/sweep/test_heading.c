@@ -22,6 +22,8 @@ static void test_moves_that_stop_at_change_points(void **unused)
     (void)unused;
     static const double ways[][6] = {
         {0, -1, 0, 1, 0, -2},
+        {0.3, 0, -0.3, 0, 0.2, 0}, // less than a unit of the input
+        {0.4, 0, 0.2, 0, -0.1, 0},
         {YK_PI, 4, YK_PI, 2, YK_PI, 5},
         {0, -YK_PI, -2 * YK_PI, -YK_PI, 0, YK_PI},
         {YK_PI, YK_PI, 4, 2 * YK_PI, 5, 2 * YK_PI},

@@ -152,9 +152,8 @@ static bool count_call(void *context, double part)
     return true;
 }
 
-static void check_turns(const char *file, double turns, size_t most)
+static void check_turns(Machine one, Machine many, double turns, size_t most)
 {
-    Machine one = machine_load(file), many = machine_load(file);
     double from = yk_state_input(one.state, 0).position;
     YkMoveOptions options = yk_default_move_options();
     size_t calls = 0;
@@ -176,13 +175,38 @@ static void check_turns(const char *file, double turns, size_t most)
     machine_free(&many);
 }
 
+// A belt from a wheel to the coupler turns the crank of a crank-rocker, three times for each turn of the wheel: loop
+// and belt are solved together, and its angles count their turns.
+static const char belted[] = "bodies:\n"
+                             "  ground: {points: {O: [0, 0], Q: [2, 0]}}\n"
+                             "  wheel: {points: {O: [0, 0]}}\n"
+                             "  crank: {points: {O: [0, 0], A: [0.25, 0]}}\n"
+                             "  coupler: {points: {A: [0, 0], B: [2, 0]}}\n"
+                             "  rocker: {points: {Q: [0, 0], B: [1.5, 0]}}\n"
+                             "joints:\n"
+                             "  W: {pin: [ground, wheel], at: O, angle: q}\n"
+                             "  O: {pin: [ground, crank], angle: th}\n"
+                             "  A: {pin: [crank, coupler], angle: u}\n"
+                             "  Q: {pin: [ground, rocker], angle: v}\n"
+                             "  B: {pin: [coupler, rocker]}\n"
+                             "belts: {g: {between: [wheel, coupler], radii: [0.3, 0.2], carrier: crank}}\n"
+                             "drives: {q: 0.4}\n"
+                             "start: {th: 1, u: -0.4, v: 1.7}\n";
+
 static void test_many_turns_cost_one(void **unused)
 {
     (void)unused;
-    check_turns("four-bar", 180000, 1000);
-    check_turns("slider-crank", 180000, 1000);
-    check_turns("jansen", 1000, 1000);
-    check_turns("geared-five-bar", 5000, 4000);
+    static const struct {
+        const char *file;
+        double turns;
+        size_t most;
+    } cases[] = {{"four-bar", 180000, 1000},
+                 {"slider-crank", 180000, 1000},
+                 {"jansen", 1000, 1000},
+                 {"geared-five-bar", 5000, 4000}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+        check_turns(machine_load(cases[k].file), machine_load(cases[k].file), cases[k].turns, cases[k].most);
+    check_turns(machine_parse(belted, true), machine_parse(belted, true), 700, 4000);
 }
 
 // An hour at 3000 rpm along the drives.
@@ -377,6 +401,58 @@ static void test_an_input_ends_exactly_where_a_base_vanishes(void **unused)
     }
 }
 
+// A way over time, with rates that change and at steady ones, is told in parts of its time from its start; up to the
+// limit, where the crank pin is as far from the other pivot as coupler and rocker reach.
+typedef struct Told {
+    const YkState *state;
+    double from, to, last;
+    bool is_in_time; // the state tells how far it is
+    size_t count;
+} Told;
+
+static bool check_part(void *context, double part)
+{
+    Told *told = context;
+    if (told->is_in_time) CHECK_NEAR(part, (yk_state_time(told->state) - told->from) / (told->to - told->from), 1e-12);
+    assert_true(part >= told->last && part <= 1);
+    told->last = part;
+    told->count++;
+    return true;
+}
+
+static void test_parts_of_a_way_over_time(void **unused)
+{
+    (void)unused;
+    static const char *const laws[] = {"0.2 rad + 0.05 rad * (t/(1 s))^2", "0.2 rad + 0.2 rad/s * t"};
+    const double limit = acos(-0.44);
+    for (int k = 0; k < 8; k++) {
+        char text[1000];
+        bool is_steady = k % 2, arrives = k % 4 < 2, is_back = k >= 4;
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O2: [0, 0], O4: [10, 0]}}\n  crank: {points: {O2: [0, 0], A: [5, 0]}}\n"
+                 "  coupler: {points: {A: [0, 0], B: [6, 0]}}\n  rocker: {points: {O4: [0, 0], B: [7, 0]}}\n"
+                 "joints:\n  O2: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, coupler], angle: u}\n"
+                 "  O4: {pin: [ground, rocker], angle: v}\n  B: {pin: [coupler, rocker]}\n"
+                 "drives: {th: \"%s\"}\nstart: {u: 1, v: 2}\n",
+                 laws[is_steady]);
+        Machine m = machine_parse(text, true);
+        double ends = is_steady ? (limit - 0.2) / 0.2 : sqrt((limit - 0.2) / 0.05), from = 2.5, to = arrives ? 5 : 12;
+        if (is_back) to = arrives ? -0.5 : is_steady ? -30 : -12, ends = is_steady ? (-limit - 0.2) / 0.2 : -ends;
+        assert_true(yk_state_move_time(m.state, from, NULL, NULL, m.problems) >= 0);
+        Told told = {m.state, from, to, 0, !is_steady, 0};
+        YkMoveOptions options = yk_default_move_options();
+        YkMove move;
+        options.goes_on = check_part;
+        options.context = &told;
+        YkStatus status = yk_state_move_time(m.state, to, &options, &move, m.problems);
+        assert_true(arrives ? status >= 0 : status == YK_LIMIT);
+        assert_true(told.count >= 3);
+        CHECK_NEAR(move.part, arrives ? 1 : (ends - from) / (to - from), 1e-7);
+        CHECK_NEAR(yk_state_time(m.state), arrives ? to : ends, 1e-6);
+        machine_free(&m);
+    }
+}
+
 static bool stop_half_way(void *context, double part)
 {
     (void)context;
@@ -401,6 +477,17 @@ static void test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure(void
     assert_int_equal(report->block, -1);
     assert_int_equal(report->joint, -1);
     assert_true(report->gap == 0 && report->determinant == 0);
+    machine_free(&m);
+    m = machine_parse(
+        "bodies:\n  ground: {points: {O: [0, 0], Q: [2, 0]}}\n  crank: {points: {O: [0, 0], A: [0.3, 0]}}\n"
+        "  coupler: {points: {A: [0, 0], B: [2, 0]}}\n  rocker: {points: {Q: [0, 0], B: [1.5, 0]}}\n"
+        "joints:\n  O: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, coupler], angle: u}\n"
+        "  Q: {pin: [ground, rocker], angle: v}\n  B: {pin: [coupler, rocker]}\n"
+        "drives: {th: 1 rad/s * t + 0.5 rad * sin(1e3 rad/s * t)}\nstart: {u: -0.4, v: 1.7}\n",
+        true);
+    assert_int_equal(yk_state_move_time(m.state, 1e8, NULL, NULL, m.problems), YK_STOPPED); // over time, too
+    assert_non_null(strstr(yk_state_report(m.state)->message, "too long"));
+    assert_true(yk_state_time(m.state) == 0);
     machine_free(&m);
 }
 
@@ -503,6 +590,7 @@ int main(void)
         cmocka_unit_test(test_events_of_both_ways_are_in_order),
         cmocka_unit_test(test_an_input_ends_exactly_where_a_base_vanishes),
         cmocka_unit_test(test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure),
+        cmocka_unit_test(test_parts_of_a_way_over_time),
         cmocka_unit_test(test_a_move_can_be_stopped),
         cmocka_unit_test(test_no_example_jumps),
     };

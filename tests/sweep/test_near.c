@@ -72,6 +72,10 @@ static void check_place(YkPath *path, size_t k, double at, uint64_t *seed)
     double b = at + check_uniform(seed, 0.05, 0.3), part = check_uniform(seed, 0.1, 0.9);
     double length = yk_path_way(path, at, b);
     assert_true(length >= size_of_step(k, at, b) * (1 - 1e-12));
+    double whole = yk_path_length(path, at, b), back = yk_path_length(path, b, at);
+    if (drives[k].is_monotone) CHECK_NEAR(whole, size_of_step(k, at, b), 0.02 * size_of_step(k, at, b));
+    CHECK_NEAR(back, whole, 0.02 * whole);
+    CHECK_NEAR(yk_path_scale(path), 1 / fmax(1, yk_path_fastest(path->state)), 0);
     if (!drives[k].is_monotone) return;
     CHECK_NEAR(length, size_of_step(k, at, b), 1e-12 * (1 + length));
     double between = yk_path_between(path, at, b, part);
@@ -123,6 +127,16 @@ static void test_distances_along_a_line(void **unused)
         CHECK_NEAR(yk_path_between(&path, 1, 2, 0.25), 1.25, 1e-15);
         CHECK_NEAR(yk_path_length(&path, 2, 1), 1 / unit, 1e-15);
         assert_false(yk_path_turns_back(&path, 1));
+        memcpy(path.others, (double[]){1, 2, 3, 4, 5, 6}, 6 * sizeof(double)); // another rests, if rates are the path's
+        assert_int_equal(yk_path_set_inputs(&path, 7, true), YK_OK);
+        assert_memory_equal(m.state->input, ((double[]){7, 1, 0, 4, 0, 0}), 6 * sizeof(double));
+        assert_int_equal(yk_path_set_inputs(&path, 7, false), YK_OK);
+        assert_memory_equal(m.state->input, ((double[]){7, 2, 3, 4, 5, 6}), 6 * sizeof(double));
+        yk_path_end(&path);
+        assert_true(yk_path_start(&path, m.state, 1));
+        memcpy(path.others, (double[]){1, 2, 3, 4, 5, 6}, 6 * sizeof(double));
+        assert_int_equal(yk_path_set_inputs(&path, 7, true), YK_OK);
+        assert_memory_equal(m.state->input, ((double[]){1, 0, 0, 7, 1, 0}), 6 * sizeof(double));
         yk_path_end(&path);
         assert_true(yk_path_start_line(&path, m.state, goal));
         CHECK_NEAR(yk_path_way(&path, 0, 1), 0.5, 1e-14);
@@ -131,6 +145,12 @@ static void test_distances_along_a_line(void **unused)
         CHECK_NEAR(m.state->input[0], unit * 0.425, 1e-14);
         CHECK_NEAR(m.state->input[1], unit * 0.5, 1e-14);
         CHECK_NEAR(m.state->input[3], 0.0155, 1e-15);
+        goal[1] = 5, goal[2] = 6, goal[4] = 7, goal[5] = 8;
+        yk_path_set_inputs(&path, 1, false); // the goal itself, with its rates
+        assert_memory_equal(m.state->input, goal, sizeof goal);
+        yk_path_set_inputs(&path, 1, true);
+        CHECK_NEAR(m.state->input[4], 0.05, 1e-15);
+        assert_true(m.state->input[2] == 0 && m.state->input[5] == 0);
         yk_path_end(&path);
         machine_free(&m);
     }

@@ -1,6 +1,7 @@
 // Equilibria that a machine can get to, against known circuits of linkages.
 #include <yoke/yoke.h>
 #include "check.h"
+#include "rest/rest.h"
 
 static YkRest *rest_of(const char *text, YkModel **model)
 {
@@ -101,6 +102,34 @@ static void an_open_chain_reaches_all(void **unused)
     yk_model_free(model);
 }
 
+static bool refuse(void *context, double part)
+{
+    (void)part;
+    ++*(size_t *)context;
+    return false;
+}
+
+// A search that is stopped tells nothing of what it has found so far.
+static void nothing_is_reached_by_a_search_that_is_stopped(void **unused)
+{
+    (void)unused;
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_load(YOKE_ROOT "/examples/spring-slider-crank.yaml", NULL, problems);
+    size_t count = 0, least = 0;
+    YkRestOptions options = yk_default_rest_options();
+    YkRest *rest = yk_rest_find(model, &options, problems);
+    assert_true(rest && yk_rest_reach(rest) == YK_OK);
+    for (size_t i = 0; i < yk_rest_count(rest); i++) least += yk_rest_equilibrium(rest, i).is_reachable;
+    assert_true(least > 0);
+    rest->progress = (YkProgress){refuse, &count};
+    assert_int_equal(yk_rest_reach(rest), YK_STOPPED);
+    assert_int_equal(count, 1);
+    for (size_t i = 0; i < yk_rest_count(rest); i++) assert_false(yk_rest_equilibrium(rest, i).is_reachable);
+    yk_rest_free(rest);
+    yk_model_free(model);
+    yk_problems_free(problems);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -108,6 +137,7 @@ int main(void)
         cmocka_unit_test(a_triple_rocker_reaches_all),
         cmocka_unit_test(a_slider_stays_on_its_side),
         cmocka_unit_test(an_open_chain_reaches_all),
+        cmocka_unit_test(nothing_is_reached_by_a_search_that_is_stopped),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

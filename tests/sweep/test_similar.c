@@ -3,7 +3,7 @@
 
 // The first for sweeps over time: there a drive that is slower than 1 rad/s decides by the second how near is near
 // (yk_path_scale).
-static const int units[][3] = {{3, -2, 0}, {-5, 4, -3}};
+static const int units[][3] = {{33, -22, 0}, {-35, 24, -33}};
 
 static void check_events(const Similar *a, YkSweep *one, YkSweep *two, const YkChannel *channels, size_t count,
                          YkQuantity at)

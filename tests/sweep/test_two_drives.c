@@ -265,14 +265,14 @@ static void test_no_excursion_is_missed(void **unused)
 {
     (void)unused;
     has_group = false;
-    check_excursions(getenv("YOKE_FULL") ? 70 : check_cases(6));
+    check_excursions(getenv("YOKE_FULL") ? 70 : check_cases(2));
 }
 
 static void test_no_excursion_is_missed_beside_a_group(void **unused)
 {
     (void)unused;
     has_group = true;
-    check_excursions(getenv("YOKE_FULL") ? 70 : check_cases(6));
+    check_excursions(getenv("YOKE_FULL") ? 70 : check_cases(2));
 }
 
 int main(void)

@@ -42,12 +42,6 @@ static char *copy_of(const char *text)
     return strcpy(copy, text);
 }
 
-// Points near an oval, which no four-bar meets.
-static const char OVAL[] = "synthesis: path\n"
-                           "points: [[-40, 0], [-34, 10], [-20, 17], [0, 20], [20, 17], [34, 10],\n"
-                           "  [40, 0], [34, -10], [20, -17], [0, -20], [-20, -17], [-34, -10]]\n"
-                           "closed: true\nmechanisms: [four-bar]\nrequire: {input: turns}\nunits: {length: mm}\n";
-
 static void check_all(const Answer *a, const YkVec *point, size_t count)
 {
     double last = 0;
@@ -331,9 +325,12 @@ static void what_is_found_is_told_while_the_search_runs(void **state)
     YkSynthesisOptions options = yk_default_synthesis_options();
     Told told = {.count = 0};
     options.best = 4;
-    Answer unheard = answer_with(OVAL, &options);
+    static const char text[] =
+        "synthesis: path\nmechanisms: [slider-crank]\npoints: [[0, 0], [10, 4], [20, 6], [30, 5], "
+        "[40, 1], [35, -3], [30, -4], [22, -3], [15, -2], [8, -1], [2, -1]]\nclosed: true\n";
+    Answer unheard = answer_with(text, &options);
     options.findings = (YkFindings){hear, &told};
-    Answer heard = answer_with(OVAL, &options);
+    Answer heard = answer_with(text, &options);
     size_t count = yk_synthesis_count(heard.synthesis);
     assert_true(told.calls > count);
     for (size_t k = 1; k < told.count; k++) assert_true(told.error[k - 1] <= told.error[k]);
@@ -428,6 +425,12 @@ static void limits_agree_with_differences(void **state)
         for (size_t j = 0; j < YK_BAR_SIZE; j++) bar.v[j] = 1 + 0.1 * (double)j + 2 * yk_mix_unit(&seed);
         size_t count = yk_path_limits(&problem, &bar, excess, by);
         assert_int_equal(count, k & 1 ? 2 : 10);
+        for (int side = -1; side <= 1 && !(k & 1); side += 2) { // the links' angle where input and ground are in line
+            double b = bar.v[YK_BAR_COUPLER], c = bar.v[YK_BAR_OUTPUT],
+                   d = bar.v[YK_BAR_GROUND] - side * bar.v[YK_BAR_INPUT];
+            double cosine = (b * b + c * c - d * d) / (2 * b * c), most = cos(40 * YK_PI / 180);
+            CHECK_NEAR(excess[side < 0 ? 8 : 9], 2 * b * c / (b + c) * (fabs(cosine) - most), 1e-12);
+        }
         for (size_t j = 0; j < YK_BAR_SIZE; j++) {
             for (size_t i = 0; i < 4; i++) {
                 YkBar other = bar;

@@ -184,7 +184,7 @@ static bool design_geared(const YkBar *bar, double input, YkDesign *design)
 {
     double turn = bar->v[YK_BAR_TURN], ratio = yk_chain_variant(bar->kind, bar->variant).ratio;
     design->length[2] = 0;
-    design->angle[1] = input;
+    design->angle[0] = input;
     design->angle[2] = turn + ratio * (input - turn) + bar->v[YK_BAR_CU];
     return add_dyad(bar, input, design);
 }
