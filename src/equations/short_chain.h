@@ -67,23 +67,21 @@ YK_INLINE bool chain_eliminate(ChainLink *link, size_t links)
     return resists;
 }
 
-// Solves for two links by their determinant, with one division. The first link's row is then multiplied by the second
-// one's inertia, which leaves what resists as it is.
+// Solves for two links by their determinant, with one division. Returns false if inertia does not resist each of them,
+// or if the product of their inertias may be no number: chain_solve tells which, since all rows are left as they are.
 YK_INLINE bool chain_solve_two(ChainLink *first, ChainLink *second)
 {
+    const double least = 1e-290, most = 1e290;
     double own = first->row[0], other = second->row[1], shared = second->row[0];
-    first->row[0] = own * other - shared * shared;
-    first->behind *= other;
-    double over = 1 / first->row[0];
+    double both = own * other, determinant = both - shared * shared, over = 1 / determinant;
     first->alpha = (other * first->effort - shared * second->effort) * over;
     second->alpha = (own * second->effort - shared * first->effort) * over;
-    return (first->row[0] > YK_LEAST_PIVOT * first->behind) & (other > YK_LEAST_PIVOT * second->behind);
+    return (determinant > YK_LEAST_PIVOT * both + least) & (both < most);
 }
 
-// Computes the absolute angular accelerations. Returns whether inertia resists each.
+// Computes the absolute angular accelerations, link by link. Returns whether inertia resists each.
 YK_INLINE bool chain_solve(ChainLink *link, size_t links)
 {
-    if (links == 2) return chain_solve_two(&link[0], &link[1]);
     bool resists = chain_eliminate(link, links);
 #pragma GCC unroll 4
     for (size_t d = 0; d < links; d++) {

@@ -287,6 +287,29 @@ static void test_what_has_no_answer_has_a_status_and_zeros(void **unused)
     machine_free(&m);
 }
 
+// Pendulums so light, or so heavy and long, that the product of their inertias is no number, beside others.
+static void test_pendulums_of_any_size_fall_the_same(void **unused)
+{
+    (void)unused;
+    const int mass[] = {0, -500, -520, -600, 300, 0, -600}, length[] = {0, 0, 0, 0, 200, -300, 0};
+    const double none[STATES] = {0}, *const still[] = {none, none};
+    Machine m = machine_load("double-pendulum");
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, PENDULUM, 7, 1, m.problems);
+    for (size_t k = 0; k < 7; k++) {
+        for (int p = 0; p < 3; p++) value[p][k] = ldexp(0.5 - 0.1 * p, length[k]);
+        value[3][k] = ldexp(0.5, mass[k]), value[4][k] = ldexp(0.4, mass[k]), value[5][k] = value[6][k] = 0;
+        q[0][k] = 1, q[1][k] = 0.5;
+    }
+    q[0][6] += 2e6 * YK_PI; // beyond the quick reduction of angles, too, with an angle of 16 digits
+    YkMotionCase asked = {VALUES, positions, still, still, 7};
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_OK);
+    for (size_t k = 0; k < 7; k++)
+        for (int i = 0; i < 2; i++)
+            CHECK_NEAR(ldexp(a[i][k], length[k]), a[i][0], (k < 6 ? 1e-13 : 1e-7) * fabs(a[i][0]));
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
 // The largest number that a parameter may be: as alone (yk_variant_set), on both sides of it.
 static void test_a_value_beyond_all_measure_is_none(void **unused)
 {
@@ -388,6 +411,7 @@ int main(void)
         cmocka_unit_test(test_loops_alone_are_solved_in_lanes),
         cmocka_unit_test(test_lanes_do_not_depend_on_their_number),
         cmocka_unit_test(test_what_has_no_answer_has_a_status_and_zeros),
+        cmocka_unit_test(test_pendulums_of_any_size_fall_the_same),
         cmocka_unit_test(test_a_value_beyond_all_measure_is_none),
         cmocka_unit_test(test_inertia_below_the_rounding_of_all_that_stands_behind_is_none),
         cmocka_unit_test(test_what_is_left_out_is_the_files_own),
