@@ -10,13 +10,14 @@
 
 enum { YK_CHAIN_MOST = 3 }; // links of a short chain, each on the one before
 
-// A link. behind: moments of inertia of it and of the masses that its end carries.
+// A link. behind: moments of inertia of it and of the masses that its end carries. lost: how many times rounding grew
+// in the links behind it, whose pivots are that much less than the inertias there.
 typedef struct ChainLink {
     YkVec e, moment, end; // world axes: direction, first moment of it and of what it carries, vector to the next pin
     YkVec turn;           // of its joint
     YkVec couple;         // end . moment and end x moment, of the end of the link before it
     double along;         // the first moment, where it lies along an axis of the link's own
-    double square, mass_out, behind, effort, row[YK_CHAIN_MOST], over, alpha;
+    double square, mass_out, behind, effort, row[YK_CHAIN_MOST], lost, over, alpha;
 } ChainLink;
 
 // Returns how a link's moment couples it to one that ends before it.
@@ -41,21 +42,24 @@ YK_INLINE void chain_couple(ChainLink *link, size_t links)
     }
 }
 
-// Returns whether inertia resists the turning of a link, once those behind it are eliminated.
+// Returns whether inertia resists the turning of a link, once those behind it are eliminated: more than rounding.
 YK_INLINE bool chain_resists(const ChainLink *link, size_t d)
 {
-    return link[d].row[d] > YK_LEAST_PIVOT * link[d].behind;
+    return link[d].row[d] > YK_LEAST_PIVOT * link[d].behind * link[d].lost;
 }
 
 // Eliminates the links from the last one on. Returns whether inertia resists each.
 YK_INLINE bool chain_eliminate(ChainLink *link, size_t links)
 {
     bool resists = true;
+    double lost = 1;
 #pragma GCC unroll 4
     for (size_t d = links; d-- > 0;) {
         ChainLink *own = &link[d];
+        own->lost = lost;
         resists &= chain_resists(link, d);
         own->over = 1 / own->row[d];
+        lost *= own->behind * own->over;
 #pragma GCC unroll 4
         for (size_t k = 0; k < d; k++) {
             double part = own->row[k] * own->over;

@@ -310,6 +310,39 @@ static void test_pendulums_of_any_size_fall_the_same(void **unused)
     machine_free(&m);
 }
 
+// A point mass on three links of which two weigh nothing can be moved in two ways: however the links stand, the third
+// meets no inertia, and what is left of it is rounding that grew where two links nearly lie in line.
+static void test_two_weightless_links_are_singular(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("parameters: {l: 1}\n"
+                              "bodies:\n"
+                              "  ground: {points: {O: [0, 0]}}\n"
+                              "  first: {points: {O: [0, 0], A: [l, 0]}}\n"
+                              "  second: {points: {A: [0, 0], B: [0.7, 0.3]}}\n"
+                              "  third: {points: {B: [0, 0]}, mass: 3, center: [0.3, 0.2], inertia: 0}\n"
+                              "joints:\n"
+                              "  O: {pin: [ground, first], angle: q1}\n"
+                              "  A: {pin: [first, second], angle: q2}\n"
+                              "  B: {pin: [second, third], angle: q3}\n",
+                              true);
+    const char *const names[] = {"l"};
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, names, 1, 1, m.problems);
+    YkDynamics *d = yk_dynamics_new(m.mech, m.problems);
+    draw(&m, names, 1, 0, 4);
+    YkMotionCase asked = ask(VALUES);
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_SINGULAR);
+    for (size_t k = 0; k < STATES; k++) {
+        double alone[3];
+        for (size_t i = 0; i < 3; i++) yk_state_set_input(m.state, i, (YkMotion){q[i][k], v[i][k], 0});
+        assert_int_equal(status[k], YK_SINGULAR);
+        assert_int_equal(yk_dynamics_accelerate(d, m.state, alone), YK_SINGULAR);
+    }
+    yk_dynamics_free(d);
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
 // The largest number that a parameter may be: as alone (yk_variant_set), on both sides of it.
 static void test_a_value_beyond_all_measure_is_none(void **unused)
 {
@@ -412,6 +445,7 @@ int main(void)
         cmocka_unit_test(test_lanes_do_not_depend_on_their_number),
         cmocka_unit_test(test_what_has_no_answer_has_a_status_and_zeros),
         cmocka_unit_test(test_pendulums_of_any_size_fall_the_same),
+        cmocka_unit_test(test_two_weightless_links_are_singular),
         cmocka_unit_test(test_a_value_beyond_all_measure_is_none),
         cmocka_unit_test(test_inertia_below_the_rounding_of_all_that_stands_behind_is_none),
         cmocka_unit_test(test_what_is_left_out_is_the_files_own),
