@@ -22,13 +22,13 @@ YK_API void yk_batch_free(YkBatch *batch);
 // (outputs are 0, never NaN); where forces have no finite value, that of yk_dynamics_solve.
 // Every pose lies on the batch's branches, whether or not the machine could get there from the state: limits and change
 // points on the way are not sought (see yk_state_move_to and studies). In machines with groups each pose is tracked
-// straight from the pose of the batch's state; YK_LIMIT if that path ends before it.
-// The arrays must not overlap. Returns the worst status. The results have the bits of yk_state_solve; a force has the
-// same bits in any batch, and is that of yk_dynamics_solve up to rounding. Allocates nothing, except for forces of
-// machines with dry friction, redundant constraints or more than 64 bodies, which are solved pose by pose; use one
-// batch per thread. It has no progress callback: a pose takes about 10 ns for each link, and the poses may be split
-// over several calls without changing a bit. A call for one pose is also the fastest way to the forces of one pose:
-// about 0.2 us for a machine of five bodies, since it computes nothing but the channels.
+// straight from the pose of the batch's state; YK_LIMIT if that path ends before it. The arrays must not overlap.
+// Returns the worst status. The results have the bits of yk_state_solve; a force has the same bits in any batch, but
+// for the sign of 0, and is that of yk_dynamics_solve up to rounding. Allocates nothing, except for forces of machines
+// with dry friction, redundant constraints or more than 64 bodies, which are solved pose by pose; use one batch per
+// thread. It has no progress callback: a pose takes about 10 ns for each link, and the poses may be split over several
+// calls without changing a bit. A call for one pose is also the fastest way to the forces of one pose: about 0.2 us for
+// a machine of five bodies, since it computes nothing but the channels.
 YK_API YkStatus yk_batch_run(YkBatch *batch, const double *const *inputs, double *const *outputs, signed char *status,
                              size_t count);
 

@@ -103,11 +103,18 @@ YK_INLINE bool chain_write(const ChainLink *link, size_t links, const YkTreeRows
     return is_finite;
 }
 
-// Computes the accelerations of n states; ok: as yk_lanes_tree has it. *bad: whether one is not 1. Returns the bits
-// that tell whether an angle is far: then all must be repeated with is_far. is_plain: tree->side is not 0. All signs of
-// vectors are then left out, which occur in pairs but for that of gravity's moment.
-YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axis, bool is_plain, bool is_far,
-                               double *ok, bool *bad, size_t n)
+// What a pass over lanes must bear with.
+typedef enum ChainCare {
+    CHAIN_NEAR, // angles within the range of the near reduction
+    CHAIN_FAR,  // any angle
+    CHAIN_LINKS // any angle and any inertia: two links are solved one by one, too
+} ChainCare;
+
+// Computes the accelerations of the states from `from` on, before `to`; ok: as yk_lanes_tree has it. *bad: whether one
+// is not 1. Returns the bits that tell whether an angle is far: then all must be repeated with that care. is_plain:
+// tree->side is not 0. All signs of vectors are then left out, which occur in pairs but for that of gravity's moment.
+YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axis, bool is_plain, ChainCare care,
+                               double *ok, bool *bad, size_t from, size_t to)
 {
     const double *gx = tree->gravity[0], *gy = tree->gravity[1];
     const double side = tree->side;
@@ -119,11 +126,11 @@ YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axi
         if (is_plain) rows[k].sense = 1;
     }
     YK_EACH_LANE
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = from; i < to; i++) {
         ChainLink link[YK_CHAIN_MOST];
         YkVec gravity = is_plain ? yk_vec(0, side * gy[i]) : yk_vec(gx[i], gy[i]);
         bool is_possible = ok[i] >= 0;
-        chain_turn(link, rows, links, is_far, &far, i);
+        chain_turn(link, rows, links, care != CHAIN_NEAR, &far, i);
 #pragma GCC unroll 4
         for (size_t k = links; k-- > 0;)
             is_possible &=
@@ -131,7 +138,8 @@ YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axi
 #pragma GCC unroll 4
         for (size_t k = 1; k < links; k++) chain_couple_link(&link[k], &link[k - 1], &rows[k], axis, i);
         chain_couple(link, links);
-        bool resists = chain_solve(link, links);
+        bool is_quick = links == 2 && care != CHAIN_LINKS;
+        bool resists = is_quick ? chain_solve_two(&link[0], &link[1]) : chain_solve(link, links);
         resists &= chain_write(link, links, rows, i);
         ok[i] = is_possible ? (resists ? 1 : 0) : -1;
         wrong |= 1 ^ (uint64_t)(is_possible & resists);
@@ -141,16 +149,16 @@ YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axi
 }
 
 // Chooses the copy for a chain: the most common ones know that their links are straight.
-YK_INLINE uint64_t chain_choose(const YkTreeLanes *tree, bool is_far, double *ok, bool *bad, size_t n)
+YK_INLINE uint64_t chain_choose(const YkTreeLanes *tree, ChainCare care, double *ok, bool *bad, size_t n)
 {
-    bool is_plain = YK_KNOWS_BLOCKS && !is_far && tree->side != 0, has_two = tree->link_count == 2;
-    if (tree->link_count == 1) return chain_lanes(tree, 1, YK_AXIS_NONE, false, is_far, ok, bad, n);
-    if (is_plain && tree->axis == YK_AXIS_X) return chain_lanes(tree, 2, YK_AXIS_X, true, is_far, ok, bad, n);
-    if (is_plain) return chain_lanes(tree, 2, YK_AXIS_Y, true, is_far, ok, bad, n);
-    if (has_two && tree->axis == YK_AXIS_X) return chain_lanes(tree, 2, YK_AXIS_X, false, is_far, ok, bad, n);
-    if (has_two && tree->axis == YK_AXIS_Y) return chain_lanes(tree, 2, YK_AXIS_Y, false, is_far, ok, bad, n);
-    if (has_two) return chain_lanes(tree, 2, YK_AXIS_NONE, false, is_far, ok, bad, n);
-    return chain_lanes(tree, 3, YK_AXIS_NONE, false, is_far, ok, bad, n);
+    bool is_plain = YK_KNOWS_BLOCKS && care == CHAIN_NEAR && tree->side != 0, has_two = tree->link_count == 2;
+    if (tree->link_count == 1) return chain_lanes(tree, 1, YK_AXIS_NONE, false, care, ok, bad, 0, n);
+    if (is_plain && tree->axis == YK_AXIS_X) return chain_lanes(tree, 2, YK_AXIS_X, true, care, ok, bad, 0, n);
+    if (is_plain) return chain_lanes(tree, 2, YK_AXIS_Y, true, care, ok, bad, 0, n);
+    if (has_two && tree->axis == YK_AXIS_X) return chain_lanes(tree, 2, YK_AXIS_X, false, care, ok, bad, 0, n);
+    if (has_two && tree->axis == YK_AXIS_Y) return chain_lanes(tree, 2, YK_AXIS_Y, false, care, ok, bad, 0, n);
+    if (has_two) return chain_lanes(tree, 2, YK_AXIS_NONE, false, care, ok, bad, 0, n);
+    return chain_lanes(tree, 3, YK_AXIS_NONE, false, care, ok, bad, 0, n);
 }
 
 #endif

@@ -238,14 +238,24 @@ YK_INLINE bool few(const YkTreeLanes *tree, double *ok, size_t at, size_t n)
 YK_APART void repeat_far(const YkTreeLanes *tree, double *ok, bool *bad, size_t n)
 {
     for (size_t i = 0; i < n; i++) ok[i] = ok[i] < 0 ? -1 : 1;
-    chain_choose(tree, true, ok, bad, n);
+    chain_choose(tree, CHAIN_FAR, ok, bad, n);
+}
+
+// Repeats the states of two links that no inertia seems to resist: the product of both may be no number.
+YK_APART void repeat_singular(const YkTreeLanes *tree, double *ok, bool *bad, size_t n)
+{
+    bool one_bad;
+    for (size_t i = 0; i < n; i++)
+        if (ok[i] == 0) chain_lanes(tree, 2, YK_AXIS_NONE, false, CHAIN_LINKS, ok, &one_bad, i, i + 1);
+    *bad = !all_well(ok, n);
 }
 
 // Rows are checked last: they are then in the cache, while the pass before waits for memory as it computes.
 YK_INLINE void yk_lanes_chain_body(bool *well, const YkTreeLanes *tree, double *ok, size_t n)
 {
     bool bad;
-    if (sincos_is_far(chain_choose(tree, false, ok, &bad, n))) repeat_far(tree, ok, &bad, n);
+    if (sincos_is_far(chain_choose(tree, CHAIN_NEAR, ok, &bad, n))) repeat_far(tree, ok, &bad, n);
+    if (bad && tree->link_count == 2) repeat_singular(tree, ok, &bad, n);
     bad |= !check_rows(tree, ok, 0, n);
     if (bad) mask(tree, ok, 0, n);
     *well = !bad;

@@ -10,13 +10,14 @@
 
 enum { YK_CHAIN_MOST = 3 }; // links of a short chain, each on the one before
 
-// A link. behind: moments of inertia of it and of the masses that its end carries.
+// A link. behind: moments of inertia of it and of the masses that its end carries. lost: how many times rounding grew
+// in the links behind it, whose pivots are that much less than the inertias there.
 typedef struct ChainLink {
     YkVec e, moment, end; // world axes: direction, first moment of it and of what it carries, vector to the next pin
     YkVec turn;           // of its joint
     YkVec couple;         // end . moment and end x moment, of the end of the link before it
     double along;         // the first moment, where it lies along an axis of the link's own
-    double square, mass_out, behind, effort, row[YK_CHAIN_MOST], over, alpha;
+    double square, mass_out, behind, effort, row[YK_CHAIN_MOST], lost, over, alpha;
 } ChainLink;
 
 // Returns how a link's moment couples it to one that ends before it.
@@ -41,21 +42,24 @@ YK_INLINE void chain_couple(ChainLink *link, size_t links)
     }
 }
 
-// Returns whether inertia resists the turning of a link, once those behind it are eliminated.
+// Returns whether inertia resists the turning of a link, once those behind it are eliminated: more than rounding.
 YK_INLINE bool chain_resists(const ChainLink *link, size_t d)
 {
-    return link[d].row[d] > YK_LEAST_PIVOT * link[d].behind;
+    return link[d].row[d] > YK_LEAST_PIVOT * link[d].behind * link[d].lost;
 }
 
 // Eliminates the links from the last one on. Returns whether inertia resists each.
 YK_INLINE bool chain_eliminate(ChainLink *link, size_t links)
 {
     bool resists = true;
+    double lost = 1;
 #pragma GCC unroll 4
     for (size_t d = links; d-- > 0;) {
         ChainLink *own = &link[d];
+        own->lost = lost;
         resists &= chain_resists(link, d);
         own->over = 1 / own->row[d];
+        lost *= own->behind * own->over;
 #pragma GCC unroll 4
         for (size_t k = 0; k < d; k++) {
             double part = own->row[k] * own->over;
@@ -67,23 +71,21 @@ YK_INLINE bool chain_eliminate(ChainLink *link, size_t links)
     return resists;
 }
 
-// Solves for two links by their determinant, with one division. The first link's row is then multiplied by the second
-// one's inertia, which leaves what resists as it is.
+// Solves for two links by their determinant, with one division. Returns false if inertia does not resist each of them,
+// or if the product of their inertias may be no number: chain_solve tells which, since all rows are left as they are.
 YK_INLINE bool chain_solve_two(ChainLink *first, ChainLink *second)
 {
+    const double least = 1e-290, most = 1e290;
     double own = first->row[0], other = second->row[1], shared = second->row[0];
-    first->row[0] = own * other - shared * shared;
-    first->behind *= other;
-    double over = 1 / first->row[0];
+    double both = own * other, determinant = both - shared * shared, over = 1 / determinant;
     first->alpha = (other * first->effort - shared * second->effort) * over;
     second->alpha = (own * second->effort - shared * first->effort) * over;
-    return (first->row[0] > YK_LEAST_PIVOT * first->behind) & (other > YK_LEAST_PIVOT * second->behind);
+    return (determinant > YK_LEAST_PIVOT * both + least) & (both < most);
 }
 
-// Computes the absolute angular accelerations. Returns whether inertia resists each.
+// Computes the absolute angular accelerations, link by link. Returns whether inertia resists each.
 YK_INLINE bool chain_solve(ChainLink *link, size_t links)
 {
-    if (links == 2) return chain_solve_two(&link[0], &link[1]);
     bool resists = chain_eliminate(link, links);
 #pragma GCC unroll 4
     for (size_t d = 0; d < links; d++) {

@@ -178,7 +178,7 @@ YK_INLINE int accelerate_chain(const YkTreePins *pins, const double *effort, dou
 #pragma GCC unroll 4
     for (size_t k = 1; k < links; k++) link[k].couple = chain_couple_of(link[k - 1].end, link[k].moment);
     chain_couple(link, links);
-    if (!chain_solve(link, links)) {
+    if (!(links == 2 && chain_solve_two(&link[0], &link[1])) && !chain_solve(link, links)) {
         size_t k = links - 1;
         while (k > 0 && chain_resists(link, k)) k--;
         return turn[k].input;

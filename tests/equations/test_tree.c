@@ -252,6 +252,34 @@ static void test_a_heavier_machine_falls_the_same(void **unused)
     }
 }
 
+// So does one of two links whose inertias' product is no number, or one with few digits.
+static void test_a_pendulum_of_any_weight_falls_the_same(void **unused)
+{
+    (void)unused;
+    static const char *const model =
+        "gravity: [0, -9.81]\nbodies:\n"
+        "  ground: {points: {O: [0, 0]}}\n"
+        "  a: {points: {O: [0, 0], A: [1, 0.5]}, mass: 3, center: [0.5, 0], inertia: 0.1}\n"
+        "  b: {points: {A: [0, 0]}, mass: 2, center: [1, 0.2], inertia: 0.2}\n"
+        "joints: {O: {pin: [ground, a]}, A: {pin: [a, b]}}\n";
+    const double q[] = {0.7, -0.4}, v[] = {1, 2};
+    const int weight[] = {0, -400, -520, -600, 400, 520, 900};
+    double a[2], first[2];
+    for (size_t k = 0; k < sizeof weight / sizeof *weight; k++) {
+        OpenTree t = open_tree_compile(model);
+        for (size_t i = 1; i < 3; i++) {
+            t.model->bodies[i].mass = ldexp(t.model->bodies[i].mass, weight[k]);
+            t.model->bodies[i].inertia = ldexp(t.model->bodies[i].inertia, weight[k]);
+        }
+        bool fits;
+        t.tree = yk_tree_dynamics_new(t.mech, &fits);
+        assert_int_equal(yk_tree_accelerate(t.tree, q, v, NULL, a), -1);
+        if (k == 0) memcpy(first, a, sizeof a);
+        for (size_t i = 0; i < 2; i++) CHECK_NEAR(a[i], first[i], 1e-13 * fabs(first[i]));
+        open_tree_free(&t);
+    }
+}
+
 // Whole turns change nothing but the last digits, however many; angles may be large.
 static void test_whole_turns_change_nothing(void **unused)
 {
@@ -650,6 +678,7 @@ int main(void)
         cmocka_unit_test(test_trees_of_all_joints_agree_with_a_dense_mass_matrix),
         cmocka_unit_test(test_energy_changes_by_the_power_of_the_efforts),
         cmocka_unit_test(test_a_heavier_machine_falls_the_same),
+        cmocka_unit_test(test_a_pendulum_of_any_weight_falls_the_same),
         cmocka_unit_test(test_whole_turns_change_nothing),
         cmocka_unit_test(test_chains_of_any_length_follow_the_recursion),
         cmocka_unit_test(test_a_chain_of_100000_links_follows_the_recursion),

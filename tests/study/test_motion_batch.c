@@ -287,6 +287,62 @@ static void test_what_has_no_answer_has_a_status_and_zeros(void **unused)
     machine_free(&m);
 }
 
+// Pendulums so light, or so heavy and long, that the product of their inertias is no number, beside others.
+static void test_pendulums_of_any_size_fall_the_same(void **unused)
+{
+    (void)unused;
+    const int mass[] = {0, -500, -520, -600, 300, 0, -600}, length[] = {0, 0, 0, 0, 200, -300, 0};
+    const double none[STATES] = {0}, *const still[] = {none, none};
+    Machine m = machine_load("double-pendulum");
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, PENDULUM, 7, 1, m.problems);
+    for (size_t k = 0; k < 7; k++) {
+        for (int p = 0; p < 3; p++) value[p][k] = ldexp(0.5 - 0.1 * p, length[k]);
+        value[3][k] = ldexp(0.5, mass[k]), value[4][k] = ldexp(0.4, mass[k]), value[5][k] = value[6][k] = 0;
+        q[0][k] = 1, q[1][k] = 0.5;
+    }
+    q[0][6] += 2e6 * YK_PI; // beyond the quick reduction of angles, too, with an angle of 16 digits
+    YkMotionCase asked = {VALUES, positions, still, still, 7};
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_OK);
+    for (size_t k = 0; k < 7; k++)
+        for (int i = 0; i < 2; i++)
+            CHECK_NEAR(ldexp(a[i][k], length[k]), a[i][0], (k < 6 ? 1e-13 : 1e-7) * fabs(a[i][0]));
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
+// A point mass on three links of which two weigh nothing can be moved in two ways: however the links stand, the third
+// meets no inertia, and what is left of it is rounding that grew where two links nearly lie in line.
+static void test_two_weightless_links_are_singular(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("parameters: {l: 1}\n"
+                              "bodies:\n"
+                              "  ground: {points: {O: [0, 0]}}\n"
+                              "  first: {points: {O: [0, 0], A: [l, 0]}}\n"
+                              "  second: {points: {A: [0, 0], B: [0.7, 0.3]}}\n"
+                              "  third: {points: {B: [0, 0]}, mass: 3, center: [0.3, 0.2], inertia: 0}\n"
+                              "joints:\n"
+                              "  O: {pin: [ground, first], angle: q1}\n"
+                              "  A: {pin: [first, second], angle: q2}\n"
+                              "  B: {pin: [second, third], angle: q3}\n",
+                              true);
+    const char *const names[] = {"l"};
+    YkMotionBatch *batch = yk_motion_batch_new(m.state, names, 1, 1, m.problems);
+    YkDynamics *d = yk_dynamics_new(m.mech, m.problems);
+    draw(&m, names, 1, 0, 4);
+    YkMotionCase asked = ask(VALUES);
+    assert_int_equal(yk_motion_batch_run(batch, &asked, out, status), YK_SINGULAR);
+    for (size_t k = 0; k < STATES; k++) {
+        double alone[3];
+        for (size_t i = 0; i < 3; i++) yk_state_set_input(m.state, i, (YkMotion){q[i][k], v[i][k], 0});
+        assert_int_equal(status[k], YK_SINGULAR);
+        assert_int_equal(yk_dynamics_accelerate(d, m.state, alone), YK_SINGULAR);
+    }
+    yk_dynamics_free(d);
+    yk_motion_batch_free(batch);
+    machine_free(&m);
+}
+
 // The largest number that a parameter may be: as alone (yk_variant_set), on both sides of it.
 static void test_a_value_beyond_all_measure_is_none(void **unused)
 {
@@ -388,6 +444,8 @@ int main(void)
         cmocka_unit_test(test_loops_alone_are_solved_in_lanes),
         cmocka_unit_test(test_lanes_do_not_depend_on_their_number),
         cmocka_unit_test(test_what_has_no_answer_has_a_status_and_zeros),
+        cmocka_unit_test(test_pendulums_of_any_size_fall_the_same),
+        cmocka_unit_test(test_two_weightless_links_are_singular),
         cmocka_unit_test(test_a_value_beyond_all_measure_is_none),
         cmocka_unit_test(test_inertia_below_the_rounding_of_all_that_stands_behind_is_none),
         cmocka_unit_test(test_what_is_left_out_is_the_files_own),
