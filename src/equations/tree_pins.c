@@ -23,14 +23,14 @@ typedef struct Fork { // a link with a child that does not come right after it
     double alpha;
 } Fork;
 
-typedef struct Straight { // a link of a short chain, constant, in its own axes: see short_chain.h
+typedef struct ChainPart { // a link of a short chain, constant, in its own axes: see short_chain.h
     YkVec moment, end;
     double behind;
-} Straight;
+} ChainPart;
 
 struct YkTreePins {
     YkTreeAngles angles;
-    Straight chain[YK_CHAIN_MOST];
+    ChainPart chain[YK_CHAIN_MOST];
     bool is_chain;  // two or three links, each on the one before
     Link *link;     // [link]
     Answer *answer; // [link]
@@ -58,8 +58,8 @@ static void find_chain(YkTreePins *pins, const double *mass_out)
     size_t links = pins->angles.count - 1;
     pins->is_chain = links > 1 && links <= YK_CHAIN_MOST;
     for (size_t k = 1; pins->is_chain && k <= links; k++) {
-        Straight *own = &pins->chain[k - 1];
-        *own = (Straight){.moment = pins->link[k].moment, .behind = pins->link[k].inertia};
+        ChainPart *own = &pins->chain[k - 1];
+        *own = (ChainPart){.moment = pins->link[k].moment, .behind = pins->link[k].inertia};
         pins->is_chain = pins->angles.turn[k].parent == (int32_t)k - 1;
         if (k == links) break;
         own->end = pins->link[k + 1].at;
@@ -153,9 +153,9 @@ static void outward(const YkTreePins *pins, double *out)
 }
 
 // Places a link of a short chain, on which `torque` acts at its pin and `next` at the pin of the next one.
-YK_INLINE ChainLink place_straight(const YkTreePins *pins, size_t k, double torque, double next)
+YK_INLINE ChainLink place_part(const YkTreePins *pins, size_t k, double torque, double next)
 {
-    const Straight *own = &pins->chain[k];
+    const ChainPart *own = &pins->chain[k];
     YkVec e = yk_vec(pins->angles.c[k + 1], pins->angles.s[k + 1]);
     double w = pins->angles.w[k + 1];
     ChainLink link = {.moment = yk_mul(e, own->moment), .square = w * w, .behind = own->behind};
@@ -172,7 +172,7 @@ YK_INLINE int accelerate_chain(const YkTreePins *pins, const double *effort, dou
 #pragma GCC unroll 4
     for (size_t k = links; k-- > 0;) {
         double torque = effort ? (double)turn[k].sense * effort[turn[k].input] : 0;
-        link[k] = place_straight(pins, k, torque, next);
+        link[k] = place_part(pins, k, torque, next);
         next = torque;
     }
 #pragma GCC unroll 4

@@ -169,6 +169,7 @@ static bool leave_out(YkTapeMaker *m, size_t minus, YkTapeStep *trial)
     for (size_t k = t->prelude_count; k < t->step_count; k++)
         if (k != minus && reads(&trial[k], value) && !read_negative(m, &trial[k], value, negative)) return false;
     m->made[own - trial] = negative;
+    m->uses[negative] += m->uses[value] - 1;
     size_t after = t->step_count - minus - 1;
     memmove(&trial[minus], &trial[minus + 1], after * sizeof *trial);
     memmove(&m->made[minus], &m->made[minus + 1], after * sizeof *m->made);

@@ -42,7 +42,7 @@ typedef struct YkArm {
 #define YK_RATE_GUARD 0x1p+691
 #define YK_ACCELERATION_GUARD 0x1p+359
 void yk_lanes_begin(double *margin, const double *x, const double *rate, const double *accel, bool is_first, size_t n);
-// Sets *are_numbers if an input is a number in all lanes.
+// Sets *are_numbers to whether an input is a number in all lanes.
 void yk_lanes_numbers(bool *are_numbers, const double *x, const double *rate, const double *accel, size_t n);
 
 // constant + along e^(i turn); turn must not be the ground.
