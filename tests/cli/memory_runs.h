@@ -26,6 +26,8 @@ static const Run runs[] = {
     {"check %many.yaml", false},
     {"check %absent.yaml", false},
     {"check @four-bar --lock x --param y=1", false},
+    {"check --sketch @four-bar --format json", false},
+    {"check --sketch %many.yaml", false},
     {"solve @four-bar", false},
     {"solve @four-bar-at-rest --at theta2=40deg --all", false},
     {"solve @andrews", false},
