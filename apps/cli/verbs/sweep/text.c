@@ -22,6 +22,7 @@ static void find_scale(const YkSweepAnswer *answer)
     YkSession *session = answer->session;
     yk_scale_begin(session);
     if (!answer->sweep) return;
+    if (session->dynamics) yk_dynamics_solve(session->dynamics, session->state, answer->method); // it was beside it
     yk_scale_add_pose(session, session->state);
     for (size_t row = 0; row < yk_sweep_row_count(answer->sweep); row++)
         for (size_t c = 0; c < answer->column_count; c++)
