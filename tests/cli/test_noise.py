@@ -230,18 +230,21 @@ class Limits(Case):
         self.assertEqual(told, ["-0.125", "0", "-0.125", "-0.125"])
 
 
-class Turns(Case):
+class Reversals(Case):
     def test_where_a_drive_turns_back_all_is_at_rest(self):
         """At 0.25 s the rate of sin(2 pi t) is 0, but for the rounding of the time; at 0.5 s its acceleration is."""
-        path = self.write("turns.yaml", PARALLELOGRAM.replace("60 + 90 deg/s * t", "60 + 20 * sin(360 deg/s * t)"))
-        of = "theta3.rate,rocker.rate,coupler.P.x.rate,crank.A.y.rate,crank.accel,theta3.accel"
+        path = self.write("turns.yaml", PARALLELOGRAM.replace("60 + 90 deg/s * t", "60 + 20 deg * sin(360 deg/s * t)"))
+        of = "theta3.rate,rocker.rate,coupler.P.x.rate,crank.A.y.rate,crank.accel,theta3.accel,crank.A.y"
         out = self.good("sweep", path, "--over", "t=0:1s", "--steps", "4", "--of", of).out
         rows = [line.split()[1:] for line in out.split("\n\n")[1].splitlines()[1:]]
         for row in (0, 2, 4):
-            self.assertEqual(rows[row][4:], ["0", "0"])
+            self.assertEqual(rows[row][4:6], ["0", "0"])
         for row in (1, 3):
             self.assertEqual(rows[row][:4], ["0"] * 4)
             self.assertNotIn("0", rows[row - 1][:4] + rows[row][4:])
+        events = [line.split() for line in out.split("\n\n")[2].splitlines() if "crank.A.y =" in line]
+        self.assertEqual([line[1] for line in events], ["0.25", "0.75"])
+        self.assertEqual([line[-7:-3] for line in events], [["0"] * 4] * 2)
 
 
 class ChangePoints(Case):
