@@ -53,8 +53,8 @@ static double shown_in_row(const YkSweepAnswer *answer, size_t row, size_t colum
     return yk_column_shown(answer->session, value, channel);
 }
 
-// Does the same for a value at an event, whose place is known to fewer digits. 0: noise by the whole table and by the two
-// rows before: in one of them all may stand still.
+// Does the same for a value at an event, whose place is known to fewer digits. 0: noise by the whole table and by the
+// two rows before: in one of them all may stand still.
 static double shown_at_event(const YkSweepAnswer *answer, size_t event, size_t column)
 {
     double value = yk_sweep_event_value(answer->sweep, event, column), at = yk_sweep_event(answer->sweep, event).at;
