@@ -17,8 +17,8 @@ static double shown_parameter(const YkStudyAnswer *a, size_t axis, double value)
     return value / yk_model_parameter_unit(a->session->model, a->axes[axis].name);
 }
 
-// Scales by what one design has: beside its limit another may have numbers of any size. The inputs count, since all that
-// a design has may be noise.
+// Scales by what one design has: beside its limit another may have numbers of any size. The inputs count too, since all
+// that a design has may be noise.
 static void scale_by_row(YkStudyAnswer *a, const double *row)
 {
     yk_scale_begin(a->session);
