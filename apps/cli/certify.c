@@ -7,7 +7,7 @@ bool yk_certify_begin(YkSession *session)
 {
     if (session->request->trust) return true;
     session->certifier = yk_certifier_new(session->mech);
-    return session->certifier || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return session->certifier || yk_session_refuse_for_memory(session);
 }
 
 void yk_certify_end(YkSession *session)

@@ -10,7 +10,7 @@
 bool yk_columns_add(YkSession *session, YkAnswerColumns *columns, const char *name)
 {
     if (!name || !YK_ROOM(columns->items, columns->count, columns->capacity))
-        return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        return yk_session_refuse_for_memory(session);
     YkAnswerColumn *column = &columns->items[columns->count++];
     column->name = name;
     return yk_channel_parse(session->mech, name, &column->channel, session->problems) == YK_OK;

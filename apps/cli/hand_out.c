@@ -25,7 +25,7 @@ struct YkHandOut {
 
 static bool run_out(YkHandOut *h)
 {
-    return yk_session_refuse(h->options.session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return yk_session_refuse_for_memory(h->options.session);
 }
 
 // --- rank 0
@@ -166,7 +166,7 @@ YkHandOut *yk_hand_out_new(const YkHandOutOptions *options)
 {
     YkHandOut *h = calloc(1, sizeof *h);
     if (!h) {
-        yk_session_refuse(options->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(options->session);
         return NULL;
     }
     *h = (YkHandOut){.options = *options, .count = yk_ranks()->count()};

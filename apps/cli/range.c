@@ -55,7 +55,7 @@ bool yk_over_split(YkSession *session, const char *text, YkOver *over)
                      .quantity = YK_QUANTITY_TIME};
     if (over->from_text) over->from_text = share_unit(arena, over->from_text, over->to_text);
     if (over->name && over->from_text) return true;
-    return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return yk_session_refuse_for_memory(session);
 }
 
 bool yk_over_read(YkSession *session, YkOver *over)

@@ -99,11 +99,16 @@ void yk_scale_add_bodies(YkSession *session, const YkState *state)
     }
 }
 
-void yk_scale_add_pose(YkSession *session, const YkState *state)
+void yk_scale_add_inputs(YkSession *session, const YkState *state)
 {
-    for (size_t i = 0; i < yk_input_count(session->mech); i++) // known at dead points too
+    for (size_t i = 0; i < yk_input_count(session->mech); i++)
         add_motion(session, yk_state_input(state, i),
                    yk_coordinate_info(session->mech, yk_input_coordinate(session->mech, i)).is_distance);
+}
+
+void yk_scale_add_pose(YkSession *session, const YkState *state)
+{
+    yk_scale_add_inputs(session, state); // known at dead points too
     if (!yk_state_has_rates(state)) return;
     if (yk_state_report(state)->status == YK_CHANGE_POINT) session->scale.blur = YK_BLUR_AT_CHANGE_POINT;
     for (size_t i = 0; i < yk_coordinate_count(session->mech); i++)

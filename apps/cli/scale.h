@@ -23,6 +23,8 @@ void yk_scale_begin(YkSession *session);
 void yk_scale_add_pose(YkSession *session, const YkState *state);
 // Does the same for bodies and points only, for a state of another compilation of the model.
 void yk_scale_add_bodies(YkSession *session, const YkState *state);
+// Adds the rates of the inputs alone.
+void yk_scale_add_inputs(YkSession *session, const YkState *state);
 // Adds a value of a table.
 void yk_scale_add(YkSession *session, double value, YkQuantity quantity);
 // Returns how large noise can be; 0: nothing is noise.

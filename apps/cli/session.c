@@ -23,7 +23,7 @@ bool yk_session_refuse(YkSession *session, YkCode code, const char *format, cons
     return false;
 }
 
-static bool run_out(YkSession *session)
+bool yk_session_refuse_for_memory(YkSession *session)
 {
     return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
 }
@@ -133,7 +133,7 @@ static bool load(YkSession *session, bool compiles, const char *const *swept)
 {
     if (!yk_session_has_file(session)) return false;
     YkProblems *problems = yk_problems_new();
-    if (!problems) return run_out(session);
+    if (!problems) return yk_session_refuse_for_memory(session);
     session->model = yk_session_load_model(session, true, problems);
     if (session->model && compiles) session->mech = compile(session, swept, problems);
     if (session->model) name_file(session, session->problems); // a drive may have no value later
@@ -152,7 +152,7 @@ static bool load(YkSession *session, bool compiles, const char *const *swept)
         yk_warn_of_idle_starts(session);
         yk_warn_of_held_places(session);
     }
-    if (!good && !is_told) return run_out(session);
+    if (!good && !is_told) return yk_session_refuse_for_memory(session);
     return good;
 }
 
@@ -188,7 +188,7 @@ bool yk_session_value(YkSession *session, const char *option, const char *name, 
 {
     YkProblems *problems = yk_problems_new();
     YkText source = {0};
-    if (!problems) return run_out(session);
+    if (!problems) return yk_session_refuse_for_memory(session);
     yk_text_format(&source, "%s%s%s", option, *name ? " " : "", name);
     yk_problems_set_source(problems, yk_text_get(&source), text, strlen(text));
     bool good = yk_model_value(session->model, text, quantity, value, problems) == YK_OK && isfinite(*value);
@@ -332,7 +332,7 @@ bool yk_session_inputs(YkSession *session)
     size_t most = request->at.count + request->rate.count + request->accel.count + 1; // one more: for a sweep's start
     session->state = yk_session_new_state(session, session->mech);
     session->holds = calloc(most, sizeof *session->holds);
-    if (!session->state || !session->holds) return run_out(session);
+    if (!session->state || !session->holds) return yk_session_refuse_for_memory(session);
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &session->time))
         return false;
     YkStatus status = yk_state_set_time(session->state, session->time, session->problems);
@@ -418,7 +418,7 @@ int yk_session_finish(YkSession *session, int exit_code)
     if (!session->keeps_what_is_done && yk_stop_is_due()) return YK_EXIT_WRONG;
     yk_stop_clear_line();
     if (!yk_session_has_memory(session)) {
-        good = run_out(session);
+        good = yk_session_refuse_for_memory(session);
     } else if (path && strcmp(path, "-") != 0) {
         good = yk_file_write(path, yk_text_get(&session->out), session->out.length, session->problems);
     } else {

@@ -54,6 +54,8 @@ void yk_session_run_out(YkSession *session);
 const YkMotion *yk_session_bodies(YkSession *session, const YkState *state);
 // Refuses with a short message; returns false.
 bool yk_session_refuse(YkSession *session, YkCode code, const char *format, const char *word);
+// Refuses since memory ran out; returns false.
+bool yk_session_refuse_for_memory(YkSession *session);
 // Returns whether nothing has run out of memory so far: whatever is written then, no E0100 will stand beside it.
 bool yk_session_has_memory(YkSession *session);
 // Writes the answer to -o FILE or standard output; returns `exit_code`, or YK_EXIT_WRONG when it could not be written.

@@ -141,7 +141,10 @@ class Gears(Case):
         driven = self.write("driven.yaml", text + "drives: {theta_s: 100 rpm * t}\n")
         words = ("--lock", "sun-held", "--in", "ring", "--out", "arm")
         run = self.good("gears", driven, *words)
-        self.assertIn("leaves out the file's drives: the hold of `sun`", run.out)
+        self.assertEqual(run.out.count("the hold of `sun`"), 1)
+        self.assertIn("Ratio ring / arm without the file's drives\n  27/17", run.out)
+        still = self.write("still.yaml", text + "drives: {theta_c: 100 rpm * t}\n")
+        self.assertIn("without the file's drives\n  infinite", self.good("gears", still, "--lock", "arm-held", "--in", "sun", "--out", "arm").out)
         ratio = self.good("gears", driven, *words, "--format", "json").json()["ratio"]
         self.assertEqual(ratio, self.answer("simple-planetary", *words)["ratio"])
         self.assertEqual(Run("gears", driven, "--lock", "sun-held").code, 1)

@@ -87,7 +87,7 @@ bool yk_cam_plot(const YkCamAnswer *answer, const char *path)
         name_columns(answer, diagram);
         good = draw(answer, diagram, path);
     } else {
-        yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(answer->session);
     }
     if (diagram) {
         for (size_t i = 0; i < CURVES * laws; i++) yk_text_free(&diagram->names[i]);
@@ -124,7 +124,7 @@ bool yk_cam_write_profile(const YkCamAnswer *answer, const char *path)
     YkText text = {0};
     const char *ending = path + strlen(path) - 3;
     bool can = yk_cam_picture_take(&picture, answer->design, answer->tolerance, answer->cutter);
-    if (picture.ran_out) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (picture.ran_out) return yk_session_refuse_for_memory(session);
     if (!can)
         return yk_session_refuse(session, YK_CODE_OPTION_VALUE, "the profile cannot be made with this tolerance%s", "");
     if (strcmp(ending, "dxf") == 0) {
@@ -135,7 +135,7 @@ bool yk_cam_write_profile(const YkCamAnswer *answer, const char *path)
         yk_cam_picture_svg(&picture, &text);
     }
     yk_cam_picture_free(&picture);
-    bool good = text.failed ? yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "")
+    bool good = text.failed ? yk_session_refuse_for_memory(session)
                             : yk_file_write(path, yk_text_get(&text), text.length, session->problems);
     yk_text_free(&text);
     return good;

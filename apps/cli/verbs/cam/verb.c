@@ -87,7 +87,7 @@ static bool compare(YkCamAnswer *answer)
         if (yk_cam_law_factors(word, &other->factors) == YK_BAD_ARGUMENT) return refuse_law(session, word);
         other->law = word;
         other->design = yk_cam_design_with(answer->design, word);
-        if (!other->design) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        if (!other->design) return yk_session_refuse_for_memory(session);
         other->summary = yk_cam_summary(other->design);
         answer->other_count++;
     }
@@ -128,7 +128,7 @@ static bool read_request(YkCamAnswer *answer)
         return false;
     if (!yk_session_model(session) || !find_cam(session, &cam)) return false;
     answer->design = yk_cam_design_new(session->model, cam);
-    if (!answer->design) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!answer->design) return yk_session_refuse_for_memory(session);
     answer->size = yk_cam_size(answer->design);
     answer->speed = answer->size.speed;
     answer->tolerance = chord;
@@ -234,7 +234,7 @@ int yk_run_cam(YkSession *session)
     YkCamAnswer *answer = calloc(1, sizeof *answer);
     int exit_code = YK_EXIT_WRONG;
     if (!answer) {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
         return exit_code;
     }
     answer->session = session;

@@ -103,7 +103,7 @@ int yk_check_sketch(YkSession *session)
     YkProblems *problems = yk_session_has_file(session) ? yk_problems_new() : NULL;
     YkSketch *sketch = problems ? load(session, problems) : NULL;
     if (!sketch && session->request->file && (!problems || yk_problems_error_count(problems) == 0))
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
     if (problems) yk_tell_problems(session, problems);
     yk_problems_free(problems);
     int exit_code = sketch ? answer(session, sketch) : YK_EXIT_WRONG;

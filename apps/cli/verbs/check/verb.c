@@ -66,7 +66,7 @@ int yk_run_check(YkSession *session)
         answer->bodies = bodies;
         exit_code = answer_check(answer);
     } else {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
     }
     free(bodies);
     free(answer);

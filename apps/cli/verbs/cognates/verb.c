@@ -129,7 +129,7 @@ static bool write_files(YkSession *session, YkCognates *cognates)
         yk_text_puts(&files[count++].text, c.model);
     }
     for (size_t k = 0; k < count; k++) good = good && !files[k].text.failed;
-    if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!good) yk_session_refuse_for_memory(session);
     good = good && yk_files_write(session->request->output, files, count, session->problems);
     for (size_t k = 0; k < count; k++) yk_text_free(&files[k].text);
     return good;

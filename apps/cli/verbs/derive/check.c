@@ -267,7 +267,7 @@ int yk_derive_checks(YkSession *session, YkDerivation *derivation, bool as_json)
     checking.start = yk_session_new_state(session, session->mech);
     if (!checking.start || yk_state_copy(checking.start, session->state) < 0) {
         yk_state_free(checking.start);
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
         return YK_EXIT_WRONG;
     }
     if (as_json) {

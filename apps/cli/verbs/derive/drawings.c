@@ -8,7 +8,7 @@ enum { DRAWINGS_MAX = 2000 };
 
 static bool refuse_memory(YkSession *session)
 {
-    return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return yk_session_refuse_for_memory(session);
 }
 
 static bool draw_all(YkSession *session, YkFreeBodyDrawings *pictures, YkFileEntry *files, YkText *names)

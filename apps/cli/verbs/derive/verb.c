@@ -97,7 +97,7 @@ typedef struct Output {
 static bool flush(Output *output)
 {
     YkText *out = &output->session->out;
-    bool good = !out->failed || yk_session_refuse(output->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    bool good = !out->failed || yk_session_refuse_for_memory(output->session);
     if (good && !output->stream.is_open)
         good = yk_stream_open(&output->stream, output->session->request->output, output->session->problems);
     good = good && yk_stream_write(&output->stream, yk_text_get(out), out->length, output->session->problems);

@@ -7,7 +7,7 @@
 // Writes a picture; NULL: out of memory.
 static bool convert(YkSession *session, const char *svg, YkFileKind kind)
 {
-    if (!svg) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!svg) return yk_session_refuse_for_memory(session);
     return yk_convert_svg(svg, kind, &session->out, session->problems);
 }
 
@@ -33,7 +33,7 @@ bool yk_draw_polygon(YkSession *session, YkFileKind kind)
     bool needs_forces = strcmp(session->request->polygon, "velocity") != 0;
     YkStatus status = needs_forces ? yk_solve_forces(session, dynamics, YK_METHOD_REDUCED, session->state) : YK_OK;
     bool good = status != YK_NO_MEMORY;
-    if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!good) yk_session_refuse_for_memory(session);
     good = good && (yk_wants_force_polygons(session) ? draw_forces(session, kind) : draw_motion(session, kind));
     session->dynamics = dynamics; // the session frees it
     return good;

@@ -29,7 +29,7 @@ static bool find_points(Drawer *drawer)
 {
     const YkWords *trace = &drawer->session->request->trace;
     drawer->points = calloc(trace->count + 1, sizeof *drawer->points);
-    if (!drawer->points) return yk_session_refuse(drawer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!drawer->points) return yk_session_refuse_for_memory(drawer->session);
     return yk_session_points(drawer->session, trace, drawer->points);
 }
 
@@ -146,7 +146,7 @@ static bool add_centers(Drawer *drawer)
     if (!session->request->centers) return true;
     YkCenters *centers = yk_centers_new(session->state, session->problems);
     bool good = centers && yk_drawing_centers(drawer->drawing, centers) == YK_OK;
-    if (centers && !good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (centers && !good) yk_session_refuse_for_memory(session);
     yk_centers_free(centers);
     return good;
 }
@@ -180,7 +180,7 @@ static bool add_centrodes(Drawer *drawer)
     YkCentrodes *centrodes =
         yk_centrodes_new(session->state, drawer->centrodes[0], drawer->centrodes[1], STEPS, session->problems);
     bool good = centrodes && yk_drawing_centrodes(drawer->drawing, centrodes) == YK_OK;
-    if (centrodes && !good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (centrodes && !good) yk_session_refuse_for_memory(session);
     yk_centrodes_free(centrodes);
     return good;
 }

@@ -121,7 +121,9 @@ static void add_ratio(const YkGearsAnswer *answer)
     YkTrainRatio ratio = yk_train_ratio(answer->train);
     if (!ratio.is_known) return;
     yk_text_format(out, "\nRatio %s / %s%s\n  ", yk_gears_body(answer, ratio.in), yk_gears_body(answer, ratio.out),
-                   ratio.is_by_drives ? " at these inputs" : "");
+                   yk_gears_leave_drives_out(answer->session, answer->train) ? " without the file's drives"
+                   : ratio.is_by_drives                                      ? " at these inputs"
+                                                                             : "");
     if (ratio.out_stands) {
         yk_text_puts(out, "infinite: the output stands still\n");
         return;
@@ -135,8 +137,6 @@ static void add_ratio(const YkGearsAnswer *answer)
     yk_text_puts(out, "\n");
     if (!ratio.formula && !ratio.is_by_drives)
         yk_text_puts(out, "  (too large a train for a formula in tooth numbers)\n");
-    if (yk_gears_leave_drives_out(answer->session, answer->train))
-        yk_text_format(out, "  This leaves out the file's drives: %s\n", yk_train_message(answer->train));
 }
 
 // Shows the step from the gear before, as a driver feels it.

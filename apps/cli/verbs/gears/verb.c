@@ -18,7 +18,7 @@ static bool load(YkSession *session)
     if (good) options.lock = NULL; // the train engages it, or all of them one after the other
     if (good) session->model = yk_model_load(session->request->file, &options, problems);
     yk_tell_problems(session, problems);
-    if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!good) yk_session_refuse_for_memory(session);
     yk_problems_free(problems);
     return session->model != NULL;
 }
@@ -88,7 +88,7 @@ int yk_run_gears(YkSession *session)
     YkTrainEffort *efforts = calloc(session->request->effort.count + 1, sizeof *efforts);
     YkTrainOptions options;
     if (!efforts) {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
     } else if (read_options(session, &options, efforts)) {
         YkTrain *train = yk_train_new(session->model, &options, session->problems);
         if (train) {

@@ -23,7 +23,7 @@ bool yk_map_plan(YkMapAnswer *answer)
     size_t count = session->request->trace.count;
     if (!session->request->plot) return true;
     answer->points = calloc(count + 1, sizeof *answer->points);
-    if (!answer->points) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!answer->points) return yk_session_refuse_for_memory(session);
     return read_vertical(answer, &answer->vertical) &&
            (count == 0 || yk_session_points(session, &session->request->trace, answer->points));
 }
@@ -40,7 +40,7 @@ bool yk_map_plot(const YkMapAnswer *answer, const char *path)
                             .angle = yk_shown(session, 1, YK_QUANTITY_ANGLE),
                             .length = yk_shown(session, 1, YK_QUANTITY_LENGTH)};
     const char *svg = yk_map_picture(answer->map, &options);
-    bool good = svg || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    bool good = svg || yk_session_refuse_for_memory(session);
     good = good && yk_convert_svg(svg, yk_file_kind(path), &picture, session->problems) &&
            yk_file_write(path, yk_text_get(&picture), picture.length, session->problems);
     yk_text_free(&picture);

@@ -192,7 +192,7 @@ static bool make_room(Reach *r)
     r->from.places = calloc(PLACES_MAX, sizeof *r->from.places);
     r->to.places = calloc(PLACES_MAX, sizeof *r->to.places);
     if (r->from.values && r->to.values && r->from.places && r->to.places) return true;
-    return yk_session_refuse(r->answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return yk_session_refuse_for_memory(r->answer->session);
 }
 
 // Reads the poses of the way. Returns false when out of memory.
@@ -225,7 +225,7 @@ static int answer_reach(Reach *r)
         return YK_EXIT_WRONG;
     }
     if (!good || !find_way(r) || !read_way(r)) {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
         return YK_EXIT_WRONG;
     }
     if (request->format == YK_FORMAT_JSON)

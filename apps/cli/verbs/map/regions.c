@@ -142,7 +142,7 @@ static bool draw(const YkRegionsAnswer *answer, const char *path)
         options.scale[k] = yk_shown(session, 1, answer->quantity[k]);
     }
     const char *svg = yk_regions_picture(answer->regions, &options);
-    bool good = svg || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    bool good = svg || yk_session_refuse_for_memory(session);
     good = good && yk_convert_svg(svg, yk_file_kind(path), &picture, session->problems) &&
            yk_file_write(path, yk_text_get(&picture), picture.length, session->problems);
     yk_text_free(&picture);

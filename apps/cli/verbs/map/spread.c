@@ -68,7 +68,7 @@ YkMapSpread *yk_map_spread(const YkRegionsAnswer *answer, YkRegionsOptions *opti
 {
     YkMapSpread *s = calloc(1, sizeof *s);
     if (!s) {
-        yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(answer->session);
         return NULL;
     }
     const YkHandOutOptions own = hand_out_of(s, answer);

@@ -46,7 +46,7 @@ static bool find_points(Reporter *reporter)
     YkSession *session = reporter->session;
     const YkWords *trace = &session->request->trace;
     reporter->points = calloc(trace->count + 1, sizeof *reporter->points);
-    if (!reporter->points) return refuse(reporter, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!reporter->points) return yk_session_refuse_for_memory(reporter->session);
     return yk_session_points(session, trace, reporter->points);
 }
 
@@ -55,7 +55,7 @@ static bool keep_inputs(Reporter *reporter, const char *swept)
 {
     const YkAssignments *at = &reporter->session->request->at;
     reporter->inputs = calloc(at->count + 1, sizeof *reporter->inputs);
-    if (!reporter->inputs) return refuse(reporter, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!reporter->inputs) return yk_session_refuse_for_memory(reporter->session);
     reporter->compile = yk_default_compile_options();
     if (swept) reporter->inputs[reporter->compile.input_count++] = swept;
     for (size_t i = 0; i < at->count; i++)

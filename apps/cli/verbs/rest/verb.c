@@ -42,8 +42,7 @@ static bool find(YkRestAnswer *answer)
         yk_rest_free(answer->rest);
         answer->rest = NULL;
     }
-    if (!answer->rest && yk_problems_error_count(session->problems) == 0)
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!answer->rest && yk_problems_error_count(session->problems) == 0) yk_session_refuse_for_memory(session);
     return answer->rest != NULL;
 }
 
@@ -81,7 +80,7 @@ int yk_run_rest(YkSession *session)
         write_answer(&answer);
         exit_code = yk_session_finish(session, has_some ? YK_EXIT_DONE : YK_EXIT_NO_ANSWER);
     } else {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
     }
     yk_law_watch_free(answer.laws);
     yk_rest_free(answer.rest);

@@ -30,7 +30,7 @@ bool yk_simulate_plot(const YkSimulationAnswer *answer, const char *path)
     if (good) {
         fill(answer, values, columns);
     } else {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
     }
     YkPlot plot = {.title = yk_model_name(session->model),
                    .x_name = "t",

@@ -131,8 +131,7 @@ static bool read_start(YkSimulationAnswer *answer)
     const YkAssignments *at = &session->request->at, *rate = &session->request->rate;
     answer->values = calloc(at->count + rate->count + 1, sizeof *answer->values);
     answer->inputs = calloc(at->count + 1, sizeof *answer->inputs);
-    if (!answer->values || !answer->inputs)
-        return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!answer->values || !answer->inputs) return yk_session_refuse_for_memory(session);
     for (size_t k = 0; k < at->count; k++) {
         if (!read_pair(answer, "--at", at->items[k], false)) return false;
         answer->inputs[k] = answer->values[k].coordinate;
@@ -172,7 +171,7 @@ bool yk_simulate_read(YkSimulationAnswer *answer)
     answer->options.start = answer->from;
     answer->options.horizon = answer->to;
     answer->row = calloc(answer->column_count + 1, sizeof *answer->row);
-    return answer->row || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return answer->row || yk_session_refuse_for_memory(session);
 }
 
 static bool set_effort(YkSimulationAnswer *answer, size_t index)
@@ -201,7 +200,7 @@ static bool set_event(YkSimulationAnswer *answer, YkAssignment pair)
     bool good = status >= 0;
     yk_note_status(session, status);
     yk_text_free(&name);
-    if (status == YK_NO_MEMORY) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (status == YK_NO_MEMORY) return yk_session_refuse_for_memory(session);
     return good || yk_session_refuse(session, YK_CODE_OPTION_VALUE, "%q cannot be watched", pair.name);
 }
 

@@ -113,7 +113,7 @@ static bool keep_row(YkSimulationAnswer *answer)
     if (answer->row_count == answer->row_capacity) {
         size_t capacity = answer->row_capacity > 0 ? 2 * answer->row_capacity : 256;
         double *rows = realloc(answer->rows, capacity * width * sizeof *rows);
-        if (!rows) return yk_session_refuse(answer->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        if (!rows) return yk_session_refuse_for_memory(answer->session);
         answer->rows = rows;
         answer->row_capacity = capacity;
     }
@@ -159,7 +159,7 @@ bool yk_simulate_flush(YkSimulationAnswer *answer)
     YkSession *session = answer->session;
     if (session->out.failed) {
         answer->is_cut = true;
-        return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        return yk_session_refuse_for_memory(session);
     }
     answer->is_cut =
         !yk_stream_write(&answer->stream, yk_text_get(&session->out), session->out.length, session->problems);

@@ -233,7 +233,7 @@ int yk_run_solve(YkSession *session)
     if (good && writer.scratch && writer.laws && writer.stops) {
         exit_code = solve(&writer);
     } else if (good) {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
     }
     yk_state_free(writer.scratch);
     yk_law_watch_free(writer.laws);

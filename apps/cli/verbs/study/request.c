@@ -57,7 +57,7 @@ static bool read_axis(YkStudyAnswer *answer, const char *text, YkAxis *axis)
     const char *name = yk_arena_copy(arena, text, (size_t)(equals - text)),
                *from = yk_arena_copy(arena, equals + 1, (size_t)(first - equals - 1)),
                *to = yk_arena_copy(arena, first + 1, (size_t)(second - first - 1));
-    if (!name || !from || !to) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!name || !from || !to) return yk_session_refuse_for_memory(session);
     *axis = (YkAxis){.name = name};
     return yk_session_count(session, "--vary", second + 1, most_designs(session->request), 1, &axis->count) &&
            read_value(session, name, from, &axis->from) && read_value(session, name, to, &axis->to);
@@ -140,7 +140,7 @@ static bool read_poses(YkStudyAnswer *answer, size_t steps)
     bool good = answer->input && answer->input_row && state && (!is_time || answer->times);
     if (!good) {
         yk_state_free(state);
-        return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        return yk_session_refuse_for_memory(session);
     }
     yk_state_copy(state, session->state);
     yk_session_hold(session, state);

@@ -66,7 +66,7 @@ static bool run_block(YkStudyAnswer *a, double *rows, size_t count)
     const YkRowCase asked = yk_study_case(a, &designs);
     YkStatus status = yk_study_rows(a->study, &asked, a->done, count, rows);
     if (status == YK_STOPPED) return true;
-    if (status != YK_OK) return yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (status != YK_OK) return yk_session_refuse_for_memory(a->session);
     return yk_study_take(a, rows, count);
 }
 
@@ -76,7 +76,7 @@ bool yk_study_compute(YkStudyAnswer *a)
     if (most > BLOCK_MAX) most = BLOCK_MAX;
     if (most > a->design_count) most = a->design_count;
     double *room = a->rows ? NULL : calloc(most * a->width + 1, sizeof *room);
-    bool good = a->rows || room || yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    bool good = a->rows || room || yk_session_refuse_for_memory(a->session);
     yk_study_show(a, false);
     while (good && a->done < a->design_count && !yk_stop_is_asked()) {
         size_t count = a->design_count - a->done < size ? a->design_count - a->done : size;

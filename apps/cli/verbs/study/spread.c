@@ -56,7 +56,7 @@ typedef struct Spread {
 
 static bool run_out(Spread *s)
 {
-    return yk_session_refuse(s->a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    return yk_session_refuse_for_memory(s->a->session);
 }
 
 static bool hear_lost(Spread *s, int rank)

@@ -17,10 +17,12 @@ static double shown_parameter(const YkStudyAnswer *a, size_t axis, double value)
     return value / yk_model_parameter_unit(a->session->model, a->axes[axis].name);
 }
 
-// Scales by what one design has: beside its limit another may have numbers of any size.
+// Scales by what one design has: beside its limit another may have numbers of any size. The inputs count too, since all
+// that a design has may be noise.
 static void scale_by_row(YkStudyAnswer *a, const double *row)
 {
     yk_scale_begin(a->session);
+    yk_scale_add_inputs(a->session, a->session->state);
     for (size_t k = yk_study_first(a); k < a->width; k++)
         yk_scale_add(a->session, row[k], yk_study_quantity(a, k - yk_study_first(a)));
 }

@@ -35,7 +35,7 @@ static bool follow(YkStudyAnswer *answer, YkState *state, double from, double to
     YkProblems *quiet = yk_problems_new(); // whatever else is wrong, the study tells
     YkSweep *sweep = quiet ? yk_sweep_run(state, &options, NULL, 0, quiet) : NULL;
     bool ran_out = !sweep && (!quiet || yk_problems_error_count(quiet) == 0);
-    bool good = !ran_out || yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    bool good = !ran_out || yk_session_refuse_for_memory(session);
     yk_problems_free(quiet);
     for (size_t k = 0; sweep && good && k < yk_sweep_event_count(sweep); k++) {
         YkEvent event = yk_sweep_event(sweep, k);
@@ -54,7 +54,7 @@ bool yk_study_check_turns(YkStudyAnswer *answer)
     double from = is_over_time ? answer->over.from : session->time;
     if (from == 0 && !is_over_time) return true; // where it was put together
     YkState *state = yk_session_new_state(session, session->mech);
-    if (!state) return yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!state) return yk_session_refuse_for_memory(session);
     bool good = true, stands = yk_state_set_time(state, 0, NULL) >= 0 && yk_state_assemble(state) >= 0;
     if (stands) good = follow(answer, state, 0, from);
     if (stands && good && is_over_time) good = follow(answer, state, from, answer->over.to);

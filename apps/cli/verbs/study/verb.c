@@ -12,8 +12,7 @@ static bool find_sensitivities(YkStudyAnswer *a)
     if (!a->session->request->sensitivities) return true;
     a->derivative = calloc(count, sizeof *a->derivative);
     a->difference = calloc(count, sizeof *a->difference);
-    if (!a->derivative || !a->difference)
-        return yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!a->derivative || !a->difference) return yk_session_refuse_for_memory(a->session);
     a->sensitivity_status = yk_study_sensitivities(a->study, a->input_row, a->derivative, a->difference);
     yk_note_status(a->session, a->sensitivity_status);
     if (a->sensitivity_status < 0 && !yk_stop_is_asked())
@@ -45,7 +44,7 @@ static int finish(YkStudyAnswer *a, int exit_code)
     if (!a->blocks && good) return yk_session_finish(session, exit_code);
     if (!yk_session_has_memory(session)) {
         yk_stream_drop(&a->stream);
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
         return YK_EXIT_WRONG;
     }
     yk_study_flush(a, 0);
@@ -81,7 +80,7 @@ static bool begin(YkStudyAnswer *a)
     a->sum.bad = YK_NOT_FOUND;
     if (!yk_partial_is_kept(a->session->request)) a->rows = calloc(a->design_count * a->width + 1, sizeof *a->rows);
     if (!a->sum.moments || !a->missing || (!a->rows && !yk_partial_is_kept(a->session->request)))
-        return yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        return yk_session_refuse_for_memory(a->session);
     for (size_t k = 0; k < a->width; k++) a->sum.moments[k] = (YkMoments){0, 0, 0, INFINITY, -INFINITY};
     a->session->keeps_what_is_done = true;
     if (!yk_partial_open(a)) return false;
@@ -132,7 +131,7 @@ int yk_run_study(YkSession *session)
     YkStudyAnswer *a = calloc(1, sizeof *a);
     int exit_code = YK_EXIT_WRONG;
     if (!a) {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
         return exit_code;
     }
     a->session = session;

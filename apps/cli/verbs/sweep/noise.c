@@ -17,15 +17,20 @@ static double least_sine(const YkMechanism *mech, const YkState *state)
 }
 
 // Brings the state beside to the row's pose with every input moved by `step`, of itself or at least of a radian or the
-// machine's size. Returns whether it has all that the row has.
+// machine's size. A sweep over time moves the time too, by `step` of itself or at least of the whole range: where a
+// drive turns back, its rate is 0 but for the rounding of the time. Returns whether it has all that the row has.
 static bool go_beside(const YkSweepAnswer *answer, const YkState *state, double step, bool has_forces)
 {
     const YkSession *session = answer->session;
     const YkMechanism *mech = session->mech;
     YkState *beside = answer->beside;
     yk_state_copy(beside, state);
+    if (answer->over.coordinate < 0) {
+        double time = yk_state_time(state), range = fabs(answer->over.to - answer->over.from);
+        if (yk_state_set_time(beside, time + step * fmax(fabs(time), range), NULL) < 0) return false;
+    }
     for (size_t i = 0; i < yk_input_count(mech); i++) {
-        YkMotion motion = yk_state_input(state, i);
+        YkMotion motion = yk_state_input(beside, i);
         bool is_distance = yk_coordinate_info(mech, yk_input_coordinate(mech, i)).is_distance;
         motion.position += step * fmax(fabs(motion.position), is_distance ? yk_mechanism_size(mech) : 1);
         yk_state_set_input(beside, i, motion);

@@ -45,7 +45,7 @@ bool yk_sweep_plot(const YkSweepAnswer *answer, const char *path)
     YkPlotMark *marks = calloc(yk_sweep_event_count(answer->sweep) + 1, sizeof *marks);
     YkText picture = {0};
     bool good = fill(answer, values, columns, marks, &plot);
-    if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!good) yk_session_refuse_for_memory(session);
     YkFileKind kind = yk_file_kind(path);
     good = good && yk_plot_draw(&plot, kind, &picture, session->problems) &&
            yk_file_write(path, yk_text_get(&picture), picture.length, session->problems);

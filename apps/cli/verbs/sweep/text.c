@@ -22,6 +22,7 @@ static void find_scale(const YkSweepAnswer *answer)
     YkSession *session = answer->session;
     yk_scale_begin(session);
     if (!answer->sweep) return;
+    if (session->dynamics) yk_dynamics_solve(session->dynamics, session->state, answer->method); // it was beside it
     yk_scale_add_pose(session, session->state);
     for (size_t row = 0; row < yk_sweep_row_count(answer->sweep); row++)
         for (size_t c = 0; c < answer->column_count; c++)
@@ -52,8 +53,8 @@ static double shown_in_row(const YkSweepAnswer *answer, size_t row, size_t colum
     return yk_column_shown(answer->session, value, channel);
 }
 
-// Does the same for a value at an event. 0: noise by the whole table, and, at a place that is known to fewer digits, by
-// the row before.
+// Does the same for a value at an event, whose place is known to fewer digits. 0: noise by the whole table and by the
+// two rows before: in one of them all may stand still.
 static double shown_at_event(const YkSweepAnswer *answer, size_t event, size_t column)
 {
     double value = yk_sweep_event_value(answer->sweep, event, column), at = yk_sweep_event(answer->sweep, event).at;
@@ -61,8 +62,8 @@ static double shown_at_event(const YkSweepAnswer *answer, size_t event, size_t c
     size_t row = 0, rows = yk_sweep_row_count(answer->sweep);
     double first = yk_sweep_at(answer->sweep, 0);
     while (row + 1 < rows && fabs(yk_sweep_at(answer->sweep, row + 1) - first) < fabs(at - first)) row++;
-    if (fabs(value) > 1e3 * (double)noise_of(answer, row)[column].usual)
-        return yk_amount_of(answer->session->model, value, channel.quantity);
+    float usual = fmaxf(noise_of(answer, row)[column].usual, noise_of(answer, row - (row > 0))[column].usual);
+    if (fabs(value) > 1e3 * (double)usual) return yk_amount_of(answer->session->model, value, channel.quantity);
     return yk_column_shown(answer->session, value, channel);
 }
 
@@ -125,6 +126,7 @@ static void add_events(const YkSweepAnswer *answer)
     yk_table_head(table, "", NULL);
     for (size_t c = 0; c < columns; c++)
         yk_table_head(table, answer->columns[c].name, yk_unit_of(answer->session, answer->columns[c].channel.quantity));
+    answer->session->scale.blur = 100;
     for (size_t i = 0; i < count; i++) {
         YkEvent event = yk_sweep_event(answer->sweep, i);
         yk_text_clear(&words);
@@ -134,6 +136,7 @@ static void add_events(const YkSweepAnswer *answer)
         yk_table_word(table, yk_text_get(&words));
         for (size_t c = 0; c < columns; c++) yk_table_number(table, shown_at_event(answer, i, c), YK_DIGITS);
     }
+    answer->session->scale.blur = 0;
     yk_text_free(&words);
     write_table(&answer->session->out, table, count > 0);
     size_t total = answer->sweep ? yk_sweep_event_total(answer->sweep) : 0;

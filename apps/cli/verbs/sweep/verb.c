@@ -179,8 +179,7 @@ static bool run(YkSweepAnswer *answer, size_t steps)
     }
     free(channels);
     yk_state_free(start);
-    if (!answer->sweep && yk_problems_error_count(session->problems) == 0)
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!answer->sweep && yk_problems_error_count(session->problems) == 0) yk_session_refuse_for_memory(session);
     return answer->sweep != NULL;
 }
 
@@ -248,7 +247,7 @@ int yk_run_sweep(YkSession *session)
     size_t steps = STEPS;
     int exit_code = YK_EXIT_WRONG;
     if (!answer) {
-        yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(session);
         return exit_code;
     }
     answer->session = session;

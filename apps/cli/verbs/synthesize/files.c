@@ -34,7 +34,7 @@ bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder)
         yk_text_puts(&files[written++].text, svg);
     }
     for (size_t k = 0; k < written && good; k++) good = !files[k].text.failed;
-    if (!good) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!good) yk_session_refuse_for_memory(session);
     good = good && yk_files_write(folder, files, written, session->problems);
     for (size_t k = 0; k < count + MORE && files; k++) yk_text_free(&files[k].text);
     free(files);

@@ -40,7 +40,7 @@ static bool prepare(YkSynthesisSpread *s, YkSynthesisAnswer *a, const YkSynthesi
     s->own = yk_pieces_new(a->task, options, problems);
     s->width = yk_pieces_width(s->own);
     s->numbers = calloc(s->width + 1, sizeof *s->numbers);
-    if (!s->numbers) yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!s->numbers) yk_session_refuse_for_memory(a->session);
     return s->own && s->numbers;
 }
 
@@ -59,7 +59,7 @@ YkSynthesisSpread *yk_synthesis_spread(YkSynthesisAnswer *a, YkSynthesisOptions 
 {
     YkSynthesisSpread *s = calloc(1, sizeof *s);
     if (!s) {
-        yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        yk_session_refuse_for_memory(a->session);
         return NULL;
     }
     if (prepare(s, a, options, problems)) {

@@ -147,8 +147,7 @@ YkSynthesisThreads *yk_synthesis_threads(YkSynthesisAnswer *a, YkSynthesisOption
         pthread_cond_init(&t->sign, NULL);
     }
     if (!t || !make_workers(t, a, options, problems)) {
-        if (yk_problems_count(problems) == before)
-            yk_session_refuse(a->session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+        if (yk_problems_count(problems) == before) yk_session_refuse_for_memory(a->session);
         yk_synthesis_join(t);
         return NULL;
     }

@@ -87,7 +87,7 @@ static int find(YkSynthesisAnswer *answer)
     YkProblems *problems = yk_problems_new();
     int exit_code = YK_EXIT_WRONG;
     bool is_read = problems && read_request(answer, problems);
-    if (!problems) yk_session_refuse(session, YK_CODE_OUT_OF_MEMORY, "out of memory%s", "");
+    if (!problems) yk_session_refuse_for_memory(session);
     if (is_read && yk_ranks_rank() == 0) search(answer, problems);
     if (problems) yk_tell_problems(session, problems);
     if (yk_ranks() && yk_ranks_rank() > 0)
