@@ -36,8 +36,8 @@ typedef struct YkStroke {
     double ratio;           // input angle of the slower stroke over the faster one, >= 1
 } YkStroke;
 // Sweeps the input once round from the state's pose, and leaves the state elsewhere. Returns YK_OK; YK_LIMIT if the
-// input cannot turn through; YK_BAD_ARGUMENT if it does not turn at all (a distance) or
-// the channel does not have exactly two extremes.
+// input cannot turn through; YK_BAD_ARGUMENT if it does not turn at all (a distance),
+// the channel does not have exactly two extremes, or the next turn is another.
 YK_API YkStatus yk_stroke(YkState *state, size_t input, YkChannel channel, YkStroke *stroke);
 
 #ifdef __cplusplus

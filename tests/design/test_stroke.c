@@ -189,6 +189,26 @@ static void what_cannot_turn_through_has_no_stroke(void **state)
     done(&r);
 }
 
+// A wheel that turns ten times in eleven turns of the crank comes back elsewhere, though its point moves to and fro.
+static void turns_that_differ_have_no_stroke(void **state)
+{
+    (void)state;
+    static const char *const teeth[] = {"[20, 22]", "[20, 20]"};
+    for (size_t k = 0; k < 2; k++) {
+        char text[600];
+        snprintf(text, sizeof text,
+                 "bodies:\n  ground: {points: {O: [0, 0], W: [3, 0]}}\n  crank: {points: {O: [0, 0]}}\n"
+                 "  wheel: {points: {W: [0, 0], P: [0.4, 0.3]}}\n"
+                 "joints: {O: {pin: [ground, crank], angle: theta}, W: {pin: [ground, wheel], angle: psi}}\n"
+                 "gears: {g: {mesh: [crank, wheel], teeth: %s}}\ndrives: {theta: 1 rad/s * t}\n",
+                 teeth[k]);
+        Ready r = ready(text, NULL);
+        YkStroke s;
+        assert_int_equal(stroke_of(&r, "wheel.P.x", &s), k == 0 ? YK_BAD_ARGUMENT : YK_OK);
+        done(&r);
+    }
+}
+
 static void what_has_not_two_extremes_has_no_stroke(void **state)
 {
     (void)state;
@@ -219,6 +239,7 @@ int main(void)
         cmocka_unit_test(the_state_is_left_as_it_was),
         cmocka_unit_test(crank_rockers_swing_between_their_stretched_and_folded_positions),
         cmocka_unit_test(what_cannot_turn_through_has_no_stroke),
+        cmocka_unit_test(turns_that_differ_have_no_stroke),
         cmocka_unit_test(what_has_not_two_extremes_has_no_stroke),
         cmocka_unit_test(an_input_that_slides_has_no_turn),
     };
