@@ -317,6 +317,11 @@ class Polygons(Pictures):
     def check_words(self, picture, steps):
         told = " ".join(t.text.strip() for t in found(picture, "text", x="30"))
         self.assertEqual(told, " ".join("%d. %s" % (k + 1, step) for k, step in enumerate(steps)))
+        heights = [float(t.get("y")) for t in found(picture, "text", x="30")]  # below all that is drawn, one below the other
+        drawn = max(place.imag for line in picture.iter("{http://www.w3.org/2000/svg}line") for place in ends(line))
+        self.assertLess(drawn + 10, heights[0])
+        self.assertEqual(heights, sorted(set(heights)))
+        self.assertLess(heights[-1], float(picture.get("height")))
 
     def test_velocities_and_accelerations_are_drawn_to_scale(self):
         for name, kind in (("quick-return", "velocity"), ("quick-return", "acceleration"), ("crank-press", "acceleration")):
@@ -343,6 +348,9 @@ class Polygons(Pictures):
                 for pairs in drawn.values():
                     for _, tip in pairs:
                         self.assertLess(min(abs(tip - one) for one in tips), 0.05)
+                reached = [end for pairs in drawn.values() for pair in pairs for end in pair]  # as large as the page lets it be
+                across, up = (max(part) - min(part) for part in ([z.real for z in reached], [z.imag for z in reached]))
+                self.assertAlmostEqual(max(across / (float(picture.get("width")) - 120), up / 560), 1, delta=1e-3)
                 names = sorted(name for t in found(picture, "text", font_style="italic") for name in t.text.split(", "))
                 self.assertEqual(names, sorted(image["name"] for image in polygon["images"]))
                 self.check_bar(picture, scale, ("m/s", "mm/s", "m/s^2", "mm/s^2"))
