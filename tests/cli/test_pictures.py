@@ -161,6 +161,11 @@ units: {length: mm, angle: deg}
         answer = self.good("synthesize", path, "-o", folder, "--format", "json").json()
         drawn = list(self.drawn(os.path.join(folder, "errors.svg")))
         self.assertEqual(len(drawn), len(answer["candidates"]))
+        with open(os.path.join(folder, "errors.svg"), encoding="utf-8") as file:
+            told = re.findall(r"error of the output \[(\w+)\], at most ([\d.e-]+)", file.read())
+        self.assertEqual(len(told), len(drawn))
+        for (unit, most), candidate in zip(told, answer["candidates"]):
+            self.assertAlmostEqual(float(most) * size_of(unit), candidate["worst"], delta=6e-4 * candidate["worst"])
         evened = 0
         for (group, value, scale), candidate in zip(drawn, answer["candidates"]):
             unit = 0.001 if candidate["mechanism"] == "slider-crank" else math.pi / 180
@@ -390,6 +395,9 @@ class Polygons(Pictures):
             for line, v in zip(lines, seen):
                 self.assert_at(ends(line)[0], first + scale * complex(*v["start"]))
                 self.assert_at(ends(line)[1], first + scale * (complex(*v["start"]) + complex(*v["value"])))
+            reached = [end for line in lines for end in ends(line)]  # as large as its place lets it be: 280 by 220
+            across, up = (max(part) - min(part) for part in ([z.real for z in reached], [z.imag for z in reached]))
+            self.assertAlmostEqual(max(across / 280, up / 220), 1, delta=1e-3)
             self.assertEqual([t.text for t in found(cell, "text", font_style="italic")], [v["name"] for v in seen])
             self.check_bar(cell, scale, ("N", "kN"))
         self.check_words(picture, polygon["steps"])
