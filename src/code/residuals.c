@@ -35,14 +35,14 @@ static void make_leaves(Work *w)
     }
 }
 
-// Adds angles along the tree, from body to body; an orientation's angle is its body's without that body's turn.
+// Adds angles along the tree, from body to body; the body of an orientation has no turn of its own.
 static void make_angles(Work *w)
 {
     YkProgram *p = &w->file->program;
     YkGraph *g = &p->graph;
     const YkMechanism *mech = p->mech;
     for (size_t o = 0; o < mech->orientation_count; o++) {
-        YkRef sum = yk_graph_minus(g, p->turn[mech->orientation_body[o]]);
+        YkRef sum = yk_graph_number(g, 0);
         for (int32_t b = mech->orientation_body[o]; mech->tree.parent[b] != YK_NONE; b = mech->tree.parent[b]) {
             const YkJoint *joint = &p->model->joints[mech->tree.joint[b]];
             int32_t c = yk_tree_coordinate(mech, mech->tree.joint[b], false);

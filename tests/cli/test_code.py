@@ -101,6 +101,10 @@ efforts: {q: 3}
 start: {q: 0.7, q.rate: 2}
 """
 
+# In place of the mesh of a five-bar.
+LAW = ("laws:\n  l: {period: 2*pi, segments: [{rise: {to: 3 rad, by: 0.3 rad, law: 3-4-5}}, "
+       "{fall: {to: 2*pi, by: 0.3 rad, law: cycloidal}}]}")
+
 
 def random_train(numbers):
     """An arm that turns about the ground, with a wheel that meshes with two others on it, one of them a ring, with a
@@ -118,6 +122,9 @@ def random_train(numbers):
     at.append((some(0.5), some(0.5)))
     radius = some(0.2, 0.05)
 
+    # one wheel in two is named first on its shaft
+    pairs = [("arm", "w%d" % k) if numbers.randint(0, 1) else ("w%d" % k, "arm") for k in range(4)]
+
     def rack_line(sense):
         return at[0][0] - sense * radius * math.sin(across), at[0][1] + sense * radius * math.cos(across)
 
@@ -132,7 +139,7 @@ def random_train(numbers):
              *["  w%d: {points: {W%d: [0, 0]}, %s}" % (k, k, mass()) for k in range(4)],
              "  bar: {points: {R: [0, 0]}, %s}" % mass(),
              "joints:", "  O: {pin: [ground, arm], angle: q}",
-             *["  W%d: {pin: [arm, w%d]%s}" % (k, k, ", angle: p" if k == 0 else ", angle: s%d" % k) for k in range(4)],
+             *["  W%d: {pin: [%s]%s}" % (k, ", ".join(pair), ", angle: p" if k == 0 else ", angle: s%d" % k) for k, pair in enumerate(pairs)],
              "  R: {slide: [arm, bar], along: %.17g rad, distance: x}" % across,
              "gears:", "  g: {mesh: [w0, w1], teeth: [%d, %d], carrier: arm, pressure_angle: %d deg}" % (*teeth[:2], numbers.choice((20, 25))),
              "  h: {mesh: [w0, w2], teeth: [%d, %d], carrier: arm, internal: true}" % (teeth[0], teeth[2]),
@@ -171,6 +178,22 @@ def unit_of(section, parameter, value):
     """What a bare number of the file is in SI, where a parameter is given as one; 1 otherwise."""
     number = re.search(r"\b%s: (-?[\d.]+)\s*(,|$)" % re.escape(parameter), section)
     return value / float(number.group(1)) if number and float(number.group(1)) != 0 and value != 0 else 1
+
+
+def units(text, struct):
+    """The members of a printed struct, and what their comments say."""
+    return dict(re.findall(r"(?m)^    double (\w+); +/\* (.*?) \*/$", re.search(r"(?s)typedef struct m_%s \{(.*?)\n\}" % struct, text).group(1)))
+
+
+def tables(text, routine):
+    """What the self-test of a routine compares: its rows of inputs, the values wanted and the scales."""
+    body = re.search(r"(?s)static int m_test_%s\(void\)\n\{(.*?)\n\}\n" % routine, text).group(1)
+    found = []
+    for name, shape, values in re.findall(r"(?s)static const double (\w+)((?:\[\d+\])+) = \{(.*?)\};", body):
+        *_, width = map(int, re.findall(r"\d+", shape))
+        numbers = [float(number) for number in re.findall(r"[-+.\w]+", values)]
+        found.append([numbers[k:k + width] for k in range(0, len(numbers), width)])
+    return found
 
 
 class Code(Printed):
@@ -263,8 +286,7 @@ drives: {theta: 1.4 rad + 2 rad/s * t}
     def test_laws_are_solved_together_with_loops(self):
         """A five-bar whose fourth angle follows its second by a law, both unknown: Newton's method calls the law."""
         with open(os.path.join(ROOT, "examples", "geared-five-bar.yaml"), encoding="utf-8") as file:
-            text = re.sub(r"(?m)^gears:.*$", "laws:\n  l: {period: 2*pi, segments: [{rise: {to: 3 rad, by: 0.3 rad, law: 3-4-5}}, "
-                          "{fall: {to: 2*pi, by: 0.3 rad, law: cycloidal}}]}", file.read())
+            text = re.sub(r"(?m)^gears:.*$", LAW, file.read())
         text = text.replace("1 rad/s * t}", "1 rad/s * t, t4: {law: l, of: t2}}")
         for words in ([], ["--kinematics"]):
             code = self.print(self.write("law.yaml", text), *words)
@@ -286,6 +308,42 @@ drives: {theta: 1.4 rad + 2 rad/s * t}
                 "springs: {K: {along: q, stiffness: 3, angle: 0.1}}\n"
                 "start: {d: %r, q: 1e-4, p: -2e-4, d.rate: -0.1}\n" % math.cos(1e-4))
         self.assertEqual(self.run_test(self.print(self.write("elbow.yaml", text)), "1e-10").stdout, "m: well\n")
+
+    def test_the_self_test_compares_what_the_engine_has_at_poses_apart(self):
+        """Its tables, read back: of each routine five different poses, from the start on, each result as `solve` has it there, and
+        as scale of its errors the largest value with its unit."""
+        for example, routines in (("double-pendulum", ["points", "accelerations"]), ("quick-return", ["motion", "points"])):
+            path = os.path.join(ROOT, "examples", example + ".yaml")
+            text = self.print(path)
+            found = {name: [units(text, name), *tables(text, name)] for name in re.findall(r"static int m_test_(\w+)\(void\)", text)}
+            self.assertEqual(sorted(found), sorted(set(re.findall(r"int m_find_(\w+)\(", text))), example)
+            self.assertEqual(len(re.findall(r"(?m)^    failures \+= m_test_\w+\(\);$", text)), len(found), example)
+            inputs = list(units(text, "inputs"))
+            for name, (unit, rows, wanted, (scale,)) in found.items():
+                self.assertEqual((len(rows), len(wanted), len(set(map(tuple, rows)))), (5, 5, 5), name)
+                for k, kind in enumerate(unit.values()):
+                    alike = [abs(row[i]) for row in wanted for i, other in enumerate(unit.values()) if other == kind]
+                    self.assertEqual(scale[k], max(alike), (example, name, k))
+                for pose, row in enumerate(rows):
+                    at = dict(zip(inputs, row))
+                    self.assertAlmostEqual(at["t"], 0.01 * pose, delta=1e-15)
+                    for member, value in at.items():
+                        self.assertLessEqual(abs(value - rows[0][inputs.index(member)]), 2 if "_accel" in member else 1, member)
+                    if name in routines and pose in (0, 3):
+                        self.compare_with_solve(path, at, dict(zip(unit, wanted[pose])))
+
+    def compare_with_solve(self, path, at, wanted):
+        """What moves follows from the accelerations; where these are asked for, the loads alone make them."""
+        is_forward, words = all(name in at for name in wanted), ["--time", "%r" % at["t"]]
+        for member, value in at.items():
+            name, order = re.fullmatch(r"(\w+?)(_rate|_accel|_effort|)", member).groups()
+            option = {"": "--at", "_rate": "--rate", "_accel": "--accel"}.get(order)
+            if member != "t" and option and not (is_forward and option == "--accel"):
+                words += [option, "%s=%r%s" % (name, value, "rad" if option == "--at" else "")]
+        asked = [re.sub("_(x|y|rate|accel)", r".\1", re.sub("^([a-z]+[0-9]?)_(?!x|y|rate|accel)", r"\1.", name)) for name in wanted]
+        answer = self.good("solve", path, *words, "--of", ",".join(asked), "--format", "json").json()["configurations"][0]["of"]
+        for name, value in zip(asked, wanted.values()):
+            self.assertAlmostEqual(answer[name], value, delta=1e-11 * (1 + abs(value)), msg=name)
 
     def test_the_self_test_can_fail(self):
         text = self.print(os.path.join(ROOT, "examples", "quick-return.yaml"))
@@ -412,39 +470,58 @@ int main(void)
             self.assertEqual(run.returncode, 0, flags)
 
     def test_residuals_vanish_at_a_pose_and_their_jacobian_is_their_derivative(self):
-        quick = os.path.join(ROOT, "examples", "quick-return.yaml")
-        text = self.print(quick)
-        answer = self.good("solve", quick, "--format", "json").json()["configurations"][0]["coordinates"]
-        order = re.search(r"q: (.*?)\.\n", text).group(1)
-        names = [word.split()[1] for word in order.split(", ")]
-        values = [answer[name]["position"] if name in answer else 0.0 for name in names]
+        """Of loops, of a mesh, of a law, of a distance without a name, and on a base that is welded askew."""
+        with open(os.path.join(ROOT, "examples", "geared-five-bar.yaml"), encoding="utf-8") as file:
+            text = file.read()
+        law = re.sub(r"(?m)^gears:.*$", LAW, text).replace("1 rad/s * t}", "1 rad/s * t, t4: {law: l, of: t2}}")
+        for name in ("quick-return", "scotch-yoke"):
+            self.check_residuals(name, os.path.join(ROOT, "examples", name + ".yaml"))
+        askew = FOUR_BAR.replace("a: 40", "a: 40, tilt: 20 deg").replace("pin: [ground", "pin: [base").replace("  ground:  {", """\
+  ground: {points: {W: [0, 0]}}
+  base: {""").replace("points: {O", "points: {W: [5, 3], O", 1).replace("joints:", "joints:\n  W: {weld: [ground, base], turned: tilt}")
+        for name, machine in (("mesh", text), ("law", law), ("weld", askew)):
+            self.check_residuals(name, self.write(name + ".yaml", machine))
+
+    def check_residuals(self, name, path):
+        text = self.print(path, "--kinematics")
+        about = re.search(r"(?s)Residuals of the (\d+) equations .*?, \[(\d+)\]\[(\d+)\] row by row\.\s+q: (.*?)\.\s+Rows: (.*?)\. \*/", text)
+        rows, shown, columns = map(int, about.groups()[:3])
+        order = [word.split() for word in about.group(4).split(", ")]
+        self.assertEqual([int(place) for place, _ in order], list(range(columns)), name)
+        places = [int(place) for place in re.findall(r"(?:^|, |and )(\d+)\b", about.group(5))]
+        self.assertEqual((shown, places), (rows, list(range(rows))), name)
+        asked = [re.sub("_(distance|angle)$", r".\1", word) for _, word in order]
+        found = self.good("solve", path, "--of", ",".join(asked), "--format", "json").json()["configurations"][0]["of"]
+        values = [found[word] for word in asked]
         program = """
 #include <stdio.h>
 int main(void)
 {
+    enum { ROWS = %d, COUNT = %d };
     const m_parameters p = m_defaults();
     const m_machine m = m_prepare(&p);
-    double q[] = {%s}, r[4], J[4 * %d], a[4], b[4], unused[4 * %d], worst = 0;
+    double q[] = {%s}, r[ROWS], J[ROWS * COUNT], a[ROWS], b[ROWS], unused[ROWS * COUNT], miss = 0, worst = 0, all = 0;
     m_residuals(&m, q, r, J);
-    printf("%%.3g", fabs(r[0]) + fabs(r[1]) + fabs(r[2]) + fabs(r[3]));
-    for (int k = 0; k < %d; k++) {
+    for (int i = 0; i < ROWS; i++) miss += fabs(r[i]);
+    for (int k = 0; k < COUNT; k++) {
         const double before = q[k];
         q[k] = before + 1e-6;
         m_residuals(&m, q, a, unused);
         q[k] = before - 1e-6;
         m_residuals(&m, q, b, unused);
         q[k] = before;
-        for (int i = 0; i < 4; i++) worst = fmax(worst, fabs((a[i] - b[i]) / 2e-6 - J[i * %d + k]));
+        for (int i = 0; i < ROWS; i++) worst = fmax(worst, fabs((a[i] - b[i]) / 2e-6 - J[i * COUNT + k]));
+        for (int i = 0; i < ROWS; i++) all += fabs(J[i * COUNT + k]);
     }
-    printf(" %%.3g", worst);
+    printf("%%.3g %%.3g %%.3g", miss, worst, all);
     return 0;
 }
-""" % (", ".join(map(repr, values)), len(names), len(names), len(names), len(names))
-        # joints without a name turn freely: their angles close no loop but their own
+""" % (rows, columns, ", ".join(map(repr, values)))
         run = subprocess.run([self.compile(text + program)], capture_output=True, encoding="utf-8", check=True)
-        residual, worst = map(float, run.stdout.split())
-        self.assertLess(residual, 1e-12)
-        self.assertLess(worst, 1e-8)
+        residual, worst, size = map(float, run.stdout.split())
+        self.assertLess(residual, 1e-12, name)
+        self.assertLess(worst, 1e-8 * (1 + size), name)
+        self.assertGreater(size, 0.1, name)
 
     def test_a_batch_over_parameters_gives_what_each_gives_alone(self):
         text = self.print(os.path.join(ROOT, "examples", "double-pendulum.yaml"))

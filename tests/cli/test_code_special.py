@@ -189,8 +189,9 @@ class Coincidences(Special):
 class Racks(Special):
     def test_a_rack_that_parameters_move_across_the_centre_is_refused(self):
         """On the other side the engine has the pinion turn the other way; on the file's own both agree."""
-        for bodies, begin in (("ground, rack", "from"), ("rack, ground", "to")):
-            path = self.write("rack.yaml", RACK % (bodies, begin))
+        for bodies, begin, pin in (("ground, rack", "from", "ground, pinion"), ("rack, ground", "to", "pinion, ground")):
+            machine = RACK.replace("O: [0, 0], P: [0, h]", "O: [0, -30 mm], P: [0, h - 30 mm]").replace("ground, pinion", pin)
+            path = self.write("rack.yaml", machine % (bodies, begin))
             text = self.print(path)
             self.assertEqual(self.run_test(text).stdout, "m: well\n")
             designs = ((0.02, 0, OK), (0.03, 0, OK), (1e-7, 0, OK), (-0.02, 0, BAD_DESIGN), (0.02, 3, BAD_DESIGN), (0.02, 6, OK))

@@ -126,6 +126,20 @@ stops: {q: [-2, 2]}
             seen += 1
         self.assertEqual(seen, 8)
 
+    def test_beside_a_limit_a_number_is_right_or_is_not_there(self):
+        """The sine that it is divided by is as the root of what is left to the limit: from some place on, rounding decides its digits."""
+        for left, is_shown in ((1e-3, True), (1e-6, True), (1e-9, True), (1e-12, False), (1e-13, False)):
+            at = ("--at", "theta1=%rrad" % (math.acos(0.45) - left), "--format", "json", "-q")
+            solved = self.good("solve", self.rocker, *at).json()["configurations"][0]["coordinates"]
+            answer = self.good("derive", self.rocker, *at, "--what", "velocity,acceleration", "--numbers").json()
+            rates = [(item, re.match("(theta[23])('+) = ", item["text"])) for item in formulas(answer)]
+            rates = [(item, found.group(1), found.group(2)) for item, found in rates if found]
+            self.assertEqual([(name, dots) for _, name, dots in rates], [(name, dots) for dots in ("'", "''") for name in ("theta2", "theta3")])
+            for item, name, dots in rates:
+                self.assertEqual("value" in item, is_shown, (left, item["text"]))
+                wanted = solved[name]["velocity" if dots == "'" else "acceleration"]
+                self.assertAlmostEqual(item.get("value", wanted), wanted, delta=1e-9 * abs(wanted))
+
     def test_a_wrong_value_is_a_wrong_request_and_a_pose_out_of_reach_an_answer(self):
         for option in (("--numbers",), ("--check", "l1 = l1"), ("--svg", self.path("pictures"))):
             self.wrong(403, "derive", QUICK, *option, "--at", "theta1=foo")

@@ -1,4 +1,4 @@
-"""yoke derive --svg: free bodies as drawings that say what the equations say."""
+"""yoke derive --svg: free bodies as drawings that say what the equations say. yoke draw: where names lie."""
 import glob
 import math
 import os
@@ -155,6 +155,28 @@ class Drawings(Case):
         self.assertGreater(labels, at_least(800))
         self.assertTrue(FEW or turns > 3, turns)
         self.assertEqual(touched, 0)
+
+    def test_names_in_a_drawing_of_a_machine_of_pins_lie_on_nothing(self):
+        """Neither on bars, pins, pedestals and hatching nor on one another: there is room beside these."""
+        labels = 0
+        for name in ("andrews", "chain", "change-point-four-bar", "chebyshev", "double-pendulum"):
+            root = tree.fromstring(self.good("draw", os.path.join(ROOT, "examples", name + ".yaml")).out)
+            strokes = [[(float(line.get("x" + end)), float(line.get("y" + end))) for end in "12"] for line in root.iter(SVG + "line")]
+            for polygon in root.iter(SVG + "polygon"):
+                corners = [tuple(map(float, pair.split(","))) for pair in polygon.get("points").split()]
+                strokes += zip(corners, corners[1:] + corners[:1])
+            rings = [tuple(float(circle.get(key)) for key in ("cx", "cy", "r")) for circle in root.iter(SVG + "circle")]
+            strokes += [((x - r, y), (x + r, y)) for x, y, r in rings] + [((x, y - r), (x, y + r)) for x, y, r in rings]
+            boxes = []
+            for text in (text for group in root.iter(SVG + "g") if group.get("text-anchor") == "middle" for text in group.iter(SVG + "text")):
+                x, y, half = float(text.get("x")), float(text.get("y")), 3.25 * len("".join(text.itertext()))
+                boxes.append((x - half, y - 9, x + half, y + 1))
+            for k, box in enumerate(boxes):
+                self.assertFalse([stroke for stroke in strokes if meets(box, *stroke)], (name, box))
+                for other in boxes[:k]:
+                    self.assertTrue(box[2] <= other[0] or other[2] <= box[0] or box[3] <= other[1] or other[3] <= box[1], name)
+            labels += len(boxes)
+        self.assertGreater(labels, 40)
 
     def test_a_known_force_points_as_it_does_and_an_unknown_one_up_and_right(self):
         _, pictures = self.draw(os.path.join(ROOT, "examples", "double-pendulum.yaml"))

@@ -167,6 +167,73 @@ class Meaning(Case):
         self.assertGreater(compared, at_least(3000))
 
 
+def letters(latex):
+    """About how many are in print: one for a Greek letter, three for a cosine."""
+    bare = re.sub(r"\\(left|right|t?frac|d*dot|mathrm|mathit|[,;])", "", latex)
+    return len(re.sub(r"[\s{}^_]", "", re.sub(r"\\[a-z]+", "x", re.sub(r"\\(cos|sin)", "cos", bare))))
+
+
+NUMBER = r"-?\d+\.?\d*(?:e[-+]?\d+)?"
+
+
+def numbers_in_text(page):
+    """Of each matrix that a page shows twice, the second one, which is of numbers, entry by entry."""
+    found, block, at = [], [], None
+    for line in page.splitlines() + [""]:
+        last = re.search(r"\[ ([^\[\]]*) \](?: ,.*)?$", line)
+        if not last or last.start() != at:
+            if len({line.count("[ ") for line, _ in block} | {1}) == 1 and any(line.endswith("] = ") for line, _ in block):
+                found += [float(number) for _, row in block if "---" not in row for number in re.findall(NUMBER, row)]
+            block, at = [], last.start() if last else None
+        if last:
+            block.append((line[:at], last.group(1)))
+    return found
+
+
+class Numbers(Case):
+    def test_they_stand_beside_their_formulas_alike_in_all_formats(self):
+        """As many and the same as in JSON, to six digits, behind the formula and a sign of equality."""
+        for name in ("quick-return", "planetary-gear", "double-pendulum"):
+            words = ("derive", os.path.join(ROOT, "examples", name + ".yaml"), "-q", "--format")
+            sections = self.good(*words, "json", "--numbers").json()["sections"]
+            items = [item for section in sections for item in section["items"] if item["kind"] == "formula"]
+            latex = displayed(self.good(*words, "latex", "--numbers").out)
+            page = self.good(*words, "mathml", "--numbers").out
+            marked = re.findall("(?s)<math.*?</math>", page)
+            headings = [item["text"] for section in sections for item in section["items"] if item["kind"] == "heading"]
+            self.assertEqual(re.findall("<h2>(.*?)</h2>", page), [section["title"] for section in sections])
+            self.assertEqual(re.findall("<h3>(.*?)</h3>", page), headings)
+            text = self.good(*words, "text", "--numbers").out
+            self.assertEqual([len(items)] * 2, [len(latex), len(marked)], name)
+            matrices = []
+            for item, one, two in zip(items, latex, marked):
+                values = [value for matrix in item.get("matrices", []) for row in matrix.get("values", []) for value in row]
+                if not values and "value" in item:
+                    values = [item["value"]]
+                if len(item.get("matrices", [])) > 1:  # a whole system, whose numbers are in JSON alone
+                    values = []
+                elif item.get("matrices") and values:
+                    matrices += values
+                self.assertTrue(one.startswith(item["latex"] + (" = " if values else "")), (item["text"], one))
+                self.alike(re.findall(r"(?<=[ &])%s(?= |$)" % NUMBER, one[len(item["latex"]):]), values, item["text"])
+                bold = re.findall('font-weight:bold">(.*?)</mi>', two), re.findall(r"\\(?:mathbf|boldsymbol)\{\\?(.*?)\}", one)
+                self.assertEqual(["".join(mathml.GREEK.get(c, c) for c in name) for name in bold[0]], bold[1], item["text"])
+                if not values:
+                    continue
+                beside = re.findall("(<mo>-</mo>)?<mn>(.*?)</mn>", two.rpartition("<mo>=</mo>")[2])
+                self.alike([("-" if sign else "") + number for sign, number in beside], values, item["text"])
+                if not item.get("matrices"):
+                    shown = re.search(r"(?m)%s = (%s)(?:  .*)?$" % (re.escape(item["text"]), NUMBER), text)
+                    self.alike([shown.group(1)], values, item["text"])
+            self.alike(numbers_in_text(text), matrices, name)
+            self.assertGreater(len(matrices), 30)
+
+    def alike(self, shown, values, where):
+        self.assertEqual(len(shown), len(values), (where, shown, values))
+        for number, value in zip(shown, values):
+            self.assertAlmostEqual(float(number), value, delta=5.1e-6 * abs(value) + 1e-14, msg=where)
+
+
 class Latex(Case):
     def document(self, name, *words):
         run = Run("derive", name, "-q", "--format", "latex", *words)
@@ -248,6 +315,10 @@ class Latex(Case):
             self.assertGreater(len(lines), 1)
             for line in lines[1:]:
                 self.assertIn(line[:2], ("+ ", "- ", "= "))
+            for line, after in zip(lines, lines[1:] + [""]):  # as long as they may be, and no longer
+                self.assertLess(letters(line), 115)
+                if after:
+                    self.assertGreater(letters(line) + letters(re.match("[-+=] .*?(?= [-+=] |$)", after).group()), 90)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,25 @@ def example(name):
     return os.path.join(ROOT, "examples", name + ".yaml")
 
 
+# A guide that turns, and a bar from its block to a link.
+POLAR = """\
+units: {length: mm, angle: deg}
+bodies:
+  ground: {points: {O: [0, 0], C: [100, 0]}}
+  rail: {points: {O: [0, 0]}}
+  block: {points: {B: [0, 0]}}
+  bar: {points: {B: [0, 0], D: [60, 0]}}
+  link: {points: {C: [0, 0], D: [50, 0]}}
+joints:
+  O: {pin: [ground, rail], angle: theta}
+  S: {slide: [rail, block], along: 0, from: O, to: B, distance: d}
+  B: {pin: [block, bar], angle: phi}
+  D: {pin: [bar, link]}
+  C: {pin: [ground, link]}
+start: {theta: 40, d: 70, phi: -60}
+"""
+
+
 class Map(Case):
     def answer(self, *words):
         return self.good("map", *words, "--format", "json").json()
@@ -104,12 +123,44 @@ start: {th: %r, ps: %r}
         self.assertAlmostEqual(region["area"], lens - 2 * math.pi * 0.06**2, 4)
         for x, y in region["polygon"]:
             self.assertLess(max(math.hypot(x + 0.06, y), math.hypot(x - 0.06, y)), 0.4601)
-        svg = self.path("regions.svg")
-        self.good("map", example("five-bar"), "--tol", "0.02", "--plot", svg)
-        with open(svg, encoding="utf-8") as file:
-            text = file.read()
-        self.assertIn("<title>2 configurations</title>", text)
-        self.assertIn("theta2 [rad]", text)
+
+    def test_regions_are_drawn_where_they_are(self):
+        """Outlines and holes at the numbers along both axes; the legend has the colour of each count that occurs, on the page."""
+        for file, names, units, sizes in ((example("five-bar"), ("reachL.P.x", "reachL.P.y"), ("mm", "mm"), (0.001, 0.001)),
+                                          (self.write("polar.yaml", POLAR), ("theta", "d"), ("deg", "mm"), (math.pi / 180, 0.001))):
+            svg = self.path("regions.svg")
+            answer = self.good("map", file, "--over", ",".join(names), "--tol", "0.02", "--plot", svg, "--format", "json").json()
+            with open(svg, encoding="utf-8") as file:
+                text = file.read()
+            across = [(float(x), float(word)) for x, word in re.findall(r'<text x="([^"]*)" y="[^"]*" text-anchor="middle"[^>]*>(-?[\d.]+)</text>', text)]
+            up = [(float(y) - 4, float(word)) for y, word in re.findall(r'<text x="[^"]*" y="([^"]*)" text-anchor="end"[^>]*>(-?[\d.]+)</text>', text)]
+            self.assertGreater(min(len(across), len(up)), 3)
+
+            def pixel(place):
+                return [a[0] + (value / size - a[1]) * (b[0] - a[0]) / (b[1] - a[1])
+                        for value, size, (a, b) in zip(place, sizes, ((across[0], across[-1]), (up[0], up[-1])))]
+
+            low, high = map(pixel, zip(*answer["domain"]))
+            self.assertAlmostEqual(low[0] + high[0], 660, delta=0.1)
+            self.assertAlmostEqual(low[1] + high[1], 580, delta=0.1)
+            spans = high[0] - low[0], low[1] - high[1]  # the map fills the panel, angles both ways
+            self.assertAlmostEqual(spans[0] if units[0] == "deg" else max(spans), 520, delta=0.1)
+            self.assertAlmostEqual(spans[1] if units[0] == "deg" else max(spans), 520, delta=0.1)
+            drawn = re.findall(r'<path fill="(.*?)".*? d="(.*?)"><title>(\d+) configurations</title>', text)
+            self.assertEqual([int(count) for _, _, count in drawn], [region["configurations"] for region in answer["regions"]])
+            for (_, way, _), region in zip(drawn, answer["regions"]):
+                outlines = [re.findall(r"(\S+?) (\S+?)(?=[LZ])", part.lstrip("M")) for part in re.findall("M[^M]*Z", way)]
+                for shown, outline in zip(outlines, [region["polygon"], *region["holes"]]):
+                    self.assertEqual(len(shown), len(outline))
+                    for one, place in zip(shown, outline):
+                        for got, wanted in zip(one, pixel(place)):
+                            self.assertAlmostEqual(float(got.lstrip("L")), wanted, delta=0.05)
+            legend = re.findall(r'<polygon points="([\d.]+),[^"]*" fill="(#.*?)" stroke="#888"/>\n<text x="([\d.]+)"[^>]*>(\d+)<', text)
+            self.assertEqual({(colour, count) for _, colour, _, count in legend}, {(colour, count) for colour, _, count in drawn})
+            width = float(re.search(r'width="(\d+)"', text).group(1))
+            self.assertTrue(legend and all(float(left) > 590 and float(at) + 8 < width for left, _, at, _ in legend))
+            for name, unit in zip(names, units):
+                self.assertIn("%s [%s]" % (name, unit), text)
 
     def test_two_coordinates_are_asked_for_well(self):
         file = example("five-bar")

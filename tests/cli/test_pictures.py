@@ -161,6 +161,11 @@ units: {length: mm, angle: deg}
         answer = self.good("synthesize", path, "-o", folder, "--format", "json").json()
         drawn = list(self.drawn(os.path.join(folder, "errors.svg")))
         self.assertEqual(len(drawn), len(answer["candidates"]))
+        with open(os.path.join(folder, "errors.svg"), encoding="utf-8") as file:
+            told = re.findall(r"error of the output \[(\w+)\], at most ([\d.e-]+)", file.read())
+        self.assertEqual(len(told), len(drawn))
+        for (unit, most), candidate in zip(told, answer["candidates"]):
+            self.assertAlmostEqual(float(most) * size_of(unit), candidate["worst"], delta=6e-4 * candidate["worst"])
         evened = 0
         for (group, value, scale), candidate in zip(drawn, answer["candidates"]):
             unit = 0.001 if candidate["mechanism"] == "slider-crank" else math.pi / 180
@@ -317,6 +322,11 @@ class Polygons(Pictures):
     def check_words(self, picture, steps):
         told = " ".join(t.text.strip() for t in found(picture, "text", x="30"))
         self.assertEqual(told, " ".join("%d. %s" % (k + 1, step) for k, step in enumerate(steps)))
+        heights = [float(t.get("y")) for t in found(picture, "text", x="30")]  # below all that is drawn, one below the other
+        drawn = max(place.imag for line in picture.iter("{http://www.w3.org/2000/svg}line") for place in ends(line))
+        self.assertLess(drawn + 10, heights[0])
+        self.assertEqual(heights, sorted(set(heights)))
+        self.assertLess(heights[-1], float(picture.get("height")))
 
     def test_velocities_and_accelerations_are_drawn_to_scale(self):
         for name, kind in (("quick-return", "velocity"), ("quick-return", "acceleration"), ("crank-press", "acceleration")):
@@ -343,6 +353,9 @@ class Polygons(Pictures):
                 for pairs in drawn.values():
                     for _, tip in pairs:
                         self.assertLess(min(abs(tip - one) for one in tips), 0.05)
+                reached = [end for pairs in drawn.values() for pair in pairs for end in pair]  # as large as the page lets it be
+                across, up = (max(part) - min(part) for part in ([z.real for z in reached], [z.imag for z in reached]))
+                self.assertAlmostEqual(max(across / (float(picture.get("width")) - 120), up / 560), 1, delta=1e-3)
                 names = sorted(name for t in found(picture, "text", font_style="italic") for name in t.text.split(", "))
                 self.assertEqual(names, sorted(image["name"] for image in polygon["images"]))
                 self.check_bar(picture, scale, ("m/s", "mm/s", "m/s^2", "mm/s^2"))
@@ -382,6 +395,9 @@ class Polygons(Pictures):
             for line, v in zip(lines, seen):
                 self.assert_at(ends(line)[0], first + scale * complex(*v["start"]))
                 self.assert_at(ends(line)[1], first + scale * (complex(*v["start"]) + complex(*v["value"])))
+            reached = [end for line in lines for end in ends(line)]  # as large as its place lets it be: 280 by 220
+            across, up = (max(part) - min(part) for part in ([z.real for z in reached], [z.imag for z in reached]))
+            self.assertAlmostEqual(max(across / 280, up / 220), 1, delta=1e-3)
             self.assertEqual([t.text for t in found(cell, "text", font_style="italic")], [v["name"] for v in seen])
             self.check_bar(cell, scale, ("N", "kN"))
         self.check_words(picture, polygon["steps"])

@@ -66,18 +66,38 @@ static double attribute(const char *element, const char *name)
     return at ? atof(at + strlen(pattern)) : NAN;
 }
 
-// Every x, y of lines and circles lies on the page.
+typedef struct Page {
+    double width, height;
+} Page;
+
+static void check_place(const Page *page, double x, double y)
+{
+    assert_true(x >= 0 && x <= page->width);
+    assert_true(y >= 0 && y <= page->height);
+}
+
+// Both ends of lines, the whole of circles and all corners lie on the page.
 static void check_on_page(const char *svg)
 {
-    double width = attribute(svg, "width"), height = attribute(svg, "height");
-    assert_true(width > 0 && height > 0);
+    Page page = {attribute(svg, "width"), attribute(svg, "height")};
+    assert_true(page.width > 0 && page.height > 0);
     for (const char *at = strstr(svg, "<line"); at; at = strstr(at + 1, "<line")) {
-        assert_true(attribute(at, "x1") >= 0 && attribute(at, "x1") <= width);
-        assert_true(attribute(at, "y2") >= 0 && attribute(at, "y2") <= height);
+        check_place(&page, attribute(at, "x1"), attribute(at, "y1"));
+        check_place(&page, attribute(at, "x2"), attribute(at, "y2"));
     }
     for (const char *at = strstr(svg, "<circle"); at; at = strstr(at + 1, "<circle")) {
-        assert_true(attribute(at, "cx") >= 0 && attribute(at, "cx") <= width);
-        assert_true(attribute(at, "cy") >= 0 && attribute(at, "cy") <= height);
+        double x = attribute(at, "cx"), y = attribute(at, "cy"), r = attribute(at, "r");
+        check_place(&page, x - r, y - r);
+        check_place(&page, x + r, y + r);
+    }
+    for (const char *at = strstr(svg, " points=\""); at; at = strstr(at, " points=\"")) {
+        char *end;
+        for (at += 9; *at != '"'; at = end) {
+            double x = strtod(at, &end);
+            assert_true(*end == ',');
+            double y = strtod(end + 1, &end);
+            check_place(&page, x, y);
+        }
     }
 }
 
@@ -95,10 +115,14 @@ static void check_well_formed(const char *svg)
     yk_problems_free(problems);
 }
 
-static const char *const machines[] = {
-    "quick-return", "toggle",       "double-pendulum",      "scotch-yoke", "elliptic-trammel",
-    "peaucellier",  "jansen",       "oscillating-cylinder", "excavator",   "three-crank-parallelogram",
-    "epicyclic",    "gearbox-8hp70"};
+static const char *const machines[] = {"quick-return",     "toggle",
+                                       "double-pendulum",  "scotch-yoke",
+                                       "elliptic-trammel", "peaucellier",
+                                       "jansen",           "oscillating-cylinder",
+                                       "excavator",        "three-crank-parallelogram",
+                                       "epicyclic",        "gearbox-8hp70",
+                                       "valve-cam",        "swing-cam",
+                                       "flat-faced-cam"};
 
 static void every_machine_gives_a_well_formed_page(void **state)
 {
