@@ -110,6 +110,7 @@ static void a_missing_piece_is_named_where_it_is_missing(void **state)
         {".", 301, 1, "expected a value"},
         {"a.", 301, 2, "operator"},
         {"1.2.3", 301, 4, "operator"},
+        {"2 N*s/m*s.rate", 301, 10, "2 N*s/m * s.rate"},
         {"-", 301, 2, "expected a value"},
     };
     refuse(EACH(cases));
