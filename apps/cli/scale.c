@@ -87,6 +87,15 @@ static void add_forces(YkSession *session)
     if (session->scale.mass > 0) yk_scale_add(session, load / session->scale.mass, YK_QUANTITY_ACCELERATION);
 }
 
+void yk_scale_of_body(YkSession *session, size_t body)
+{
+    double mass = body > 0 ? yk_model_body_mass(session->model, body) : 0;
+    session->scale.own = 0;
+    if (mass <= 0 || !session->dynamics) return;
+    YkBalance balance = yk_dynamics_balance(session->dynamics, body);
+    raise_to(&session->scale.own, yk_hypot(balance.loads.force[0], balance.loads.force[1]) / mass / size_of(session));
+}
+
 void yk_scale_add_bodies(YkSession *session, const YkState *state)
 {
     if (!yk_state_has_rates(state)) return;
@@ -123,6 +132,7 @@ static double usual_noise(const YkSession *session, YkQuantity quantity)
     double size = size_of(session), of_angles = scale->is_exact ? noise_of_sums : noise;
     double acceleration = fmax(scale->acceleration, scale->rate * scale->rate); // centripetal ones are added too
     double force = fmax(noise * scale->force, noise_of_sums * scale->mass * acceleration * size);
+    acceleration = fmax(acceleration, scale->own);
     switch (quantity) {
     case YK_QUANTITY_ANGLE:
         return of_angles;

@@ -199,6 +199,14 @@ class Jolts(Case):
         self.assertEqual(float(rows[0][1]), -1e9)
         self.assertEqual([row[2] for row in rows[6:]], ["2e-9"] * 5)
 
+    def test_noise_of_a_large_load_across_the_guide_is_0(self):
+        """20 kN at right angles to a guide at 30 degrees leave 1e-16 of them along it, over a milligram."""
+        text = self.good("solve", self.write("light.yaml", LIGHT.replace("along: x", "along: 30 deg").replace(
+            "[0, 20 kN]", "[-10 kN, 17320.508075688772]"))).out
+        self.assertEqual(numbers(text, "wheel"), [0, 0, 2e-7])
+        self.assertEqual(numbers(text, "x (input)"), [0, 0, 0])
+        self.assertEqual(numbers(text, "pin.O"), [0, 0, 0, 0, 0, 0])
+
 
 class Limits(Case):
     def test_what_grows_without_bound_at_a_limit_hides_nothing(self):
