@@ -87,13 +87,16 @@ static void add_forces(YkSession *session)
     if (session->scale.mass > 0) yk_scale_add(session, load / session->scale.mass, YK_QUANTITY_ACCELERATION);
 }
 
-void yk_scale_of_body(YkSession *session, size_t body)
+void yk_scale_of_bodies(YkSession *session, size_t one, size_t other)
 {
-    double mass = body > 0 ? yk_model_body_mass(session->model, body) : 0;
+    const size_t bodies[] = {one, other};
     session->scale.own = 0;
-    if (mass <= 0 || !session->dynamics) return;
-    YkBalance balance = yk_dynamics_balance(session->dynamics, body);
-    raise_to(&session->scale.own, yk_hypot(balance.loads.force[0], balance.loads.force[1]) / mass / size_of(session));
+    for (size_t k = 0; k < 2 && session->dynamics; k++) {
+        double mass = bodies[k] > 0 ? yk_model_body_mass(session->model, bodies[k]) : 0;
+        if (mass <= 0) continue;
+        YkWrench loads = yk_dynamics_balance(session->dynamics, bodies[k]).loads;
+        raise_to(&session->scale.own, yk_hypot(loads.force[0], loads.force[1]) / mass / size_of(session));
+    }
 }
 
 void yk_scale_add_bodies(YkSession *session, const YkState *state)

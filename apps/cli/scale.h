@@ -11,7 +11,7 @@ typedef struct YkScale {
     double rate, acceleration, force, energy;
     double blur;   // how many times as large noise is in what is being written; 0: as large as usual
     double mass;   // of all bodies: forces from accelerations that are noise are noise
-    double own;    // acceleration that the loads of the body of a row could give it; 0: of no body
+    double own;    // acceleration that the loads of the bodies of a row could give them; 0: of no body
     bool is_exact; // no loops: angles and their rates are sums and products of the inputs', so small ones are real
 } YkScale;
 
@@ -24,8 +24,9 @@ void yk_scale_begin(YkSession *session);
 void yk_scale_add_pose(YkSession *session, const YkState *state);
 // Does the same for bodies and points only, for a state of another compilation of the model.
 void yk_scale_add_bodies(YkSession *session, const YkState *state);
-// Notes that what is written next is about a body, whose large loads leave noise in its accelerations; 0: about none.
-void yk_scale_of_body(YkSession *session, size_t body);
+// Notes that what is written next is about these two bodies (0: none), whose large loads leave noise in their
+// accelerations.
+void yk_scale_of_bodies(YkSession *session, size_t one, size_t other);
 // Adds the rates of the inputs alone.
 void yk_scale_add_inputs(YkSession *session, const YkState *state);
 // Adds a value of a table.

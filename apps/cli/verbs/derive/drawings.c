@@ -6,19 +6,14 @@
 
 enum { DRAWINGS_MAX = 2000 };
 
-static bool refuse_memory(YkSession *session)
-{
-    return yk_session_refuse_for_memory(session);
-}
-
 static bool draw_all(YkSession *session, YkFreeBodyDrawings *pictures, YkFileEntry *files, YkText *names)
 {
     for (size_t k = 0; k < yk_free_body_drawings_count(pictures); k++) {
         const char *svg = yk_free_body_drawings_svg(pictures, k);
-        if (!svg) return refuse_memory(session);
+        if (!svg) return yk_session_refuse_for_memory(session);
         yk_text_puts(&files[k].text, svg);
         yk_text_format(&names[k], "%s.svg", yk_free_body_drawings_stem(pictures, k));
-        if (files[k].text.failed || names[k].failed) return refuse_memory(session);
+        if (files[k].text.failed || names[k].failed) return yk_session_refuse_for_memory(session);
         files[k].name = yk_text_get(&names[k]);
     }
     return true;
@@ -29,7 +24,7 @@ static bool write_all(YkSession *session, YkFreeBodyDrawings *pictures)
     size_t count = yk_free_body_drawings_count(pictures);
     YkFileEntry *files = calloc(count + 1, sizeof *files);
     YkText *names = calloc(count + 1, sizeof *names);
-    bool good = files && names ? draw_all(session, pictures, files, names) : refuse_memory(session);
+    bool good = files && names ? draw_all(session, pictures, files, names) : yk_session_refuse_for_memory(session);
     good = good && yk_files_write(session->request->svg, files, count, session->problems);
     for (size_t k = 0; k < count && files; k++) yk_text_free(&files[k].text);
     for (size_t k = 0; k < count && names; k++) yk_text_free(&names[k]);
@@ -49,7 +44,7 @@ int yk_derive_drawings(YkSession *session, YkDerivation *derivation, bool has_fo
     if (!pictures) {
         const char *why = yk_ring_status_text(yk_ring_status(derivation->ring));
         if (yk_derivation_ran_out(derivation)) {
-            refuse_memory(session);
+            yk_session_refuse_for_memory(session);
             return YK_EXIT_WRONG;
         }
         yk_session_refuse(session, YK_CODE_DERIVATION, "--svg: the free bodies cannot be drawn: %s",

@@ -1,5 +1,4 @@
 // `yoke solve` for people.
-#include <math.h>
 #include <string.h>
 #include "reach.h"
 #include "session.h"
@@ -48,15 +47,6 @@ static void add_motion(YkSession *session, YkTable *table, const YkState *state,
     }
 }
 
-// Notes that a row is about the motion of a joint's bodies.
-static void begin_row_of_joint(YkSession *session, size_t joint)
-{
-    yk_scale_of_body(session, yk_model_joint_body(session->model, joint, 0));
-    double own = session->scale.own;
-    yk_scale_of_body(session, yk_model_joint_body(session->model, joint, 1));
-    session->scale.own = fmax(session->scale.own, own);
-}
-
 // Adds coordinates of one kind; inputs are marked.
 static void add_coordinates(YkSession *session, const YkState *state, bool is_distance)
 {
@@ -68,11 +58,12 @@ static void add_coordinates(YkSession *session, const YkState *state, bool is_di
         if (info.is_distance != is_distance) continue;
         yk_text_clear(&name);
         yk_text_format(&name, "%s%s", info.name, info.input >= 0 ? " (input)" : "");
-        begin_row_of_joint(session, info.joint);
+        yk_scale_of_bodies(session, yk_model_joint_body(session->model, info.joint, 0),
+                           yk_model_joint_body(session->model, info.joint, 1));
         add_motion(session, table, state, yk_text_get(&name), yk_state_coordinate(state, i), is_distance, info.name);
         count++;
     }
-    yk_scale_of_body(session, 0);
+    yk_scale_of_bodies(session, 0, 0);
     yk_text_free(&name);
     if (count > 0) {
         write_table(session, table);
@@ -86,10 +77,10 @@ static void add_bodies(YkSession *session, const YkState *state)
     YkTable *table = motion_table(session, "body angle", false);
     const YkMotion *bodies = yk_session_bodies(session, state);
     for (size_t i = 1; bodies && i < yk_model_body_count(session->model); i++) {
-        yk_scale_of_body(session, i);
+        yk_scale_of_bodies(session, i, 0);
         add_motion(session, table, state, yk_model_body_name(session->model, i), bodies[i], false, NULL);
     }
-    yk_scale_of_body(session, 0);
+    yk_scale_of_bodies(session, 0, 0);
     write_table(session, table);
 }
 
@@ -105,7 +96,7 @@ static void add_points(YkSession *session, const YkState *state)
         size_t body = yk_model_point_body(session->model, p);
         if (body == 0) continue; // stands still where the file says
         count++;
-        yk_scale_of_body(session, body);
+        yk_scale_of_bodies(session, body, 0);
         YkPointMotion m = yk_state_point(state, p);
         const double *values[] = {m.position, m.velocity, m.acceleration};
         yk_text_clear(&name);
@@ -118,7 +109,7 @@ static void add_points(YkSession *session, const YkState *state)
             yk_table_number(table, yk_shown(session, value, yk_quantity_of(true, i / 2)), YK_DIGITS);
         }
     }
-    yk_scale_of_body(session, 0);
+    yk_scale_of_bodies(session, 0, 0);
     yk_text_free(&name);
     if (count > 0) {
         write_table(session, table);

@@ -82,13 +82,13 @@ void yk_sweep_measure_noise(YkSweepAnswer *answer, const YkState *state, size_t 
 {
     YkSession *session = answer->session;
     size_t count = answer->column_count;
-    YkNoise *noise = answer->noise + row * (count + 1);
+    YkNoise *noise = answer->noise + row * count;
     double sine = least_sine(session->mech, state), step = fmax(1e-5 * sine * sine, 64 * DBL_EPSILON),
            *measured = answer->values + 3 * count;
     bool is_measured = yk_input_count(session->mech) > 0;
     YkStatus status = session->dynamics ? yk_dynamics_report(session->dynamics)->status : YK_SINGULAR;
     bool has_forces = status == YK_OK || status == YK_REDUNDANT;
-    noise[count].usual = (float)sine;
+    answer->sines[row] = (float)sine;
     yk_scale_begin(session);
     yk_scale_add_pose(session, state);
     read_values(answer, state, answer->values);

@@ -15,8 +15,8 @@ typedef struct YkHeldColumn { // an effort that dry friction leaves open in some
 } YkHeldColumn;
 
 typedef struct YkNoise { // of a cell
-    float usual;    // beside the largest values of its row
-    float measured; // by poses a hair off; infinite if there are none
+    float usual;         // beside the largest values of its row
+    float measured;      // by poses a hair off; infinite if there are none
 } YkNoise;
 
 typedef struct YkSweepAnswer {
@@ -34,13 +34,12 @@ typedef struct YkSweepAnswer {
     size_t range_count;
     const char *ranges_of; // the coordinate they are of, or NULL
     YkQuantity ranges_quantity;
-    YkStroke *strokes; // of each column; ratio 0 if there is none
-    // For text: the noise of each row's cells, and behind them, as usual, the least sine of a transmission angle, which
-    // spoils digits.
-    YkNoise *noise;
+    YkStroke *strokes;            // of each column; ratio 0 if there is none
+    YkNoise *noise;               // of each row's cells, for text
+    float *sines;                 // per row, for text: the least sine of a transmission angle, which spoils digits
     YkState *beside;              // the pose a hair off
     double *values;               // [4 * column_count]: of a row, and of the poses beside it
-    size_t row_capacity, visited; // of noise
+    size_t row_capacity, visited; // of both
     YkLawWatch *laws;             // that the rows have left
     YkStopWatch *stops;           // that they have passed
     YkHeldColumn *held;           // [column]

@@ -38,7 +38,7 @@ static double shown_at(const YkSweepAnswer *answer, double at)
 
 static const YkNoise *noise_of(const YkSweepAnswer *answer, size_t row)
 {
-    return answer->noise + row * (answer->column_count + 1);
+    return answer->noise + row * answer->column_count;
 }
 
 // Returns a cell of a row in the file's unit. 0: noise by the whole table and by what was measured there, which says
@@ -53,15 +53,27 @@ static double shown_in_row(const YkSweepAnswer *answer, size_t row, size_t colum
     return yk_column_shown(answer->session, value, channel);
 }
 
-// Does the same for a value at an event, whose place is known to fewer digits. 0: noise by the whole table and by the
-// two rows before: in one of them all may stand still.
-static double shown_at_event(const YkSweepAnswer *answer, size_t event, size_t column)
+// Returns the last row before a place of the sweep, or the first row.
+static size_t row_before(const YkSweepAnswer *answer, double at)
 {
-    double value = yk_sweep_event_value(answer->sweep, event, column), at = yk_sweep_event(answer->sweep, event).at;
-    YkChannel channel = answer->columns[column].channel;
-    size_t row = 0, rows = yk_sweep_row_count(answer->sweep);
     double first = yk_sweep_at(answer->sweep, 0);
-    while (row + 1 < rows && fabs(yk_sweep_at(answer->sweep, row + 1) - first) < fabs(at - first)) row++;
+    size_t row = 0, end = yk_sweep_row_count(answer->sweep);
+    while (row + 1 < end) {
+        size_t middle = row + (end - row) / 2;
+        if (fabs(yk_sweep_at(answer->sweep, middle) - first) < fabs(at - first))
+            row = middle;
+        else
+            end = middle;
+    }
+    return row;
+}
+
+// Returns a value at an event, whose place is known to fewer digits, in the file's unit. 0: noise by the whole table
+// and by the two rows before, the last of which is `row`: in one of them all may stand still.
+static double shown_at_event(const YkSweepAnswer *answer, size_t event, size_t row, size_t column)
+{
+    double value = yk_sweep_event_value(answer->sweep, event, column);
+    YkChannel channel = answer->columns[column].channel;
     float usual = fmaxf(noise_of(answer, row)[column].usual, noise_of(answer, row - (row > 0))[column].usual);
     if (fabs(value) > 1e3 * (double)usual) return yk_amount_of(answer->session->model, value, channel.quantity);
     return yk_column_shown(answer->session, value, channel);
@@ -72,7 +84,7 @@ static double shown_at_event(const YkSweepAnswer *answer, size_t event, size_t c
 static double blur_of(const YkSweepAnswer *answer, size_t row)
 {
     const double most = 1e5;
-    double sine = (double)noise_of(answer, row)[answer->column_count].usual;
+    double sine = (double)answer->sines[row];
     if (yk_sweep_row_status(answer->sweep, row) == YK_CHANGE_POINT) return YK_BLUR_AT_CHANGE_POINT;
     return fmin(most, fmax(1, 1e-2 / (sine * sine * sine)));
 }
@@ -134,7 +146,8 @@ static void add_events(const YkSweepAnswer *answer)
         yk_table_word(table, yk_event_word(event));
         yk_table_number(table, shown_at(answer, event.at), EVENT_DIGITS);
         yk_table_word(table, yk_text_get(&words));
-        for (size_t c = 0; c < columns; c++) yk_table_number(table, shown_at_event(answer, i, c), YK_DIGITS);
+        size_t row = row_before(answer, event.at);
+        for (size_t c = 0; c < columns; c++) yk_table_number(table, shown_at_event(answer, i, row, c), YK_DIGITS);
     }
     answer->session->scale.blur = 0;
     yk_text_free(&words);

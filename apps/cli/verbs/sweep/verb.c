@@ -152,11 +152,12 @@ static bool run(YkSweepAnswer *answer, size_t steps)
     answer->laws = yk_session_watch_laws(session);
     answer->stops = yk_session_watch_stops(session);
     answer->row_capacity = session->request->format == YK_FORMAT_TEXT ? steps + 1 : 0;
-    answer->noise = calloc(answer->row_capacity + 1, (answer->column_count + 1) * sizeof *answer->noise);
+    answer->noise = calloc(answer->row_capacity * answer->column_count + 1, sizeof *answer->noise);
+    answer->sines = calloc(answer->row_capacity + 1, sizeof *answer->sines);
     answer->values = calloc(answer->column_count + 1, 4 * sizeof *answer->values);
     answer->beside = yk_state_new(session->mech);
-    if (start && channels && answer->strokes && answer->held && answer->noise && answer->values && answer->beside &&
-        answer->laws && answer->stops) {
+    if (start && channels && answer->strokes && answer->held && answer->noise && answer->sines && answer->values &&
+        answer->beside && answer->laws && answer->stops) {
         YkSweepOptions options = yk_default_sweep_options();
         options.coordinate = answer->over.coordinate;
         options.from = answer->over.from;
@@ -269,6 +270,7 @@ int yk_run_sweep(YkSession *session)
     free(answer->columns);
     free(answer->strokes);
     free(answer->noise);
+    free(answer->sines);
     free(answer->values);
     yk_state_free(answer->beside);
     free(answer->held);
