@@ -91,7 +91,7 @@ static bool choose_op(const YkTapeMaker *m, YkTapeStep *s, Kind kind, const int 
     return false;
 }
 
-// Gives a step these signs: numbers in its products take those for which there is no operation.
+// Gives a step these signs. Where no operation has them, numbers in its products change their own signs instead.
 static bool set_signs(const YkTapeMaker *m, YkTapeStep *s, Kind kind, const int *sign)
 {
     size_t products = kind == SUM ? 0 : kind == ONE || kind == ALONE ? 1 : 2;
@@ -108,7 +108,7 @@ static bool set_signs(const YkTapeMaker *m, YkTapeStep *s, Kind kind, const int 
     return false;
 }
 
-static YkTapeStep *maker_of(YkTapeMaker *m, YkTapeStep *steps, YkRef value)
+static YkTapeStep *maker_of(const YkTapeMaker *m, YkTapeStep *steps, YkRef value)
 {
     const YkTape *t = m->tape;
     for (size_t k = t->prelude_count; k < t->step_count; k++)
@@ -163,9 +163,10 @@ static bool leave_out(YkTapeMaker *m, size_t minus, YkTapeStep *trial)
 {
     YkTape *t = m->tape;
     YkRef value = t->steps[minus].in[0], negative = m->made[minus];
+    if (!maker_of(m, t->steps, value) || calls_read(m, value)) return false;
     memcpy(trial, t->steps, t->step_count * sizeof *trial);
     YkTapeStep *own = maker_of(m, trial, value);
-    if (!own || calls_read(m, value) || !negate(m, trial, own, 1)) return false;
+    if (!negate(m, trial, own, 1)) return false;
     for (size_t k = t->prelude_count; k < t->step_count; k++)
         if (k != minus && reads(&trial[k], value) && !read_negative(m, &trial[k], value, negative)) return false;
     m->made[own - trial] = negative;

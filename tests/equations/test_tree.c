@@ -252,7 +252,7 @@ static void test_a_heavier_machine_falls_the_same(void **unused)
     }
 }
 
-// So does one of two links whose inertias' product is no number, or one with few digits.
+// A double pendulum does so, too, even where the product of its inertias overflows, or underflows and loses digits.
 static void test_a_pendulum_of_any_weight_falls_the_same(void **unused)
 {
     (void)unused;

@@ -287,7 +287,8 @@ static void test_what_has_no_answer_has_a_status_and_zeros(void **unused)
     machine_free(&m);
 }
 
-// Pendulums so light, or so heavy and long, that the product of their inertias is no number, beside others.
+// Some pendulums are so light, or so heavy and long, that the product of their inertias underflows or overflows. They
+// stand beside ordinary ones.
 static void test_pendulums_of_any_size_fall_the_same(void **unused)
 {
     (void)unused;
