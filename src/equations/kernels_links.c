@@ -2,7 +2,7 @@
 #include "equations/kernels_links.h"
 #include "elementary/elementary.h"
 #include "elementary/turn.h"
-#include "equations/tree_articulated.h"
+#include "equations/tree_noise.h"
 
 void yk_link_lanes_start(YkLinkLanes *lanes, YkVec gravity)
 {
@@ -79,12 +79,13 @@ YK_INLINE void place(const YkTreeLink *link, YkLinkFound *own, const YkLinkFound
         own->shift_x[i] = shift.x, own->shift_y[i] = shift.y;
         own->arm_x[i] = arm.x, own->arm_y[i] = arm.y;
         own->bias_x[i] = bias.x, own->bias_y[i] = bias.y;
-        own->J[i] = own->inertia[i] = inertia;
+        own->J[i] = inertia;
         own->h_x[i] = -moment.y, own->h_y[i] = moment.x;
         own->xx[i] = own->yy[i] = link->mass;
         own->xy[i] = 0;
         own->f_x[i] = -w * w * moment.x, own->f_y[i] = -w * w * moment.y;
         own->n[i] = 0;
+        yk_noise_write(&own->noise, i, (YkNoise){.J = inertia, .xx = link->mass, .yy = link->mass});
     }
 }
 
@@ -96,46 +97,54 @@ YK_INLINE YkArticulated read(const YkLinkFound *own, size_t i)
                            own->yy[i], yk_vec(own->f_x[i], own->f_y[i]), own->n[i]};
 }
 
-YK_INLINE void pass(YkLinkFound *parent, const YkArticulated *A, double inertia, size_t i)
+YK_INLINE void pass(YkLinkFound *parent, const YkArticulated *A, const YkNoise *noise, size_t i)
 {
     parent->J[i] += A->J;
     parent->h_x[i] += A->h.x, parent->h_y[i] += A->h.y;
     parent->xx[i] += A->xx, parent->xy[i] += A->xy, parent->yy[i] += A->yy;
     parent->f_x[i] += A->f.x, parent->f_y[i] += A->f.y;
     parent->n[i] += A->n;
-    parent->inertia[i] += inertia;
+    YkNoise sum = yk_noise_read(&parent->noise, i);
+    yk_noise_add(&sum, noise);
+    yk_noise_write(&parent->noise, i, sum);
 }
 
 // Releases the freedoms of a joint under what acts along them, and passes the rest to the parent, unless that is the
 // ground.
 YK_INLINE void inward(const YkTreeLink *link, YkLinkFound *own, YkLinkFound *parent, const double *torque,
-                      const double *force, double mass_out, bool turns, bool slides, double *ok, size_t n)
+                      const double *force, bool turns, bool slides, double *ok, size_t n)
 {
     bool has_parent = link->parent != 0;
     YK_EACH_LANE
     for (size_t i = 0; i < n; i++) {
         YkArticulated A = read(own, i);
         YkVec arm = yk_vec(own->arm_x[i], own->arm_y[i]), bias = yk_vec(own->bias_x[i], own->bias_y[i]);
-        double good = ok[i], behind = own->inertia[i];
+        YkNoise noise = yk_noise_read(&own->noise, i);
+        double good = ok[i];
         if (turns) {
-            good = A.J > YK_LEAST_PIVOT * behind ? good : 0;
+            good = A.J > YK_LEAST_PIVOT * noise.J ? good : 0;
+            double trace = yk_noise_trace(&A);
             YkAnswer found = yk_articulated_release_turn(&A, link->sense * torque[i]);
             own->turn_by[i] = found.by, own->turn_x[i] = found.on.x, own->turn_y[i] = found.on.y;
+            yk_noise_release_turn(&noise, found.on, trace);
         }
         A.f = yk_add(A.f, yk_articulated_times(&A, bias));
         A.n += yk_dot(A.h, bias);
         if (slides) {
             YkVec line = yk_vec(own->line_x[i], own->line_y[i]);
             double pivot = yk_dot(line, yk_articulated_times(&A, line));
-            good = pivot > YK_LEAST_PIVOT * mass_out ? good : 0;
+            good = pivot > YK_LEAST_PIVOT * yk_noise_along(&noise, line) ? good : 0;
+            const YkArticulated before = A;
             YkAnswer found = yk_articulated_release_slide(&A, line, force[i]);
             own->slide_by[i] = found.by, own->slide_turn[i] = found.turn;
             own->slide_x[i] = found.on.x, own->slide_y[i] = found.on.y;
+            yk_noise_release_slide(&noise, line, found, &before);
         }
         ok[i] = good;
         if (has_parent) {
             YkArticulated moved = yk_articulated_move(&A, arm);
-            pass(parent, &moved, mass_out * yk_dot(arm, arm) + (turns ? 0 : behind), i);
+            YkNoise there = yk_noise_move(&noise, yk_quarter(arm), yk_noise_trace(&A));
+            pass(parent, &moved, &there, i);
         }
     }
 }
@@ -206,13 +215,12 @@ YK_INLINE void release_all(YkLinkLanes *lanes, size_t n)
     for (size_t k = lanes->links->count - 1; k > 0; k--) {
         const YkTreeLink *link = &lanes->links->link[k];
         YkLinkFound *own = &lanes->found[k], *parent = &lanes->found[link->parent];
-        double out = lanes->mass_out[k];
         if (link->distance == YK_NONE)
-            inward(link, own, parent, b->torque[link->angle], NULL, out, true, false, b->ok, n);
+            inward(link, own, parent, b->torque[link->angle], NULL, true, false, b->ok, n);
         else if (link->angle == YK_NONE)
-            inward(link, own, parent, NULL, b->torque[link->distance], out, false, true, b->ok, n);
+            inward(link, own, parent, NULL, b->torque[link->distance], false, true, b->ok, n);
         else
-            inward(link, own, parent, b->torque[link->angle], b->torque[link->distance], out, true, true, b->ok, n);
+            inward(link, own, parent, b->torque[link->angle], b->torque[link->distance], true, true, b->ok, n);
     }
 }
 

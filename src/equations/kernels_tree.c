@@ -3,7 +3,7 @@
 #include "elementary/turn.h"
 #include "equations/kernels_chain.h"
 #include "equations/kernels_tree.h"
-#include "equations/tree_articulated.h"
+#include "equations/tree_noise.h"
 
 // Repeats the lanes one by one if at least one is beyond the reduction's range.
 YK_APART void turn_one_by_one(YkTreeFound *link, const YkTreeFound *parent, const double *q, double sense, size_t n)
@@ -60,19 +60,20 @@ YK_INLINE YkArticulated shown_to(const YkTreeFound *link, size_t i)
 }
 
 // Passes to the parent, which stores it (is_first) or adds it to that of its other children.
-YK_INLINE void show(YkTreeFound *to, bool is_first, const YkArticulated *A, double mass, double least, size_t i)
+YK_INLINE void show(YkTreeFound *to, bool is_first, const YkArticulated *A, const YkNoise *noise, size_t i)
 {
     YkArticulated sum = *A;
+    YkNoise sum_noise = *noise;
     if (!is_first) {
-        YkArticulated before = shown_to(to, i);
-        yk_articulated_add(&before, A);
-        sum = before;
+        sum = shown_to(to, i);
+        yk_articulated_add(&sum, A);
+        sum_noise = yk_noise_read(&to->noise, i);
+        yk_noise_add(&sum_noise, noise);
     }
     to->J[i] = sum.J, to->h_x[i] = sum.h.x, to->h_y[i] = sum.h.y;
     to->xx[i] = sum.xx, to->xy[i] = sum.xy, to->yy[i] = sum.yy;
     to->f_x[i] = sum.f.x, to->f_y[i] = sum.f.y, to->n[i] = sum.n;
-    to->mass_out[i] = is_first ? mass : to->mass_out[i] + mass;
-    to->least[i] = is_first ? least : to->least[i] + least;
+    yk_noise_write(&to->noise, i, sum_noise);
 }
 
 // Releases the link's pin under its torque and passes the rest to the parent.
@@ -89,14 +90,16 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
         double own = inertia + mass * yk_dot(center, center);
         YkVec moment = yk_mul(e, yk_scale(mass, center));
         YkArticulated A = {own, yk_quarter(moment), mass, 0, mass, yk_scale(-w * w, moment), 0}; // the link alone
+        YkNoise noise = {0};
         if (has_children) {
+            noise = yk_noise_read(&link->noise, i);
             A = shown_to(link, i);
             yk_articulated_add_body(&A, mass, moment, own, w);
         }
-        // What lies behind the pin: see tree_pins.c.
-        double behind = own + (has_children ? link->least[i] : 0), out = mass + (has_children ? link->mass_out[i] : 0);
+        yk_noise_add_body(&noise, mass, own);
         double now = ((mass > least_mass) & (inertia >= 0)) ? ok[i] : -1;
-        ok[i] = ((A.J > YK_LEAST_PIVOT * behind) | (now < 0)) ? now : 0;
+        ok[i] = ((A.J > YK_LEAST_PIVOT * noise.J) | (now < 0)) ? now : 0;
+        double trace = yk_noise_trace(&A);
         YkAnswer answer = yk_articulated_release_turn(&A, sense * given.torque[i]);
         link->on_x[i] = answer.on.x;
         link->on_y[i] = answer.on.y;
@@ -113,8 +116,10 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
         link->bias_y[i] = bias.y;
         link->across_x[i] = across.x;
         link->across_y[i] = across.y;
+        yk_noise_release_turn(&noise, answer.on, trace);
+        noise = yk_noise_move_force(&noise, across, yk_noise_trace(&A));
         A = yk_articulated_move_force(&A, arm, bias);
-        show(parent, is_first, &A, out, out * yk_dot(at, at), i);
+        show(parent, is_first, &A, &noise, i);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "equations/tree_noise.h"
 
 // The given values of a link, each a row of lanes: its pin on the parent relative to the parent's own pin, the centre
 // of mass relative to its own pin, mass, inertia about the centre of mass.
@@ -25,9 +26,26 @@ typedef enum YkAxis { YK_AXIS_NONE, YK_AXIS_X, YK_AXIS_Y } YkAxis;
 enum { YK_TREE_LANES = 32 };
 
 typedef double YkFew[YK_TREE_LANES];
+
+typedef struct YkNoiseFew { // see tree_noise.h
+    YkFew J, h_x, h_y, xx, xy, yy;
+} YkNoiseFew;
+
+static inline YkNoise yk_noise_read(const YkNoiseFew *rows, size_t i)
+{
+    return (YkNoise){rows->J[i], yk_vec(rows->h_x[i], rows->h_y[i]), rows->xx[i], rows->xy[i], rows->yy[i]};
+}
+
+static inline void yk_noise_write(YkNoiseFew *rows, size_t i, YkNoise noise)
+{
+    rows->J[i] = noise.J, rows->h_x[i] = noise.h.x, rows->h_y[i] = noise.h.y;
+    rows->xx[i] = noise.xx, rows->xy[i] = noise.xy, rows->yy[i] = noise.yy;
+}
+
 typedef struct YkTreeFound {
-    YkFew c, s, w;                                               // absolute
-    YkFew J, h_x, h_y, xx, xy, yy, f_x, f_y, n, mass_out, least; // of its children, about its pin: see tree_pins.c
+    YkFew c, s, w;                              // absolute
+    YkFew J, h_x, h_y, xx, xy, yy, f_x, f_y, n; // of its children, about its pin: see tree_pins.c
+    YkNoiseFew noise;
     YkFew by, turn, on_x, on_y, bias_x, bias_y, across_x, across_y;
     YkFew pin_x, pin_y, alpha; // accelerations: of its pin, of its turning
 } YkTreeFound;

@@ -6,7 +6,7 @@
 #ifndef EQUATIONS_SHORT_CHAIN_H
 #define EQUATIONS_SHORT_CHAIN_H
 #include "elementary/kernel.h"
-#include "equations/tree_articulated.h"
+#include "equations/tree_noise.h"
 
 enum { YK_CHAIN_MOST = 3 }; // links of a short chain, each on the one before
 

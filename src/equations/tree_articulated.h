@@ -22,9 +22,6 @@ typedef struct YkAnswer {
     YkVec on;
 } YkAnswer;
 
-// A pivot does not count as inertia unless it exceeds this part of the inertia behind it.
-#define YK_LEAST_PIVOT 1e-14
-
 static inline YkVec yk_articulated_times(const YkArticulated *A, YkVec v)
 {
     return yk_vec(A->xx * v.x + A->xy * v.y, A->xy * v.x + A->yy * v.y);

@@ -5,14 +5,14 @@
 // Over one joint: the link's point accelerates by a + alpha x arm - w^2 arm (as a point of the parent) + 2 w x line
 // rate (Coriolis; w of the link that has the line) + line acceleration; slides keep the parent's alpha.
 #include "equations/tree_joints.h"
-#include "equations/tree_articulated.h"
+#include "equations/tree_noise.h"
 
 typedef struct Pose {
     YkVec shift;     // the link's point, in its own axes
     YkVec arm, line; // from the parent's point; the line's direction: world axes
     YkVec bias;      // of the acceleration, as above
     YkArticulated A;
-    double mass_out, inertia_out; // inertia behind the joint, as if all joints were rigid
+    YkNoise noise;
     YkAnswer turn, slide;
     YkVec a;
     double alpha;
@@ -56,8 +56,8 @@ static void place(const YkTreeJoints *joints, const double *q, const double *v)
         double inertia = link->inertia + link->mass * yk_dot(center, center);
         pose->A = (YkArticulated){0};
         yk_articulated_add_body(&pose->A, link->mass, yk_scale(link->mass, yk_mul(e, center)), inertia, angles->w[k]);
-        pose->mass_out = link->mass;
-        pose->inertia_out = inertia;
+        pose->noise = (YkNoise){0};
+        yk_noise_add_body(&pose->noise, link->mass, inertia);
     }
 }
 
@@ -70,16 +70,21 @@ static double along(const double *effort, int32_t input)
 static int release(const YkTreeLink *link, Pose *pose, const double *effort)
 {
     YkArticulated *A = &pose->A;
+    YkNoise *noise = &pose->noise;
     if (link->angle != YK_NONE) {
-        if (!(A->J > YK_LEAST_PIVOT * pose->inertia_out)) return link->angle;
+        if (!(A->J > YK_LEAST_PIVOT * noise->J)) return link->angle;
+        double trace = yk_noise_trace(A);
         pose->turn = yk_articulated_release_turn(A, link->sense * along(effort, link->angle));
+        yk_noise_release_turn(noise, pose->turn.on, trace);
     }
     A->f = yk_add(A->f, yk_articulated_times(A, pose->bias));
     A->n += yk_dot(A->h, pose->bias);
     if (link->distance != YK_NONE) {
         double pivot = yk_dot(pose->line, yk_articulated_times(A, pose->line));
-        if (!(pivot > YK_LEAST_PIVOT * pose->mass_out)) return link->distance;
+        if (!(pivot > YK_LEAST_PIVOT * yk_noise_along(noise, pose->line))) return link->distance;
+        const YkArticulated before = *A;
         pose->slide = yk_articulated_release_slide(A, pose->line, along(effort, link->distance));
+        yk_noise_release_slide(noise, pose->line, pose->slide, &before);
     }
     return -1;
 }
@@ -92,10 +97,9 @@ static int inward(const YkTreeJoints *joints, const double *effort)
         int culprit = release(link, pose, effort);
         if (culprit >= 0) return culprit;
         YkArticulated moved = yk_articulated_move(&pose->A, pose->arm);
+        YkNoise noise = yk_noise_move(&pose->noise, yk_quarter(pose->arm), yk_noise_trace(&pose->A));
         yk_articulated_add(&parent->A, &moved);
-        parent->mass_out += pose->mass_out;
-        parent->inertia_out += pose->mass_out * yk_dot(pose->arm, pose->arm);
-        if (link->angle == YK_NONE) parent->inertia_out += pose->inertia_out;
+        yk_noise_add(&parent->noise, &noise);
     }
     return -1;
 }

@@ -6,7 +6,6 @@ typedef struct Link {     // constant
     YkVec at;             // its pin on the parent, in the parent's axes, relative to the parent's pin
     YkVec moment;         // mass * centre
     double mass, inertia; // about the pin
-    double least;         // least pivot
 } Link;
 
 // Kept by the inward pass for the outward one: how the parent's pin (a) and the parent's rotation (alpha) move this
@@ -19,6 +18,7 @@ typedef struct Answer {
 
 typedef struct Fork { // a link with a child that does not come right after it
     YkArticulated sum;
+    YkNoise noise;
     YkVec a;
     double alpha;
 } Fork;
@@ -38,33 +38,21 @@ struct YkTreePins {
     YkVec gravity;
 };
 
-// Finds the inertia behind each pin: the link's own and, at their arms, all masses further out.
-static void find_least(const YkTreeLinks *links, Link *link, double *mass_out)
-{
-    for (size_t k = 0; k < links->count; k++) {
-        mass_out[k] = links->link[k].mass;
-        link[k].least = link[k].inertia;
-    }
-    for (size_t k = links->count - 1; k > 0; k--) {
-        int32_t parent = links->link[k].parent;
-        mass_out[parent] += mass_out[k];
-        link[parent].least += mass_out[k] * yk_dot(link[k].at, link[k].at);
-        link[k].least *= YK_LEAST_PIVOT;
-    }
-}
-
-static void find_chain(YkTreePins *pins, const double *mass_out)
+static void find_chain(YkTreePins *pins)
 {
     size_t links = pins->angles.count - 1;
+    double mass_out = 0;
     pins->is_chain = links > 1 && links <= YK_CHAIN_MOST;
-    for (size_t k = 1; pins->is_chain && k <= links; k++) {
+    for (size_t k = links; pins->is_chain && k > 0; k--) {
         ChainPart *own = &pins->chain[k - 1];
         *own = (ChainPart){.moment = pins->link[k].moment, .behind = pins->link[k].inertia};
         pins->is_chain = pins->angles.turn[k].parent == (int32_t)k - 1;
-        if (k == links) break;
-        own->end = pins->link[k + 1].at;
-        own->moment = yk_add(own->moment, yk_scale(mass_out[k + 1], own->end));
-        own->behind += mass_out[k + 1] * yk_dot(own->end, own->end);
+        if (k < links) {
+            own->end = pins->link[k + 1].at;
+            own->moment = yk_add(own->moment, yk_scale(mass_out, own->end));
+            own->behind += mass_out * yk_dot(own->end, own->end);
+        }
+        mass_out += pins->link[k].mass;
     }
 }
 
@@ -77,7 +65,6 @@ YkTreePins *yk_tree_pins_new(const YkTreeLinks *links, YkVec gravity, YkArena *a
     pins->link = YK_NEW(arena, Link, n);
     pins->answer = YK_NEW(arena, Answer, n);
     pins->fork = YK_NEW(arena, Fork, pins->angles.fork_count);
-    double *mass_out = (double *)pins->answer; // for the time being
     if (yk_arena_failed(arena)) return NULL;
     for (size_t k = 0; k < n; k++) {
         const YkTreeLink *l = &links->link[k];
@@ -86,8 +73,7 @@ YkTreePins *yk_tree_pins_new(const YkTreeLinks *links, YkVec gravity, YkArena *a
                                .mass = l->mass,
                                .inertia = l->inertia + l->mass * yk_dot(l->center, l->center)};
     }
-    find_least(links, pins->link, mass_out);
-    find_chain(pins, mass_out);
+    find_chain(pins);
     return pins;
 }
 
@@ -98,29 +84,41 @@ static int inward(const YkTreePins *pins, const double *effort)
     const YkTreeAngles angles = pins->angles;
     const double *c = angles.c, *s = angles.s, *w = angles.w;
     const YkArticulated nothing = {0};
+    const YkNoise none = {0};
     YkArticulated A = nothing;
+    YkNoise noise = none;
     for (size_t k = angles.count - 1; k > 0; k--) {
         const Link *link = &pins->link[k];
         YkLinkTurn t = angles.turn[k];
         size_t p = (size_t)t.parent;
         double torque = effort ? (double)t.sense * effort[t.input] : 0;
-        if (t.fork != YK_NONE) yk_articulated_add(&A, &pins->fork[t.fork].sum);
+        if (t.fork != YK_NONE) {
+            yk_articulated_add(&A, &pins->fork[t.fork].sum);
+            yk_noise_add(&noise, &pins->fork[t.fork].noise);
+        }
         yk_articulated_add_body(&A, link->mass, yk_mul(yk_vec(c[k], s[k]), link->moment), link->inertia, w[k]);
-        if (!(A.J > link->least)) return t.input;
+        yk_noise_add_body(&noise, link->mass, link->inertia);
+        if (!(A.J > YK_LEAST_PIVOT * noise.J)) return t.input;
+        double trace = yk_noise_trace(&A);
         YkAnswer answer = yk_articulated_release_turn(&A, torque);
         if (p == 0) { // the ground needs nothing
             pins->answer[k] = (Answer){.by = answer.by, .on = answer.on};
             A = nothing;
+            noise = none;
             continue;
         }
         YkVec arm = yk_mul(yk_vec(c[p], s[p]), link->at), bias = yk_scale(-w[p] * w[p], arm);
         YkVec across = yk_quarter(arm);
         double by = answer.by - yk_dot(answer.on, bias);
         pins->answer[k] = (Answer){bias, across, by, yk_dot(answer.on, across), answer.on};
+        yk_noise_release_turn(&noise, answer.on, trace);
+        noise = yk_noise_move_force(&noise, across, yk_noise_trace(&A));
         A = yk_articulated_move_force(&A, arm, bias);
         if (p != k - 1) {
             yk_articulated_add(&pins->fork[angles.turn[p].fork].sum, &A);
+            yk_noise_add(&pins->fork[angles.turn[p].fork].noise, &noise);
             A = nothing;
+            noise = none;
         }
     }
     return -1;
@@ -194,7 +192,7 @@ int yk_tree_pins_accelerate(YkTreePins *pins, const double *q, const double *v, 
     yk_tree_angles_find(&pins->angles, q, v);
     if (pins->is_chain && pins->angles.count == 3) return accelerate_chain(pins, effort, a, 2);
     if (pins->is_chain) return accelerate_chain(pins, effort, a, 3);
-    for (size_t k = 0; k < pins->angles.fork_count; k++) pins->fork[k].sum = (YkArticulated){0};
+    for (size_t k = 0; k < pins->angles.fork_count; k++) pins->fork[k] = (Fork){0};
     int culprit = inward(pins, effort);
     if (culprit < 0) outward(pins, a);
     return culprit;

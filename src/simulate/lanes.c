@@ -87,18 +87,12 @@ static bool build(YkLanes *lanes, const YkSimulation *sim)
     size_t inputs = mech->input_count;
     if (!lanes->arena || !yk_tree_links_build(&lanes->links, mech, lanes->arena)) return false;
     size_t count = lanes->links.count;
-    double *mass_out = YK_NEW(lanes->arena, double, count);
     lanes->load = YK_NEW(lanes->arena, YkLinkLoad, inputs + 1);
     lanes->effort = YK_NEW(lanes->arena, double, inputs + 1);
-    lanes->kernel =
-        (YkLinkLanes){.links = &lanes->links, .mass_out = mass_out, .load = lanes->load, .input_count = inputs};
+    lanes->kernel = (YkLinkLanes){.links = &lanes->links, .load = lanes->load, .input_count = inputs};
     lanes->kernel.found = yk_arena_alloc(lanes->arena, count, sizeof(YkLinkFound));
     make_block(lanes);
     if (yk_arena_failed(lanes->arena)) return false;
-    for (size_t k = count - 1; k > 0; k--) { // children before parents
-        mass_out[k] += lanes->links.link[k].mass;
-        mass_out[lanes->links.link[k].parent] += mass_out[k];
-    }
     for (size_t k = 0; k < sim->dynamics->loads->item_count; k++)
         load_input(lanes, mech, &sim->dynamics->loads->items[k]);
     yk_link_lanes_start(&lanes->kernel, mech->model->gravity);
