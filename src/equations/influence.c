@@ -209,15 +209,19 @@ static void sum_four(const Look *look, Sums *sums)
 static int solve(const YkInfluence *f, Sums *s)
 {
     size_t n = f->free_count;
-    double size[YK_INFLUENCE_MAX];
-    for (size_t i = 0; i < n; i++) size[i] = s->M[i][i];
+    double N[YK_INFLUENCE_MAX][YK_INFLUENCE_MAX] = {{0}}; // the noise of M: see tree_noise.h
+    for (size_t i = 0; i < n; i++) N[i][i] = s->M[i][i];
     for (size_t p = n; p-- > 0;) {
-        double h = s->M[p][p];
-        if (!(h > 1e-13 * size[p]) || !(h > 0)) return f->input[p];
+        double h = s->M[p][p], k[YK_INFLUENCE_MAX];
+        if (!(h > 1e-13 * N[p][p]) || !(h > 0)) return f->input[p];
+        for (size_t i = 0; i < p; i++) k[i] = s->M[i][p] / h;
         for (size_t i = 0; i < p; i++) {
-            double k = s->M[i][p] / h;
-            s->g[i] -= k * s->g[p];
-            for (size_t j = i; j < p; j++) s->M[i][j] -= k * s->M[j][p];
+            s->g[i] -= k[i] * s->g[p];
+            N[i][i] += s->M[i][i];
+            for (size_t j = i; j < p; j++) {
+                N[i][j] += k[i] * (N[p][p] * k[j] - N[j][p]) - k[j] * N[i][p];
+                s->M[i][j] -= k[i] * s->M[j][p];
+            }
         }
     }
     for (size_t p = 0; p < n; p++) {

@@ -9,7 +9,7 @@ YkReduced *yk_reduced_new(const YkElimination *e)
     YkReduced *r = calloc(1, sizeof *r);
     if (!r) return NULL;
     size_t wide = e->widest + 2, tall = e->largest_group > 2 ? e->largest_group : 2;
-    size_t total = e->entry_count + 3 * e->unknown_count + e->coefficient_count + 2 * tall * wide;
+    size_t total = 2 * e->entry_count + 3 * e->unknown_count + e->coefficient_count + 2 * tall * wide;
     r->e = e;
     r->memory = calloc(total + 1, sizeof(double));
     if (!r->memory || !yk_coefficients_start(&r->work, e)) {
@@ -24,6 +24,7 @@ YkReduced *yk_reduced_new(const YkElimination *e)
     r->C = p, p += e->coefficient_count;
     r->B = p, p += tall * wide;
     r->G = p, p += tall * wide;
+    r->N = p;
     return r;
 }
 
@@ -33,6 +34,12 @@ void yk_reduced_free(YkReduced *r)
     yk_coefficients_end(&r->work);
     free(r->memory);
     free(r);
+}
+
+// Returns the place of the diagonal entry of row k among the pairs of n unknowns.
+static uint32_t diagonal(uint32_t k, uint32_t n)
+{
+    return k * n - k * (k - 1) / 2;
 }
 
 // --- bodies
@@ -56,123 +63,189 @@ static void add_element(YkReduced *r, const YkSpace *space, const YkLoad *loads,
     for (uint32_t i = 0; i < n; i++) {
         YkVec c = column[i];
         r->g[unknown[i]] += c.x * f.x + c.y * f.y;
+        if (r->measures) r->N[*entry] += m * yk_dot(c, c);
         for (uint32_t j = i; j < n; j++) r->H[*entry++] += m * (c.x * column[j].x + c.y * column[j].y);
     }
     if (element->rotation == YK_NONE) return;
-    uint32_t k = (uint32_t)element->rotation; // its diagonal entry
-    entry = unknown + n + k * n - k * (k - 1) / 2;
+    uint32_t k = (uint32_t)element->rotation;
+    entry = unknown + n + diagonal(k, n);
     r->g[unknown[k]] += moment;
     r->H[*entry] += element->inertia;
+    if (r->measures) r->N[*entry] += element->inertia;
 }
 
 // --- operations
 
-// Substitutes one unknown: H += c (B + h c / 2)^T + its transpose.
-static void substitute_one(YkReduced *r, const YkOperation *op)
+// Substitutes one unknown in a form, H or N: F += c (B + f c / 2)^T + its transpose.
+static void substitute_one(YkReduced *r, double *F, const YkOperation *op)
 {
-    const int32_t *unknown = r->e->index + op->first_index, *later = unknown + 1, *entry = later + op->neighbours;
+    const int32_t *entry = r->e->index + op->first_index + 1 + op->neighbours;
     const double *C = r->C + op->first_coefficient;
     uint32_t n = op->neighbours, q = op->given;
-    double h = 0.5 * r->H[entry[0]], g = r->g[unknown[0]];
+    double f = 0.5 * F[entry[0]];
     const int32_t *row = entry + 1, *pair = row + n;
-    for (uint32_t j = 0; j < n; j++) r->G[j] = (row[j] == YK_NONE ? 0 : r->H[row[j]]) + (j < q ? h * C[j] : 0);
+    for (uint32_t j = 0; j < n; j++) r->G[j] = (row[j] == YK_NONE ? 0 : F[row[j]]) + (j < q ? f * C[j] : 0);
     for (uint32_t i = 0; i < q; i++) {
-        r->g[later[i]] += C[i] * g;
-        r->H[*pair++] += 2 * C[i] * r->G[i];
-        for (uint32_t j = i + 1; j < q; j++) r->H[*pair++] += C[i] * r->G[j] + r->G[i] * C[j];
-        for (uint32_t j = q; j < n; j++) r->H[*pair++] += C[i] * r->G[j];
+        F[*pair++] += 2 * C[i] * r->G[i];
+        for (uint32_t j = i + 1; j < q; j++) F[*pair++] += C[i] * r->G[j] + r->G[i] * C[j];
+        for (uint32_t j = q; j < n; j++) F[*pair++] += C[i] * r->G[j];
     }
 }
 
-static void substitute_two(YkReduced *r, const YkOperation *op)
+static void substitute_two(YkReduced *r, double *F, const YkOperation *op)
 {
-    const int32_t *unknown = r->e->index + op->first_index, *later = unknown + 2, *entry = later + op->neighbours;
+    const int32_t *entry = r->e->index + op->first_index + 2 + op->neighbours;
     const double *C = r->C + op->first_coefficient;
     uint32_t n = op->neighbours, q = op->given;
-    double h0 = 0.5 * r->H[entry[0]], h1 = 0.5 * r->H[entry[2]], h01 = 0.5 * r->H[entry[1]];
-    double g0 = r->g[unknown[0]], g1 = r->g[unknown[1]];
+    double f0 = 0.5 * F[entry[0]], f1 = 0.5 * F[entry[2]], f01 = 0.5 * F[entry[1]];
     const int32_t *row = entry + 3, *pair = row + 2 * n;
     double *G0 = r->G, *G1 = r->G + n;
     const double *C0 = C, *C1 = C + q;
     for (uint32_t j = 0; j < n; j++) {
-        G0[j] = row[j] == YK_NONE ? 0 : r->H[row[j]];
-        G1[j] = row[n + j] == YK_NONE ? 0 : r->H[row[n + j]];
+        G0[j] = row[j] == YK_NONE ? 0 : F[row[j]];
+        G1[j] = row[n + j] == YK_NONE ? 0 : F[row[n + j]];
     }
     for (uint32_t j = 0; j < q; j++) {
-        G0[j] += h0 * C0[j] + h01 * C1[j];
-        G1[j] += h01 * C0[j] + h1 * C1[j];
+        G0[j] += f0 * C0[j] + f01 * C1[j];
+        G1[j] += f01 * C0[j] + f1 * C1[j];
     }
     for (uint32_t i = 0; i < q; i++) {
-        r->g[later[i]] += C0[i] * g0 + C1[i] * g1;
-        r->H[*pair++] += 2 * (C0[i] * G0[i] + C1[i] * G1[i]);
+        F[*pair++] += 2 * (C0[i] * G0[i] + C1[i] * G1[i]);
         for (uint32_t j = i + 1; j < q; j++)
-            r->H[*pair++] += C0[i] * G0[j] + G0[i] * C0[j] + C1[i] * G1[j] + G1[i] * C1[j];
-        for (uint32_t j = q; j < n; j++) r->H[*pair++] += C0[i] * G0[j] + C1[i] * G1[j];
+            F[*pair++] += C0[i] * G0[j] + G0[i] * C0[j] + C1[i] * G1[j] + G1[i] * C1[j];
+        for (uint32_t j = q; j < n; j++) F[*pair++] += C0[i] * G0[j] + C1[i] * G1[j];
     }
 }
 
-static void substitute_many(YkReduced *r, const YkOperation *op)
+static void substitute_many(YkReduced *r, double *F, const YkOperation *op)
 {
     uint32_t p = op->own, n = op->neighbours, q = op->given;
-    const int32_t *unknown = r->e->index + op->first_index, *later = unknown + p, *entry = later + n;
+    const int32_t *entry = r->e->index + op->first_index + p + n;
     const double *C = r->C + op->first_coefficient;
     const int32_t *row = entry + p * (p + 1) / 2, *pair = row + p * n;
     for (uint32_t u = 0; u < p; u++)
-        for (uint32_t j = 0; j < n; j++) r->G[u * n + j] = row[u * n + j] == YK_NONE ? 0 : r->H[row[u * n + j]];
+        for (uint32_t j = 0; j < n; j++) r->G[u * n + j] = row[u * n + j] == YK_NONE ? 0 : F[row[u * n + j]];
     for (uint32_t u = 0; u < p; u++)
         for (uint32_t v = u; v < p; v++) {
-            double h = 0.5 * r->H[*entry++];
+            double f = 0.5 * F[*entry++];
             for (uint32_t j = 0; j < q; j++) {
-                r->G[u * n + j] += h * C[v * q + j];
-                if (v > u) r->G[v * n + j] += h * C[u * q + j];
+                r->G[u * n + j] += f * C[v * q + j];
+                if (v > u) r->G[v * n + j] += f * C[u * q + j];
             }
         }
-    for (uint32_t i = 0; i < q; i++) {
-        for (uint32_t u = 0; u < p; u++) r->g[later[i]] += C[u * q + i] * r->g[unknown[u]];
+    for (uint32_t i = 0; i < q; i++)
         for (uint32_t j = i; j < n; j++, pair++)
             for (uint32_t u = 0; u < p; u++) {
                 const double *c = C + u * q, *G = r->G + u * n;
-                r->H[*pair] += c[i] * G[j] + (j < q ? G[i] * c[j] : 0);
+                F[*pair] += c[i] * G[j] + (j < q ? G[i] * c[j] : 0);
             }
+}
+
+static void substitute(YkReduced *r, double *F, const YkOperation *op)
+{
+    if (op->own == 1)
+        substitute_one(r, F, op);
+    else if (op->own == 2)
+        substitute_two(r, F, op);
+    else
+        substitute_many(r, F, op);
+}
+
+// Tells the unknowns that others depend on how much of what they move may be lost, and what its sums round.
+static void pass_on_loss(YkReduced *r, const YkOperation *op)
+{
+    uint32_t p = op->own, n = op->neighbours, q = op->given;
+    const int32_t *unknown = r->e->index + op->first_index, *later = unknown + p, *entry = later + n;
+    const int32_t *pair = entry + p * (p + 1) / 2 + p * n;
+    const double *C = r->C + op->first_coefficient;
+    for (uint32_t u = 0; u < p; u++) {
+        double h = r->H[entry[diagonal(u, p)]], lost = r->lost[unknown[u]];
+        for (uint32_t i = 0; i < q; i++) {
+            double square = C[u * q + i] * C[u * q + i];
+            r->lost[later[i]] += square * (h + lost);
+            if (r->measures) r->N[pair[diagonal(i, n)]] += square * h;
+        }
+    }
+}
+
+// Returns whether a free unknown has inertia. In doubt, the noise decides.
+static bool has_inertia(YkReduced *r, double h, const YkOperation *op)
+{
+    const int32_t *unknown = r->e->index + op->first_index, *entry = unknown + 1 + op->neighbours;
+    if (r->measures) return h > 1e-13 * r->N[entry[0]] && h > 0;
+    r->is_in_doubt |= !(h > 1e-6 * (h + r->lost[unknown[0]]));
+    return h > 0;
+}
+
+// Hands the noise on along the motion with which the unknown answers, and adds what the subtraction rounds.
+static void minimise_noise(YkReduced *r, const YkOperation *op, double over)
+{
+    uint32_t n = op->neighbours;
+    const int32_t *entry = r->e->index + op->first_index + 1 + n, *row = entry + 1, *pair = row + n;
+    double noise = r->N[entry[0]];
+    for (uint32_t i = 0; i < n; i++) {
+        double k = r->B[i] * over, own = r->N[row[i]];
+        r->N[*pair] += r->H[*pair];
+        for (uint32_t j = i; j < n; j++)
+            r->N[*pair++] += k * (noise * r->B[j] * over - r->N[row[j]]) - own * r->B[j] * over;
     }
 }
 
 static bool minimise(YkReduced *r, const YkOperation *op)
 {
     uint32_t n = op->neighbours;
-    const int32_t *unknown = r->e->index + op->first_index, *later = unknown + 1, *entry = later + n;
-    double h = r->H[entry[0]], size = h + r->lost[unknown[0]];
-    if (!(h > 1e-13 * size) || !(h > 0)) return false;
-    const int32_t *row = entry + 1, *pair = row + n;
-    double over = 1 / h, u = r->g[unknown[0]] * over;
+    const int32_t *later = r->e->index + op->first_index + 1, *entry = later + n, *row = entry + 1, *pair = row + n;
+    double h = r->H[entry[0]], over = 1 / h;
+    if (!has_inertia(r, h, op)) return false;
     for (uint32_t j = 0; j < n; j++) r->B[j] = r->H[row[j]];
+    if (r->measures) minimise_noise(r, op, over);
     for (uint32_t i = 0; i < n; i++) {
         double k = r->B[i] * over;
-        r->g[later[i]] -= r->B[i] * u;
         r->lost[later[i]] += k * r->B[i];
         for (uint32_t j = i; j < n; j++) r->H[*pair++] -= k * r->B[j];
     }
     return true;
 }
 
+// Carries the forces g inwards with the present factors.
+static void carry(YkReduced *r, const YkOperation *op)
+{
+    const int32_t *unknown = r->e->index + op->first_index, *later = unknown + op->own;
+    const double *C = r->C + op->first_coefficient;
+    if (op->kind == YK_OP_KNOWN) return;
+    if (op->kind == YK_OP_FREE) {
+        const int32_t *entry = later + op->neighbours, *row = entry + 1;
+        double u = r->g[unknown[0]] / r->H[entry[0]];
+        if (u == 0) return;
+        for (uint32_t j = 0; j < op->neighbours; j++) r->g[later[j]] -= r->H[row[j]] * u;
+        return;
+    }
+    for (uint32_t u = 0; u < op->own; u++)
+        for (uint32_t j = 0; j < op->given; j++) r->g[later[j]] += C[u * op->given + j] * r->g[unknown[u]];
+}
+
 static bool eliminate(YkReduced *r, const YkSpace *space, const YkOperation *op)
 {
-    if (op->kind == YK_OP_FREE) return minimise(r, op);
     if (op->kind == YK_OP_KNOWN) return true;
-    if (!yk_coefficients_find(&r->work, space, op, r->C + op->first_coefficient)) return false;
-    if (op->own == 1)
-        substitute_one(r, op);
-    else if (op->own == 2)
-        substitute_two(r, op);
-    else
-        substitute_many(r, op);
+    if (op->kind == YK_OP_FREE) {
+        if (!minimise(r, op)) return false;
+    } else {
+        if (!yk_coefficients_find(&r->work, space, op, r->C + op->first_coefficient)) return false;
+        substitute(r, r->H, op);
+        if (r->measures) substitute(r, r->N, op);
+        pass_on_loss(r, op);
+    }
+    carry(r, op);
     return true;
 }
 
-int yk_reduced_factor(YkReduced *r, const YkSpace *space, const YkLoad *loads)
+static int factor(YkReduced *r, const YkSpace *space, const YkLoad *loads, bool measures)
 {
     const YkElimination *e = r->e;
+    r->measures = measures;
+    r->is_in_doubt = false;
     memset(r->H, 0, (e->entry_count + 2 * e->unknown_count) * sizeof *r->H); // also clears g and lost
+    if (measures) memset(r->N, 0, e->entry_count * sizeof *r->N);
     for (size_t p = e->operation_count; p-- > 0;) {
         const YkOperation *op = &e->operations[p];
         for (uint32_t k = 0; k < op->element_count; k++)
@@ -180,6 +253,12 @@ int yk_reduced_factor(YkReduced *r, const YkSpace *space, const YkLoad *loads)
         if (!eliminate(r, space, op)) return op->kind == YK_OP_FREE ? op->input : -2;
     }
     return -1;
+}
+
+int yk_reduced_factor(YkReduced *r, const YkSpace *space, const YkLoad *loads)
+{
+    int culprit = factor(r, space, loads, false);
+    return culprit == -1 && r->is_in_doubt ? factor(r, space, loads, true) : culprit;
 }
 
 // --- back substitution
@@ -228,23 +307,6 @@ double yk_reduced_effort(const YkReduced *r, size_t input)
     for (uint32_t j = 0; j < op->neighbours; j++)
         if (entry[1 + j] != YK_NONE) sum += r->H[entry[1 + j]] * r->xi[later[j]];
     return e->sign_of_input[input] * sum;
-}
-
-// Carries the forces g inwards with the present factors.
-static void carry(YkReduced *r, const YkOperation *op)
-{
-    const int32_t *unknown = r->e->index + op->first_index, *later = unknown + op->own;
-    const double *C = r->C + op->first_coefficient;
-    if (op->kind == YK_OP_KNOWN) return;
-    if (op->kind == YK_OP_FREE) {
-        const int32_t *entry = later + op->neighbours, *row = entry + 1;
-        double u = r->g[unknown[0]] / r->H[entry[0]];
-        if (u == 0) return;
-        for (uint32_t j = 0; j < op->neighbours; j++) r->g[later[j]] -= r->H[row[j]] * u;
-        return;
-    }
-    for (uint32_t u = 0; u < op->own; u++)
-        for (uint32_t j = 0; j < op->given; j++) r->g[later[j]] += C[u * op->given + j] * r->g[unknown[u]];
 }
 
 void yk_reduced_respond(YkReduced *r, int32_t b, int32_t a)

@@ -8,12 +8,14 @@
 typedef struct YkReduced {
     const YkElimination *e;
     double *H;     // [entry] the form
-    double *lost;  // [unknown] total subtracted from its diagonal
+    double *N;     // [entry] in doubt: the noise of H, in units of the relative rounding error; see tree_noise.h
+    double *lost;  // [unknown] about how much was subtracted from its diagonal
     double *g;     // [unknown] the forces
     double *xi;    // [unknown] accelerations relative to those of the pose
     double *C;     // [coefficient]
     double *B, *G; // rows of the present operation
     YkCoefficients work;
+    bool is_in_doubt, measures; // a pivot is small for what was lost: the noise is measured too, in a second pass
     void *memory;
 } YkReduced;
 

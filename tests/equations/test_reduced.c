@@ -1,5 +1,6 @@
 // The reduced equations against the free bodies: two formulations that share nothing but the pose.
 #include "dynamics/rig.h"
+#include "light_tree.h"
 
 static double scale_of(const Rig *rig, const double *a)
 {
@@ -160,6 +161,42 @@ static void a_freedom_without_inertia_is_named(void **unused)
     rig_free(&rig);
 }
 
+// Moves to a random pose, in which no method may find accelerations. Returns false where the loop does not close.
+static bool check_singular(Rig *rig, uint64_t *seed)
+{
+    double a[64];
+    rig_move(rig, seed, 3, 2, 0);
+    if (yk_state_solve(rig->state) != YK_OK) {
+        assert_true(yk_state_assemble(rig->state) >= 0);
+        return false;
+    }
+    assert_int_equal(yk_dynamics_accelerate(rig->dynamics, rig->state, a), YK_SINGULAR);
+    assert_int_equal(yk_dynamics_reduce(rig->dynamics, rig->state), YK_SINGULAR);
+    assert_int_equal(yk_dynamics_solve(rig->dynamics, rig->state, YK_METHOD_NEWTON_EULER), YK_SINGULAR);
+    return true;
+}
+
+// A spring keeps the programs for open trees away; so does a weightless four-bar that carries the tree.
+static void freedoms_that_no_mass_shows_are_never_inertia(void **unused)
+{
+    (void)unused;
+    size_t tried = 0;
+    for (uint64_t seed = 13000; seed < 13000 + check_cases(300); seed++) {
+        uint64_t s = seed;
+        Text text = {0};
+        LightTree light = light_tree(&s, &text, seed % 2);
+        if (lacks_mass(light)) {
+            add(&text, "springs: {S: {between: [ground.own, b1.own], stiffness: 100, length: 0.2}}\nstart: {%s}\n",
+                seed % 2 ? "q: 1" : "");
+            Rig rig = rig_of_text(text.at);
+            for (size_t pose = 0; pose < 10; pose++) tried += check_singular(&rig, &s);
+            rig_free(&rig);
+        }
+        free(text.at);
+    }
+    assert_true(tried >= check_cases(300));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -170,6 +207,7 @@ int main(void)
         cmocka_unit_test(responses_are_symmetric),
         cmocka_unit_test(the_published_double_pendulum),
         cmocka_unit_test(a_freedom_without_inertia_is_named),
+        cmocka_unit_test(freedoms_that_no_mass_shows_are_never_inertia),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

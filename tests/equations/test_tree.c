@@ -1,5 +1,5 @@
 // Open trees: forward dynamics against closed forms, against a dense mass matrix, and against the laws.
-#include "open_tree.h"
+#include "light_tree.h"
 
 static const char *const pendulum =
     "parameters: {l1: 0.5, lc1: 0.35, lc2: 0.3, m1: 0.5, m2: 0.4, I1: 0.025, I2: 0.02}\n"
@@ -597,53 +597,6 @@ static void test_two_slides_in_one_line(void **unused)
 
 // --- fewer masses than freedoms
 
-enum { MOST_LINKS = 9 };
-
-typedef struct LightTree {
-    size_t links, parent[MOST_LINKS + 1];
-    int freedoms[MOST_LINKS + 1], seen[MOST_LINKS + 1]; // of the joint; how many motions of its own mass count
-} LightTree;
-
-// Most links weigh nothing, some carry a point mass, few are bodies.
-static LightTree light_tree(uint64_t *seed, Text *text)
-{
-    LightTree tree = {.links = 3 + check_random(seed) % (MOST_LINKS - 2)};
-    static const YkPartKind kinds[] = {YK_PIN, YK_PIN, YK_PIN, YK_SLIDE, YK_PIN_SLOT};
-    bool pins_only = check_random(seed) % 2, is_chain = check_random(seed) % 2;
-    add(text, "gravity: [0, -9.81]\nbodies:\n");
-    for (size_t k = 0; k <= tree.links; k++) {
-        double x = check_uniform(seed, -1, 1), y = check_uniform(seed, -1, 1);
-        size_t weight = k == 1 ? 9 : k == 0 ? 0 : check_random(seed) % 10; // the hub is a body, as hubs are
-        tree.seen[k] = weight < 5 ? 0 : weight < 9 ? 2 : 3;
-        add(text, k > 0 ? "  b%zu: {points: {" : "  ground: {points: {", k);
-        for (size_t j = 1; j <= tree.links; j++) add_point(text, seed, j);
-        add(text, "own: [0, 0]}");
-        if (tree.seen[k]) add(text, ", mass: %.17g, center: [%.17g, %.17g]", check_uniform(seed, 0.2, 3), x, y);
-        if (tree.seen[k] == 3) add(text, ", inertia: %.17g", check_uniform(seed, 0.1, 1));
-        add(text, "}\n");
-    }
-    add(text, "joints:\n");
-    for (size_t k = 1; k <= tree.links; k++) {
-        RandomJoint joint = {pins_only ? YK_PIN : kinds[check_random(seed) % 5], .is_reversed = check_random(seed) % 2};
-        tree.parent[k] = joint.parent = is_chain ? k - 1 : check_random(seed) % k;
-        tree.freedoms[k] = joint.kind == YK_PIN_SLOT ? 2 : 1;
-        add_joint(text, seed, &joint, k);
-    }
-    return tree;
-}
-
-// Returns whether a subtree has more freedoms than its masses have motions: its mass matrix is singular in every pose.
-static bool lacks_mass(LightTree tree)
-{
-    bool lacks = false;
-    for (size_t k = tree.links; k > 0; k--) {
-        lacks |= tree.freedoms[k] > tree.seen[k];
-        tree.freedoms[tree.parent[k]] += tree.freedoms[k];
-        tree.seen[tree.parent[k]] += tree.seen[k];
-    }
-    return lacks;
-}
-
 static void test_freedoms_that_no_mass_shows_are_never_inertia(void **unused)
 {
     (void)unused;
@@ -651,7 +604,7 @@ static void test_freedoms_that_no_mass_shows_are_never_inertia(void **unused)
     for (uint64_t seed = 12000; seed < 12000 + check_cases(300); seed++) {
         uint64_t s = seed;
         Text text = {0};
-        LightTree light = light_tree(&s, &text);
+        LightTree light = light_tree(&s, &text, false);
         if (lacks_mass(light)) {
             OpenTree t = open_tree(text.at);
             for (size_t pose = 0; pose < 20; pose++) {
