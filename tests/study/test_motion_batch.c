@@ -370,7 +370,8 @@ static void test_a_value_beyond_all_measure_is_none(void **unused)
 }
 
 // All links lie on a line, and the point masses at the ends of the last three show nothing across it: what resists the
-// hub is its own inertia alone. The rounding of 3 kg at 1 m, less 3 kg at 1 m, hides it below 1e-15; above 1e-12 it counts.
+// hub is its own inertia alone. The rounding of 3 kg at 1 m, less 3 kg at 1 m, hides it below 1e-15; above 1e-12 it
+// counts.
 static const char *const LINE = "parameters: {I: 1}\n"
                                 "gravity: [1, 0]\n"
                                 "bodies:\n"
