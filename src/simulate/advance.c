@@ -11,9 +11,9 @@ static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
 
 static const char *const near_rest =
     "a drive comes to rest, or turns back, so near to a change point that steps in time do "
-    "not tell on which side of it the machine goes on; `yoke sweep --over t` does";
+    "not show on which side of it the machine goes on; `yoke sweep --over t` does";
 
-static const char *const lost_energy = "the balance of energy is off by more than a thousandth of what moves: from a "
+static const char *const lost_energy = "the balance of energy is off by more than a thousandth: from a "
                                        "singular position on, or where the steps "
                                        "are too coarse, this is not the machine's motion";
 
