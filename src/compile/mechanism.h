@@ -154,7 +154,8 @@ typedef struct YkBlockAside {
 typedef struct YkBlock {
     YkBlockKind kind;
     YkBlockForm form;
-    // Dyads: known part, arms (in relative slots, in the axes of the unknown), lines. What a pose needs comes first.
+    // Dyads: known part, arms (in relative slots, in the axes of the unknown), lines. Members that a pose needs come
+    // first.
     bool arm_is_constant[2];
     int32_t line_slot[2]; // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
     YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2

@@ -7,7 +7,7 @@
 #include "compile/terms.h"
 #include "compile/topology.h"
 
-enum { YK_ANCHORS_MAX = 8 }; // more joints to known clusters tell nothing new
+enum { YK_ANCHORS_MAX = 8 }; // more joints to known clusters add nothing
 
 typedef struct YkInputSum { // what is a sum of inputs
     bool is_known;

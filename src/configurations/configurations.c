@@ -1,4 +1,4 @@
-// Visits every configuration of a machine, and tells whether there are others.
+// Visits every configuration of a machine, and finds whether there are others.
 #include <yoke/configurations.h>
 #include <stdlib.h>
 #include <string.h>

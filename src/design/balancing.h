@@ -1,4 +1,4 @@
-// The inside of balancing: a cycle of poses, and what the engine tells of each.
+// The inside of balancing: a cycle of poses, and the engine's answers at each.
 #ifndef DESIGN_BALANCING_H
 #define DESIGN_BALANCING_H
 #include <yoke/balancing.h>

@@ -58,7 +58,7 @@ static void find_events(YkReportPage *report, YkText *text)
     }
 }
 
-// A cam's follower dwells, so its turning points do not tell when it moves.
+// A cam's follower dwells, so its turning points do not show when it moves.
 static bool is_follower(const YkReportPage *report, size_t joint)
 {
     for (size_t k = 0; k < report->model->cam_count; k++)

@@ -73,7 +73,7 @@ static bool restart(YkSimulation *sim)
 }
 
 static const double POOR = 0.2, // sin^2 of the worst block, below which other coordinates are sought
-    BLIND = 1e-8;               // and below which the pose does not tell its rates well enough to find any
+    BLIND = 1e-8;               // and below which the pose does not determine its rates well enough to find any
 
 // Looks for better coordinates if these are near a dead point, and for blocks near a singular position.
 static bool look_round(YkSimulation *sim)

@@ -38,7 +38,7 @@ static inline bool yk_begins_flat(const YkSimulation *sim)
 
 // --- guide.c
 //
-// Drives that alone move the machine may rest, or turn back, so near to a singular position that no prediction tells on
+// Drives that alone move the machine may rest, or turn back, so near to a singular position that no prediction shows on
 // which side of it they go on. A second state, the guide, follows the drives there as sweeps do.
 
 // Starts it at the state's pose, unless it has begun. Returns false when out of memory.

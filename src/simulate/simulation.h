@@ -141,7 +141,7 @@ struct YkSimulation {
     YkStatus status;
     // Certificates (witness.c):
     YkWitness *witness; // or NULL
-    YkState *home;      // the last pose that it was told as a step; NULL: none yet, or no groups
+    YkState *home;      // the last pose that it received as a step; NULL: none yet, or no groups
     double redo_until, redo_step;
     int redone; // times in succession that a step was taken back
 };

@@ -1,4 +1,4 @@
-// The witness of a simulation: it is told of the poses at the ends of steps, at events and at rows, and refuses what
+// The witness of a simulation: it receives the poses at the ends of steps, at events and at rows, and refuses what
 // cannot be the same configuration.
 #include "simulate/simulation.h"
 

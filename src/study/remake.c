@@ -56,7 +56,7 @@ void yk_remake_end(YkStudy *study)
 
 typedef struct Made {
     YkProgress progress;
-    YkProblems *problems; // of no interest: the status tells
+    YkProblems *problems; // unused: the status says enough
     YkModel *model;
     YkMechanism *mech, *base_mech;
     YkState *state, *base; // base: with the inputs of the start, if these are others

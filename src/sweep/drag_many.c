@@ -137,7 +137,7 @@ static double quantity(const YkDrag *d, const Blocked *b)
     return value - s->low / s->scale < s->high / s->scale - value ? value : -value;
 }
 
-// As a further normal. False where it does not tell, or nothing is left to move.
+// As a further normal. False if it has no slope, or nothing is left to move.
 static bool add_normal(YkDrag *d, const Blocked *b)
 {
     YkState *s = d->state;

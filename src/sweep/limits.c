@@ -36,7 +36,7 @@ static bool find_moving(YkBeside *b)
 }
 
 // Solves the pose that many steps from the change point, on the side of the signs if positive. Angles are counted from
-// the change point: a first, coarse step may turn a link too far for the next pose to tell how often it has turned.
+// the change point: a first, coarse step may turn a link too far for the next pose to show how often it has turned.
 static bool stand_beside(const YkBeside *b, double steps)
 {
     YkPath *path = &b->walk->path;

@@ -1,4 +1,4 @@
-// Distances on a path, measured by how far the inputs go. While a drive rests, time does not tell which poses are near:
+// Distances on a path, measured by how far the inputs go. While a drive rests, time does not show which poses are near:
 // a whole dwell is one pose.
 #include "sweep/path.h"
 #include <string.h>

@@ -5,7 +5,7 @@
 #include "solve/state.h"
 
 // sin^2 below which, less than 1e-5 from a change point, a pose may still be the other branch's: it is not a reference,
-// and its rates do not tell which way a channel goes.
+// and its rates do not show which way a channel goes.
 #define YK_BRANCH_MARGIN 1e-10
 
 enum { YK_MEETING_SEEN = 4, YK_MEETING_LEVELS = 4 };

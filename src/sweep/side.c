@@ -1,5 +1,5 @@
-// On which side of a block's known change point the inputs are. Where one input leads there, its value tells. Where
-// several do, together, poses tell: the sine of the transmission angle, with a sign, is nearly a straight line along
+// Finds on which side of a block's known change point the inputs are. If one input leads there, its value decides. If
+// several do together, poses decide: the sine of the transmission angle, with a sign, is nearly a straight line along
 // any one input, so poses a little farther along it on both sides give the value here to rounding.
 #include "sweep/meeting.h"
 #include <string.h>

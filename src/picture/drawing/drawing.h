@@ -90,7 +90,7 @@ typedef struct YkShift {
 YkShift yk_drawing_shift(const YkDrawing *drawing, size_t body, size_t pose);
 
 // Returns a drawing of which only the bodies move from pose to pose, made with options.moving, in the last of its
-// poses; all poses together say how large it is. What belongs to a body stands in groups <g data-body="NAME"> in the
+// poses; all poses together decide its size. The parts of a body are groups <g data-body="NAME"> in the
 // body's own axes, m, y up, whose transform "translate(X Y) rotate(DEGREES)" is the body's pose. Names are left out.
 // NULL when out of memory.
 const char *yk_drawing_scene(YkDrawing *drawing);

@@ -43,9 +43,9 @@ typedef struct YkStudyAnswer {
     YkAnswerColumn *columns;  // --of
     size_t column_count;
     bool has_forces; // among them
-    double *times;  // [pose]; over a coordinate: NULL
-    YkState *timed; // the session's state at the time that is asked
-    YkState *start; // if other inputs gave the assembly: its pose with these; otherwise NULL
+    double *times;   // [pose]; over a coordinate: NULL
+    YkState *timed;  // the session's state at the time that is asked
+    YkState *start;  // if other inputs gave the assembly: its pose with these; otherwise NULL
     YkStudy *study;
     double *rows;     // [design][width]; NULL: they are in the blocks
     YkBlocks *blocks; // OUTPUT.partial, if the output is a file; otherwise NULL
@@ -73,7 +73,7 @@ bool yk_partial_add(YkStudyAnswer *answer, const double *rows, size_t count);
 void yk_partial_close(YkStudyAnswer *answer, bool is_finished); // finished: removes it
 void yk_partial_tell(const YkStudyAnswer *answer);              // where it is, if it is: a hint to the last problem
 bool yk_partial_is_kept(const YkRequest *request);              // whether the output is a file that can have one
-// Returns a number that tells the study from others: of the version, the files and all options that decide its rows.
+// Returns a number that identifies the study: of the version, the files and all options that decide its rows.
 uint64_t yk_study_signature(const YkStudyAnswer *answer);
 
 // run.c: computes the designs that are missing, in order. Returns false with a problem added.
