@@ -1,4 +1,4 @@
-// Moves the machine from the pose in which it was assembled to the one that was asked for.
+// Moves the machine from the pose in which it was assembled to the requested one.
 #include "reach.h"
 #include <stdlib.h>
 #include "answer.h"

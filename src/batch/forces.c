@@ -1,4 +1,4 @@
-// Makes the forces of lanes: the tape, and from where its leaves get their values.
+// Makes the forces of lanes: the tape, and the sources of its leaves' values.
 #include <stdlib.h>
 #include "base/text.h"
 #include "batch/lane_forces.h"

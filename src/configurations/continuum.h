@@ -1,8 +1,8 @@
-// Tells whether a pose belongs to a continuum of poses with the same inputs, and its dimension.
+// Finds whether a pose belongs to a continuum of poses with the same inputs, and its dimension.
 //
-// The equations of a machine are its loops, its gears and its inputs. Where the rank of their Jacobian is below the
-// number of unknowns a pose is a dead point, or the machine can move: short steps along the kernel, closed again by
-// Gauss and Newton's method, tell. The rank bounds the dimension from above, and is proved with an approximate left
+// The equations of a machine are its loops, its gears and its inputs. If the rank of their Jacobian is below the number
+// of unknowns, a pose is a dead point, or the machine can move: short steps along the kernel, closed again by Gauss and
+// Newton's method, show which. The rank bounds the dimension from above, and is proved with an approximate left
 // inverse. It is bounded from below, with proof, where bodies that keep their angle to each other make loops repeat
 // each other, as those of parallelograms do: what is left of the equations has full rank, and the implicit function
 // theorem holds.

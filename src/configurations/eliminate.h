@@ -3,8 +3,7 @@
 // One unknown h is hidden. All combinations of the loops and their conjugates, with monomials for multipliers, in which
 // no monomials but C(2L, L) chosen ones are left are linear in h: M_0 + h M_1. At a solution this matrix maps the
 // vector of the monomials' values to zero, so that h is an eigenvalue and the other unknowns are ratios in its
-// eigenvector. Where no columns of the loops depend on each other these combinations are the rows of Dixon's
-// determinant.
+// eigenvector. If no columns of the loops depend on each other, these combinations are the rows of Dixon's determinant.
 // Source: Wampler 2001, "Solving the kinematics of planar mechanisms by Dixon determinant and a complex-plane
 // formulation"; Nielsen & Roth 1999, "Solving the input/output problem for planar mechanisms".
 #ifndef CONFIGURATIONS_ELIMINATE_H

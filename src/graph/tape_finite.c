@@ -1,7 +1,7 @@
 // Finds the roots that decide whether all roots are finite.
 //
 // A value that is not finite makes every sum and product that reads it not finite, and every quotient of which it is
-// the numerator. Where such a root is finite, so is all that it is made of.
+// the numerator. If such a root is finite, so is everything that it is made of.
 #include "graph/tape_steps.h"
 
 static void show_operands(const YkValue *v, bool *is_shown)

@@ -1,4 +1,4 @@
-// Tells what happens where the ends of strands meet: limits, change points, or something that is not proved.
+// Finds what happens where the ends of strands meet: limits, change points, or something that is not proved.
 #include <stdlib.h>
 #include <string.h>
 #include "map/segments.h"

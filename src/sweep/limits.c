@@ -1,5 +1,5 @@
 // The limits of the rates at a change point where a walk stands. J is singular there, but the motion is smooth through
-// it, so what has no value at the pose is interpolated from four poses on each side (Lagrange, error O(h^8)).
+// it, so values that do not exist at the pose are interpolated from four poses on each side (Lagrange, error O(h^8)).
 #include <stdlib.h>
 #include <string.h>
 #include "sweep/meeting.h"

@@ -1,4 +1,4 @@
-// A machine that synthesis proposes: its dimensions, its model file, and what the engine says of it.
+// A machine that synthesis proposes: its dimensions, its model file, and the engine's judgement of it.
 #ifndef SYNTHESIS_DESIGN_H
 #define SYNTHESIS_DESIGN_H
 #include "synthesis/tasks/task.h"

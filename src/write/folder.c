@@ -1,4 +1,4 @@
-// Looks whether a folder is free.
+// Checks whether a folder is free.
 #include "write/folder.h"
 #include <dirent.h>
 #include <errno.h>

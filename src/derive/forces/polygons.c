@@ -1,4 +1,4 @@
-// Force polygons in symbols: all that acts on a body head to tail, what is known first, closed by its inertia force.
+// Force polygons in symbols: all forces on a body head to tail, the known ones first, closed by its inertia force.
 #include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 

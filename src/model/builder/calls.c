@@ -1,4 +1,4 @@
-// The builder's calls: each adds what a file would say.
+// The builder's calls: each adds an entry of a file.
 #include <string.h>
 #include "model/builder/builder.h"
 

@@ -1,4 +1,4 @@
-// Hands on what was written, so that a long table needs little memory.
+// Passes on each piece of output as it is written, so that a long table needs little memory.
 #include "verbs/study/study.h"
 
 // After a piece that did not fit, which is reported, the rest is dropped.

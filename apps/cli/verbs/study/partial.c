@@ -1,4 +1,4 @@
-// Keeps what an interrupted study has done: OUTPUT.partial, a file of blocks (yoke/blocks.h). The same study continues
+// Keeps the results of an interrupted study: OUTPUT.partial, a file of blocks (yoke/blocks.h). The same study continues
 // after the last whole block; from a damaged block on, it computes its designs again.
 #include <stdio.h>
 #include <string.h>
