@@ -145,7 +145,7 @@ static bool is_singular(const YkReportPage *report, size_t block)
     return false;
 }
 
-// Finds the least transmission angle of each dyad over the motion. It is 0 where the motion ends at a limit, which
+// Finds the least transmission angle of each dyad over the motion. It is 0 if the motion ends at a limit, which
 // is nothing new.
 static void find_transmission(YkReportPage *report, YkText *text)
 {

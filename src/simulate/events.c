@@ -27,7 +27,7 @@ static double argument_here(YkSimulation *sim, const YkLawUse *use)
     return yk_law_use_argument(use, sim->state, sim->dynamics->loads);
 }
 
-// Returns by how much the argument of a law is outside its range; below 0 where the law is not in use.
+// Returns by how much the argument of a law is outside its range; below 0 if the law is not in use.
 static double excess_here(YkSimulation *sim, const YkLawUse *use)
 {
     double excess = yk_law_use_excess(use, argument_here(sim, use));

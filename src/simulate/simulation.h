@@ -251,7 +251,7 @@ YkMotion yk_simulation_gap(const YkSimulation *sim, size_t cam); // above 0 off 
 // Returns whether this cam can lose its follower, and has not.
 bool yk_simulation_is_loose(const YkSimulation *sim, size_t cam);
 double yk_simulation_pull(YkSimulation *sim,
-                          size_t cam); // above 0 if it would have to pull; 0 where forces are unknown
+                          size_t cam); // above 0 if it would have to pull; 0 if forces are unknown
 bool yk_simulation_lift_off(YkSimulation *sim, size_t cam); // at the pose that stands; false on failure
 bool yk_simulation_open_touching(YkSimulation *sim);        // before an impact: all cams, those that touch are marked
 bool yk_simulation_close_touching(YkSimulation *sim);       // after it: those from which the follower does not part

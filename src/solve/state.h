@@ -55,7 +55,7 @@ struct YkState {
     bool has_pose, has_rates;
     bool
         is_regular; // only the kept equations are singular, or nearly: pose and rates come from all loops (all_loops.c)
-    double *all_loops; // room for that; NULL where it cannot be
+    double *all_loops; // room for that; NULL if it cannot be
     bool
         is_clear; // a change point is close, and rates that rounding would spoil come from poses beside it (sweep/blur.c)
     bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it

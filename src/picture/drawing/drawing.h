@@ -147,7 +147,7 @@ YkStretch yk_drawing_stretch(const YkDrawing *drawing, const YkJoint *joint);
 void yk_drawing_rods(YkDrawing *drawing, const YkFrame *frames);
 // Draws pitch circles with marks, pulleys and belts, base circles of cams.
 void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames);
-double yk_drawing_pitch_radius(const YkGear *gear, int side); // m; 0 where neither centres nor module are given
+double yk_drawing_pitch_radius(const YkGear *gear, int side); // m; 0 if neither centres nor module are given
 // Raises `reach` to the largest radius of the body's wheels about its origin, m.
 void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach);
 // Visits all wheels of one body; `see` gets the centre (m), the radius (m) and whether it is a cam's base circle.

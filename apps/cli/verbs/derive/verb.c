@@ -9,7 +9,7 @@
 
 enum { SECTIONS_MAX = 32 };
 
-// YK_NOT_FOUND where there is none of this name.
+// YK_NOT_FOUND if there is none of this name.
 static size_t find_section(const char *name, size_t length)
 {
     for (size_t k = 0; k < yk_derivation_section_count(); k++) {
