@@ -25,7 +25,7 @@ typedef struct YkPace {
 bool yk_pace_begin(YkPace *pace, YkProgress progress);
 // Begins a stage of the call, between two shares of it.
 void yk_pace_stage(YkPace *pace, double from, double to);
-// Tells which part of the stage is done; the caller learns of it when it is asked next.
+// Notes which part of the stage is done; the caller learns of it when it is asked next.
 void yk_pace_reach(YkPace *pace, double part);
 bool yk_pace_ask(YkPace *pace); // asks, whatever was counted
 

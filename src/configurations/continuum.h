@@ -26,7 +26,7 @@ typedef struct YkContinua {
 // unknowns, has any: its continua are not looked for.
 bool yk_continua_start(YkContinua *continua, const YkMechanism *mech);
 void yk_continua_end(YkContinua *continua);
-// Tells the continuum of a state's pose; of dimension 0 if none is found. *is_new: no pose of the same continuum was
+// Finds the continuum of a state's pose; of dimension 0 if none is found. *is_new: no pose of the same continuum was
 // asked for since it was cleared (kept = 0). Returns false when out of memory.
 // Cost: some hundred factorisations of all equations at a singular pose, one at any other.
 bool yk_continuum_at(YkContinua *continua, const YkState *state, YkContinuum *continuum, bool *is_new);

@@ -13,8 +13,8 @@
 enum { YK_ELIMINATION_LOOPS_MAX = 4, YK_ELIMINATION_MOST = 70 }; // C(8, 4)
 
 // Writes candidates for the solutions with these coefficients, solutions[YK_ELIMINATION_MOST][unknowns], not yet
-// improved: some may be none. `attempt`, below shape->unknowns, tells which unknown is hidden: solutions in which it
-// has equal values are not told apart, and another attempt may find them. Returns false when out of memory; *count is 0
+// improved: some may be none. `attempt`, below shape->unknowns, says which unknown is hidden: solutions in which it
+// has equal values are not separated, and another attempt may find them. Returns false when out of memory; *count is 0
 // where this attempt cannot be made. Cost about 20 n^3 with n up to 6, 20, 70 for 2, 3, 4 loops, and as much to
 // combine.
 bool yk_eliminate(const YkShape *shape, const YkVec *coefficients, size_t attempt, YkVec *solutions, size_t *count);

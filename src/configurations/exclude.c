@@ -254,7 +254,7 @@ static void read_at(Search *s, const double *x)
     for (size_t r = 0; r < s->g->relations; r++) read_relation(s, r, &point, &nearest);
 }
 
-// Finds the pose that is alone in a box, by Newton's method for the equations that prove that. Tells by how much these
+// Finds the pose that is alone in a box, by Newton's method for the equations that prove that. Says by how much these
 // miss there, and by how much all do if there are more.
 static void polish(Search *s, const Box *box, double *x, double *miss, double *all)
 {

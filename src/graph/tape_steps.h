@@ -153,7 +153,7 @@ void yk_tape_run_rare(const YkTape *tape, const YkTapeCall *calls, double *const
 // tape_one.c: makes the operations of one lane from those on rows, once these are placed. Returns false when out of
 // memory.
 bool yk_tape_make_one(YkTape *tape, YkArena *work);
-// Tells the operations where a pose stands, whose numbers are leaves; NULL: these have numbers of their own.
+// Gives the operations the address of a pose whose numbers are leaves; NULL: these have numbers of their own.
 void yk_tape_read_pose(YkTape *tape, const double *pose);
 // Takes the values that depend on parameters alone.
 void yk_tape_prepare_one(YkTape *tape);

@@ -17,7 +17,7 @@ static const char *const lost_energy = "the balance of energy is off by more tha
                                        "singular position on, or where the steps "
                                        "are too coarse, this is not the machine's motion";
 
-// Counts the pose that stands, (t, y). Returns false if energy was lost.
+// Counts the present pose, (t, y). Returns false if energy was lost.
 static bool count(YkSimulation *sim, const double *y)
 {
     memcpy(sim->work, y + 2 * sim->free_count, sim->work_count * sizeof *sim->work);

@@ -266,7 +266,7 @@ static void look_at_cams(YkSimulation *sim, bool *ok)
 
 // --- laws whose range is left
 
-// Notes it with the argument at the pose that stands.
+// Notes it with the argument at the present pose.
 static void note_law(YkSimulation *sim, const YkLawUse *use, double t)
 {
     yk_simulation_note(sim, YK_HAPPENING_LAW_LEFT, t, use->told.name, argument_here(sim, use));

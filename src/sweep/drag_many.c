@@ -7,7 +7,7 @@
 enum { STEPS_MAX = 300 };
 static const double STEP_MAX = 8 * YK_PI / 180, STILL = 1e-10; // rad, or sizes of the machine
 
-// What the point and the worst block do for a unit rate of each input, at the pose that stands. False if the rates
+// What the point and the worst block do for a unit rate of each input, at the present pose. False if the rates
 // are not known.
 static bool find_rates(YkDrag *d)
 {

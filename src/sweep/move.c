@@ -20,7 +20,7 @@ typedef struct Mover {
     double from, to, part; // of the present walk; the part that was reported last
 } Mover;
 
-// Tells those who watch how much of the way is done.
+// Reports how much of the way is done to those who watch.
 static bool ask(void *context, double at)
 {
     Mover *m = context;

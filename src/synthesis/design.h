@@ -38,7 +38,7 @@ typedef struct YkDesign {
 typedef struct YkJourney {
     const YkTask *task;        // NULL for a machine that no task asked for, which then has:
     const YkModel *sheet;      // its units
-    const char *name, *origin; // its name, and a comment that tells where it comes from
+    const char *name, *origin; // its name, and a comment on where it comes from
     double *input;             // [count] absolute angles, each reached from the one before by moving straight, rad
     size_t count;
     bool turns;                // goes round as a whole

@@ -49,7 +49,7 @@ struct YkDrawing {
     double fixed_scale;                // px per metre, for whoever shows it; 0: as large as the page allows
 };
 
-// Tells whether a joint is not drawn: a free joint, which holds nothing, and what holds a sketch's loose bodies.
+// Returns whether a joint is not drawn: a free joint, which holds nothing, or one that holds a sketch's loose bodies.
 static inline bool yk_drawing_omits(const YkModel *model, const YkJoint *joint)
 {
     return joint->is_free || (size_t)(joint - model->joints) >= model->joint_count - model->held_joints;

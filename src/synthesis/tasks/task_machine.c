@@ -11,7 +11,7 @@ static void place_beside(const YkLoader *loader, const char *file, YkText *path)
     yk_text_puts(path, file);
 }
 
-// Tells the first mistake of the machine's own file at the place where the task names it.
+// Reports the first mistake of the machine's own file at the place where the task names it.
 static void tell_machine(YkTaskReader *reader, const YkNode *node, const YkProblems *own)
 {
     const YkProblem *why = NULL;

@@ -87,8 +87,8 @@ static int find_pose(YkSession *session, bool *has_forces)
     return yk_status_exit(status);
 }
 
-// The page as it comes. A short one stays in session->out; of a longer one what stands there goes on at once, so that a
-// large machine needs no memory for the whole. A file appears whole or not at all.
+// The page as it comes. A short one stays in session->out; the contents of a longer one are passed on at once, so that
+// a large machine needs no memory for the whole. A file appears whole or not at all.
 typedef struct Output {
     YkSession *session;
     YkStream stream;
