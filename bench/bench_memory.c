@@ -12,7 +12,7 @@ static const double MOST = 256; // bytes a link
 // --- measured
 // -----------------------------------------------------------------------------------------------------------
 
-// Bytes in pages touched since the marks were cleared; negative where the system does not tell.
+// Bytes in pages touched since the marks were cleared; negative if the system does not say.
 static double touched(void)
 {
     FILE *file = fopen("/proc/self/smaps", "r");

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// Progress goes to a terminal, and here is none.
+// Progress goes to a terminal, and there is none here.
 int fprintf(FILE *file, const char *format, ...)
 {
     (void)file, (void)format;
