@@ -1,4 +1,4 @@
-// What `yoke code` prints, as values: for every example they are the engine's, at the file's parameters and at others.
+// The values that `yoke code` prints: for every example they are the engine's, at the file's parameters and at others.
 //
 // The calls among the values are worked out here: linear equations, Newton's method on a group, laws, dry friction.
 #include <stdlib.h>
