@@ -5,7 +5,7 @@
 
 enum { VERB_COLUMN = 12, OPTION_COLUMN = 28, WIDTH = 100 };
 
-// What an option takes and means for certain verbs, where that differs from its entry in the table of options.
+// The value and the meaning of an option for certain verbs, if they differ from its entry in the table of options.
 typedef struct Special {
     const char *option, *verbs, *value, *help;
 } Special;

@@ -1,4 +1,4 @@
-// What a batch offers to later rooms.
+// The functions of a batch for later rooms.
 #ifndef BATCH_BATCH_H
 #define BATCH_BATCH_H
 #include <yoke/batch.h>

@@ -103,7 +103,7 @@ YK_INLINE bool chain_write(const ChainLink *link, size_t links, const YkTreeRows
     return is_finite;
 }
 
-// What a pass over lanes must bear with.
+// The cases for which a pass over lanes must be prepared.
 typedef enum ChainCare {
     CHAIN_NEAR, // angles within the range of the near reduction
     CHAIN_FAR,  // any angle

@@ -93,7 +93,7 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
             A = shown_to(link, i);
             yk_articulated_add_body(&A, mass, moment, own, w);
         }
-        // What lies behind the pin: see tree_pins.c.
+        // For the inertia behind the pin see tree_pins.c.
         double behind = own + (has_children ? link->least[i] : 0), out = mass + (has_children ? link->mass_out[i] : 0);
         double now = ((mass > least_mass) & (inertia >= 0)) ? ok[i] : -1;
         ok[i] = ((A.J > YK_LEAST_PIVOT * behind) | (now < 0)) ? now : 0;

@@ -9,7 +9,7 @@
 
 typedef struct YkTape YkTape;
 
-// What the graph's calls of laws mean: result = value, first and second derivative.
+// The meaning of the graph's calls of laws: result = value, first and second derivative.
 typedef struct YkTapeLaws {
     const void *context;
     void (*evaluate)(const void *context, int32_t law, double argument, double result[3]);

@@ -95,7 +95,7 @@ static double plain_value(const YkExpr *expr)
     return expr->kind == YK_EXPR_NEGATE ? -plain_value(expr->a) : expr->number * expr->value_scale;
 }
 
-// What `name` means in one value alone, while its names are replaced.
+// The meaning of `name` in one value alone, while its names are replaced.
 typedef struct Meaning {
     YkLoader *loader;
     const YkOwnName *own;

@@ -7,8 +7,8 @@
 enum { STEPS_MAX = 300 };
 static const double STEP_MAX = 8 * YK_PI / 180, STILL = 1e-10; // rad, or sizes of the machine
 
-// What the point and the worst block do for a unit rate of each input, at the present pose. False if the rates
-// are not known.
+// Finds the motion of the point and of the worst block for a unit rate of each input, at the present pose. Returns
+// false if the rates are not known.
 static bool find_rates(YkDrag *d)
 {
     YkState *s = d->state;

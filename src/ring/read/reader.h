@@ -1,4 +1,4 @@
-// What the files that read expressions share. For use inside ring/ only.
+// Shared by the files that read expressions. For use inside ring/ only.
 #ifndef RING_READ_READER_H
 #define RING_READ_READER_H
 #include "ring/inside.h"

@@ -1,4 +1,4 @@
-// What the command takes from printf's formats, without the rest of them, which would be a hundredth of panels.wasm.
+// The formats of printf that the command uses; the others would be a hundredth of panels.wasm.
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>

@@ -18,7 +18,7 @@ typedef struct YkMoments {
     double mean, deviation, least, largest;
 } YkMoments;
 
-// What is known of all rows so far: it is gathered as they come, since they need not stay in memory.
+// Figures of all rows so far, gathered as they come, since they need not stay in memory.
 typedef struct YkStudySum {
     YkMoments *moments;                              // [answer]; the deviation is a sum of squares
     size_t statuses[YK_SINGULAR - YK_NO_MEMORY + 1]; // designs with this status
@@ -87,7 +87,7 @@ void yk_study_show(YkStudyAnswer *answer, bool is_last);
 
 // spread.c: computes them on all ranks of mpirun (ranks.h). Returns false with a problem added.
 bool yk_study_spread(YkStudyAnswer *answer);
-// What ranks other than 0 do, whether the study could be read or not. Returns the exit code.
+// Does the work of a rank other than 0, whether the study could be read or not. Returns the exit code.
 int yk_study_serve(YkStudyAnswer *answer, bool is_read);
 
 // why.c: if designs make no machine, says why the first of them does not, as a hint to the last problem.
