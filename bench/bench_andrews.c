@@ -94,7 +94,7 @@ static void run_by_simulation(Machine *m, double tolerance, Run *run, size_t rou
     }
 }
 
-// The cheapest run whose error is small enough: its ms; infinite where there is none.
+// The cheapest run whose error is small enough: its ms; infinite if there is none.
 static double cheapest(Run *runs)
 {
     double best = INFINITY;

@@ -1,6 +1,7 @@
-// What one right-hand side touches, in bytes a link: hanging chains (the way of open trees) and N parallelograms.
-// Counted array by array, and measured by the machine's own pages (Linux): all marks "touched" are cleared, one
-// right-hand side runs, the marks are summed. Pages hold more than what is read, so the measure is an upper bound.
+// The memory that one right-hand side touches, in bytes per link: hanging chains (the way of open trees) and N
+// parallelograms. Counted array by array, and measured by the machine's own pages (Linux): all marks "touched" are
+// cleared, one right-hand side runs, the marks are summed. Pages hold more than what is read, so the measure is an
+// upper bound.
 #include <stdlib.h>
 #include <string.h>
 #include "dynamics/dynamics.h"
@@ -12,7 +13,7 @@ static const double MOST = 256; // bytes a link
 // --- measured
 // -----------------------------------------------------------------------------------------------------------
 
-// Bytes in pages touched since the marks were cleared; negative where the system does not tell.
+// Bytes in pages touched since the marks were cleared; negative if the system does not say.
 static double touched(void)
 {
     FILE *file = fopen("/proc/self/smaps", "r");

@@ -12,7 +12,7 @@
 
 enum { CHUNK = 1024, CHUNKS = 977, POSES = CHUNK * CHUNKS, ROUNDS = 5 };
 
-// What all ways share: crank angles over half a turn, and rows of 12 outputs that stay in cache.
+// Shared by all ways: crank angles over half a turn, and rows of 12 outputs that stay in cache.
 typedef struct Bench {
     double *theta1;
     double *out[NOUT];

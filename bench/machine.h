@@ -1,4 +1,4 @@
-// What every bench of dynamics needs: a machine from its text or file, and medians over rounds.
+// Shared by the benches of dynamics: a machine from its text or file, and medians over rounds.
 #ifndef BENCH_MACHINE_H
 #define BENCH_MACHINE_H
 #include <stdio.h>
@@ -27,6 +27,7 @@ YkSimulation *machine_simulate(Machine *machine, double tolerance, double horizo
 char *chain_text(size_t rods); // hanging, of 1 m and 1 kg, pins J0, J1, ...
 char *arm_text(size_t links);  // a chain whose every link has parameters of its own: length, centre, mass, inertia
 char *n_four_bar_text(size_t loops); // rods of 1 m and 1 kg, upright, turning clockwise at 1 rad/s
-char *separate_loops_text(size_t loops); // four-bars beside each other, each swinging from a pose and at a rate of its own
+char *
+separate_loops_text(size_t loops); // four-bars beside each other, each swinging from a pose and at a rate of its own
 
 #endif

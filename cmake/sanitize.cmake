@@ -1,7 +1,7 @@
 # The address and undefined-behaviour sanitizers. The tests start thousands of programs, so what each start, end and link costs counts.
-# A null pointer and a place outside an object are found by the address sanitizer as soon as they are used: checked a second time they
-# would cost a tenth of the stage. What wraps around in an address and what stands at an odd one costs 40 % of the compiler's time, and
-# is left to `sh tools/test full` and to the preset `fuzz`.
+# The address sanitizer finds a null pointer and a place outside an object as soon as they are used: to check them a second time
+# would cost a tenth of the stage. The checks of addresses that wrap around or are not aligned cost 40 % of the compiler's time, and
+# are left to `sh tools/test full` and to the preset `fuzz`.
 option(YOKE_SANITIZE_EVERY "Check the arithmetic and the alignment of addresses, too" ${YOKE_FUZZ})
 set(unchecked null,object-size)
 if(NOT YOKE_SANITIZE_EVERY)

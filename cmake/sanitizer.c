@@ -1,6 +1,6 @@
-// What every program under the address sanitizer tells it.
+// Settings that every program under the address sanitizer gives it.
 //
-// The leak checker shall search the data of the program and of its libraries, but not the sanitizer's own 10 MB of tables, which
+// The leak checker is to search the data of the program and of its libraries, but not the sanitizer's own 10 MB of tables, which
 // take 50 ms at the end of every program. These data, registered here as roots, are all that it would have searched otherwise.
 #define _GNU_SOURCE
 #include <link.h>
@@ -13,7 +13,7 @@ const char *__lsan_default_options(void)
     return "use_globals=0";
 }
 
-// A request that malloc rightly refuses is none to stop at.
+// A request that malloc rightly refuses must not stop the program.
 const char *__asan_default_options(void);
 const char *__asan_default_options(void)
 {

@@ -73,7 +73,7 @@ set_target_properties(panels PROPERTIES SUFFIX .wasm)
 yoke_warnings(panels)
 yoke_shrink(panels)
 
-# What a page needs to draw and to move: flat functions and no imports. Memory has an end, so that running out is told.
+# The module with which a page draws and moves: flat functions and no imports. Its memory is limited, so that running out is reported.
 set(core ${door} web/core/small/still.c)
 list(FILTER core EXCLUDE REGEX "/(curves|forces|simulate)[.]c$")
 add_executable(core ${core})

@@ -1,4 +1,4 @@
-"""Builds the wheel: everything but the extension module and the version stands in pyproject.toml."""
+"""Builds the wheel; all but the extension module and the version is in pyproject.toml."""
 import os
 import re
 import sys
@@ -13,7 +13,7 @@ from build_native import INCLUDE  # noqa: E402
 
 
 class StableWheel(bdist_wheel):
-    """Names the wheel for every Python from 3.9: the module uses the stable interface alone."""
+    """Names the wheel for every Python from 3.9, since the module uses only the stable interface."""
 
     def get_tag(self):
         _, _, platform = super().get_tag()

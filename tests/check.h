@@ -1,4 +1,4 @@
-// What every test needs: cmocka, one tolerance helper, one seeded random generator.
+// Shared by all tests: cmocka, one tolerance helper, one seeded random generator.
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H
 #include <math.h>

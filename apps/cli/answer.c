@@ -1,4 +1,4 @@
-// What the answers of all verbs share.
+// Shared by the answers of all verbs.
 #include "answer.h"
 #include <math.h>
 #include "solve/state.h"

@@ -1,4 +1,4 @@
-// What the answers of all verbs share: how a status is reported, how a number is shown, how JSON begins.
+// Shared by the answers of all verbs: how a status is reported, how a number is shown, how JSON begins.
 #ifndef CLI_ANSWER_H
 #define CLI_ANSWER_H
 #include "cli.h"

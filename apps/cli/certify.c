@@ -58,7 +58,7 @@ void yk_certify_warn(YkSession *session)
     yk_text_free(&place);
 }
 
-// Tells the first step that is not proved, and why.
+// Names the first step that is not proved, and says why.
 static void add_reason(const YkMotionCertificate *found, YkJson *json)
 {
     bool has_place = found->input >= 0;

@@ -135,7 +135,7 @@ int yk_run_map(YkSession *session);
 int yk_run_balance(YkSession *session);
 
 // Returns whether a request for memory was refused since the start, anywhere in the program (watch.c); always false
-// if the linker cannot tell.
+// if the linker does not say.
 bool yk_memory_ran_out(void);
 // Prints a list of problems on standard error; with --quiet, only if there is an error among them. NULL: there was
 // no memory for a list. A verb that returns YK_EXIT_WRONG without a report ran out of memory, and main says so.

@@ -1,4 +1,4 @@
-// Columns: what --of asks for, by name.
+// Columns: the quantities that --of names.
 #ifndef CLI_COLUMNS_H
 #define CLI_COLUMNS_H
 #include "cli.h"

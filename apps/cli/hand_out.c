@@ -1,4 +1,5 @@
-// Gives out pieces on demand and takes them in order, so that what follows from a piece is decided as by one process.
+// Gives out pieces on demand and takes them in order, so that the consequences of a piece are decided as in one
+// process.
 #include "hand_out.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-// Warns where a lock holds a coordinate at 0, since `start:` gives it no value, though gears, racks or belts put it
-// elsewhere: what stands on it is then not where the machine without the lock has it.
+// Warns if a lock holds a coordinate at 0, because `start:` gives it no value, although gears, racks or belts put it
+// elsewhere: parts on it then stand elsewhere than in the machine without the lock.
 #include "held_places.h"
 #include <math.h>
 #include <string.h>

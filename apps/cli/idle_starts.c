@@ -1,4 +1,4 @@
-// Warns where `start:` and a drive give a coordinate two values: the drive's holds, from the start on.
+// Warns if `start:` and a drive give a coordinate two values: the drive's counts, from the start on.
 #include "idle_starts.h"
 #include <math.h>
 #include "answer.h"

@@ -7,7 +7,7 @@
 #include "session.h"
 #include "stop.h"
 
-// Several ranks would all do the same: only some verbs share their work among them, and rank 0 alone tells the rest.
+// Several ranks would all do the same: only some verbs share their work among them, and only rank 0 refuses the rest.
 static bool shares_work(const YkRequest *request)
 {
     return request->verb->run == yk_run_study || request->verb->run == yk_run_synthesize ||

@@ -33,12 +33,12 @@ bool yk_ranks_is_first_here(void);        // whether this is the first rank on i
 // Loads the plugin and begins to speak. Returns false with a problem added.
 bool yk_ranks_begin(YkSession *session);
 void yk_ranks_end(void);
-// Returns the plugin's version and that of its libraries, "0.1.0, Open MPI v4.1.4"; NULL where it is not installed.
+// Returns the plugin's version and that of its libraries, "0.1.0, Open MPI v4.1.4"; NULL if it is not installed.
 const char *yk_ranks_plugin(void);
 
-// Ranks other than 0 tell nothing themselves: from now on what is written to standard error is kept back.
+// Ranks other than 0 print nothing themselves: from now on their standard error is kept back.
 void yk_ranks_hush(void);
-// Waits a second. mpirun ends all ranks when one of them fails: the others wait so that rank 0 can tell why.
+// Waits a second. mpirun ends all ranks when one of them fails: the others wait so that rank 0 can say why.
 void yk_ranks_linger(void);
 // Returns what was kept back, in text[size]; standard error is itself again.
 void yk_ranks_unhush(char *text, size_t size);

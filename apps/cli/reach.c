@@ -1,4 +1,4 @@
-// Moves the machine from the pose in which it was assembled to the one that was asked for.
+// Moves the machine from the pose in which it was assembled to the requested one.
 #include "reach.h"
 #include <stdlib.h>
 #include "answer.h"
@@ -164,7 +164,7 @@ static YkStatus enter(YkSession *session, const YkState *start)
 static YkStatus stand(YkSession *session, const YkState *start, YkStatus status)
 {
     if (status >= 0) return enter(session, start);
-    const char *why = yk_state_report(start)->message; // empty where a drive has no value, which its problem tells
+    const char *why = yk_state_report(start)->message; // empty if a drive has no value, which a problem reports
     yk_text_format(&session->reach_message, "at the pose of `start:`, %s",
                    *why ? why : "a drive has no value, rate or acceleration");
     return status;

@@ -1,4 +1,4 @@
-// Takes configurations by name: --assembly LABEL, nearest or K; and tells which of several is the machine's own.
+// Takes configurations by name: --assembly LABEL, nearest or K; and finds which of several is the machine's own.
 #include <stdlib.h>
 #include <string.h>
 #include "answer.h"

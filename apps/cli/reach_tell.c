@@ -148,7 +148,7 @@ void yk_reach_tell(YkSession *session, YkStatus status)
 {
     YkText hint = {0};
     if (session->request->assembly && yk_text_has_some(&session->reach_message))
-        return; // told, with the names that there are
+        return; // reported, with the names that exist
     yk_tell_status(session, status, yk_reach_message(session));
     YkState *asked = status == YK_LIMIT || status == YK_STOPPED ? asked_state(session) : NULL;
     if (!asked || session->request->assembly) {

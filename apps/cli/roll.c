@@ -1,4 +1,4 @@
-// Enumerates and names the configurations at the asked pose, for as long as --within allows.
+// Enumerates and names the configurations at the requested pose, for as long as --within allows.
 #include "roll.h"
 #include <stdlib.h>
 #include <string.h>

@@ -16,9 +16,9 @@ YkStatus yk_session_each(YkSession *session, YkState *state, bool (*visit)(void 
                          void *context, YkConfigurationsReport *report);
 // Returns the continuum that the configuration being visited stands for, or NULL.
 const YkContinuum *yk_session_continuum(const YkSession *session);
-// Reads --within, s; 0 without it. Returns false, with the reason told, for a bad value or without --all.
+// Reads --within, s; 0 without it. Returns false, with a problem, for a bad value or without --all.
 bool yk_roll_within(YkSession *session, double *seconds);
-// Reads --solver. Returns false, with the reason told, for another word or without --all.
+// Reads --solver. Returns false, with a problem, for another word or without --all.
 bool yk_roll_solver(YkSession *session, YkGroupSolver *solver);
 // Frees what the session keeps of configurations.
 void yk_roll_end(YkSession *session);

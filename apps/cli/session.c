@@ -57,7 +57,7 @@ static void add_name(const char **names, size_t *count, const char *name)
     names[(*count)++] = name;
 }
 
-// Makes places that problems tell places in the model file.
+// Makes the places of problems places in the model file.
 static void name_file(const YkSession *session, YkProblems *problems)
 {
     const char *text = yk_model_text(session->model);
@@ -406,7 +406,7 @@ bool yk_session_has_forces(YkSession *session)
 
 bool yk_session_has_memory(YkSession *session)
 {
-    (void)yk_words_of_problems(session, session->problems); // they are made now, and told later
+    (void)yk_words_of_problems(session, session->problems); // they are made now, and printed later
     session->ran_out |= yk_memory_ran_out() || session->out.failed || yk_problems_ran_out(session->problems);
     return !session->ran_out;
 }

@@ -1,4 +1,4 @@
-// Signatures of what was asked.
+// Signatures of requests.
 #include "signature.h"
 #include <errno.h>
 #include <stdio.h>

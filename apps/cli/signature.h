@@ -1,4 +1,4 @@
-// Signatures: numbers by which runs tell whether they were asked the same. FNV-1a over all that decides an answer.
+// Signatures: numbers that show whether two runs have the same request. FNV-1a over all that decides an answer.
 #ifndef CLI_SIGNATURE_H
 #define CLI_SIGNATURE_H
 #include <stdint.h>

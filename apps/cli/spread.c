@@ -100,7 +100,7 @@ void yk_spread_say_lost(YkSpreadReason reason)
     yk_ranks()->send(0, YK_SPREAD_LOST, &word, sizeof word);
 }
 
-// What is asked is dropped once this rank has failed.
+// Requests are dropped once this rank has failed.
 void yk_spread_serve(bool (*compute)(void *context, YkSpreadWork work), void *context)
 {
     bool good = true;

@@ -1,4 +1,4 @@
-// What verbs say where a pose lies beyond a stop of the file (`stops:`): only `simulate` lets stops act.
+// A warning for poses beyond a stop of the file (`stops:`): only `simulate` lets stops act.
 #ifndef CLI_STOPS_PASSED_H
 #define CLI_STOPS_PASSED_H
 #include "cli.h"

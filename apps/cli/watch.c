@@ -1,6 +1,6 @@
 // Watches memory by the linker: every request of the command and of the library in it passes through here, and a
 // refusal is remembered. The library itself says where it ran out of memory; this is a second way to know, so that the
-// command never gives out an answer of which a part might be missing.
+// command never gives out an answer that may lack a part.
 #include <stdatomic.h>
 #include <stdlib.h>
 #include "cli.h"

@@ -83,7 +83,7 @@ static inline void rates(const Turns *t, double crank, const double *r, double *
     x[6] = (p3 * ry - q3 * rx) * over;
 }
 
-// What the loops' equations leave when all accelerations are 0.
+// The rest of the loops' equations when all accelerations are 0.
 static inline void bias(const Turns *t, const double *v, double *g)
 {
     double b2 = v[0] * v[0], bt = (v[0] + v[1]) * (v[0] + v[1]), pd = (v[3] + v[4]) * (v[3] + v[4]);

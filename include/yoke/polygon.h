@@ -11,9 +11,9 @@ extern "C" {
 
 typedef enum YkPolygonKind { YK_POLYGON_VELOCITY, YK_POLYGON_ACCELERATION } YkPolygonKind;
 
-// What a vector is. A point of a link moves relative to another one of the same link by turning about it: across the
-// line between them, and, for accelerations, also along it. Where a body slides on another, the point that slides moves
-// relative to the point of the other body that lies under it.
+// The kinds of vectors. A point of a link moves relative to another one of the same link by turning about it: across
+// the line between them, and, for accelerations, also along it. If a body slides on another, the point that slides
+// moves relative to the point of the other body that lies under it.
 typedef enum YkPolygonPart {
     YK_POLYGON_TURNING,    // velocity: rate times distance, across the line between both points
     YK_POLYGON_NORMAL,     // acceleration: rate^2 times distance, towards the other point

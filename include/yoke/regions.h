@@ -93,8 +93,8 @@ YK_API YkRegion yk_regions_region(const YkRegions *regions, size_t region); // a
 // Its corners lie on the curves to about 1e-5 of the tolerance, except where curves meet: there, to the tolerance.
 // Neighbours share their corners. NULL for a wrong index.
 YK_API const double *yk_regions_outline(const YkRegions *regions, size_t region, size_t outline, size_t *count);
-// What bounds a region: a block, whose configurations meet there, or the domain's edge; and over which part of the
-// region's outlines, the largest first.
+// A bound of a region: a block, whose configurations meet there, or the domain's edge; and its part of the region's
+// outlines. The largest comes first.
 typedef struct YkRegionBound {
     int block; // -1: the domain's edge
     double part;

@@ -33,8 +33,8 @@ YK_API size_t yk_rest_count(const YkRest *rest);
 // Returns whether all circuits were searched: only two equilibria of one circuit, less than about 0.05 rad apart, can
 // then have been missed. Otherwise there may be others.
 YK_API bool yk_rest_is_complete(const YkRest *rest);
-// Returns whether the loads of a machine with one freedom, which turns fully, are others a turn later, as those of
-// torsional springs are: only one turn was searched.
+// Returns whether the loads of a machine with one freedom, which turns fully, differ a turn later, as those of
+// torsional springs do: only one turn was searched.
 YK_API bool yk_rest_is_wound(const YkRest *rest);
 YK_API const YkMechanism *yk_rest_mechanism(const YkRest *rest);
 YK_API size_t yk_rest_freedom(const YkRest *rest);         // f, the number of free inputs

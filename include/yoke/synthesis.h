@@ -134,7 +134,7 @@ struct YkCandidate {
     size_t circuits;
     double pivots[2][2]; // of the ground: input's, output's, m
     double lengths[4];   // ground, input, coupler, output, m
-    double offset;       // slider-crank: of the slider's line from the input's pivot, to the left of the line, m;
+    double offset;       // slider-crank: of the slider's line from the input's pivot, positive to its left, m;
                          // inverted: of the output's pivot from the coupler's line; others: NaN
     double point[2];     // coupler point in the coupler's axes: x along the coupler from the input side, m
     int dyads[2];        // those of the input and of the output side; -1: none
@@ -142,7 +142,7 @@ struct YkCandidate {
 };
 YK_API size_t yk_synthesis_count(const YkSynthesis *synthesis);
 YK_API YkCandidate yk_synthesis_candidate(const YkSynthesis *synthesis, size_t index); // best first
-// What was left out: how many for a reason, and each of them (at most 10,000 are kept).
+// The machines that were left out: how many for a reason, and each of them (at most 10,000 are kept).
 YK_API size_t yk_synthesis_left_out(const YkSynthesis *synthesis, YkDefect reason);
 YK_API size_t yk_synthesis_defect_count(const YkSynthesis *synthesis);
 YK_API YkCandidate yk_synthesis_defect(const YkSynthesis *synthesis, size_t index);

@@ -49,7 +49,7 @@ YK_API const char *yk_train_message(const YkTrain *train);     // one sentence; 
 YK_API int yk_train_freedom(const YkTrain *train);             // under the lock, before any drive
 YK_API const char *yk_train_lock(const YkTrain *train);        // NULL: none
 
-// What turns the train: the drives or, without any, one turn of the body `in`.
+// An input, which turns the train: a drive or, without any, one turn of the body `in`.
 typedef struct YkTrainInput {
     const char *name; // of the coordinate or body
     bool is_unit;     // no drive: speeds are per turn of this body

@@ -3,8 +3,8 @@
     python3 build_native.py OUTPUT.c     writes its C source, for CMake
     setup.py takes `ffibuilder`          for wheels
 
-The declarations come from include/yoke, so that the module knows every public function; the C compiler compares
-each of them with the header once more.
+The declarations come from include/yoke, so the module has every public function; the C compiler compares each of
+them with the header again.
 """
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def headers() -> list[Path]:
 
 
 def declarations(header: Path) -> str:
-    """Returns what cffi can read of a header: without comments, preprocessor lines and inline functions."""
+    """Returns the part of a header that cffi can read: no comments, preprocessor lines or inline functions."""
     text = re.sub(r"//[^\n]*", "", header.read_text())
     text = re.sub(r"^\s*#[^\n]*(\\\n[^\n]*)*", "", text, flags=re.M)
     text = re.sub(r'extern "C" \{(.*)\}', r"\1", text, flags=re.S)
@@ -37,7 +37,7 @@ def declarations(header: Path) -> str:
 
 
 def included(header: Path) -> list[Path]:
-    """Returns a header's own headers, itself last."""
+    """Returns a header and those that it includes, itself last."""
     found: list[Path] = []
     for name in re.findall(r"#include <yoke/(\w+\.h)>", header.read_text()):
         found += [h for h in included(INCLUDE / "yoke" / name) if h not in found]

@@ -66,7 +66,7 @@ void yk_host_read(const YkState *state, const YkDynamics *dynamics, const YkChan
 
 void yk_host_blank_rates(YkSweep *sweep, const YkChannel *channels, size_t count)
 {
-    double *rows = (double *)(size_t)yk_sweep_rows(sweep); // nobody else reads this sweep
+    double *rows = (double *)(size_t)yk_sweep_rows(sweep); // no other code reads this sweep
     for (size_t row = 0; row < yk_sweep_row_count(sweep); row++) {
         if (yk_sweep_row_status(sweep, row) != YK_SINGULAR) continue;
         for (size_t c = 0; c < count; c++)

@@ -1,8 +1,8 @@
 // Loops over the library's calls that would be slow in Python, and the ways from C back into Python.
-// cffi reads this file too: only declarations that it knows.
+// cffi reads this file too, so it has only declarations that cffi understands.
 #include <yoke/yoke.h>
 
-// Asks Python whether a long call may go on, at most every 20 ms: Ctrl-C, a progress bar.
+// Asks Python, at most every 20 ms, whether a long call may go on: for Ctrl-C and a progress bar.
 bool yk_host_goes_on(void *context, double part);
 YkProgress yk_host_progress(void);
 
@@ -12,8 +12,8 @@ YkStatus yk_host_reach(YkState *state, const YkState *entry, const YkInputHold *
 
 // Writes NaN over the rates of rows at dead points, where they are undefined.
 void yk_host_blank_rates(YkSweep *sweep, const YkChannel *channels, size_t count);
-// Reads channels of a state; rates that are undefined are NaN, accelerations too without has_accelerations. Forces come
-// from `dynamics`; without it they are NaN.
+// Reads channels of a state. Undefined rates are NaN; so are accelerations without has_accelerations, and forces
+// without `dynamics`.
 void yk_host_read(const YkState *state, const YkDynamics *dynamics, const YkChannel *channels, size_t count,
                   bool has_accelerations, double *values);
 
@@ -25,9 +25,9 @@ typedef struct YkHostRows {
     double *rows; // [steps + 1][1 + channels]: the time, then the channels
     size_t done;  // rows written
 } YkHostRows;
-// Advances a simulation from row to row. Returns the status of the last advance; YK_STOPPED where it was told to end.
+// Advances a simulation from row to row. Returns the status of the last advance, YK_STOPPED if it was told to end.
 YkStatus yk_host_simulate(YkSimulation *simulation, YkHostRows *rows);
-// Asks Python as yk_host_goes_on does; context: a double[2], the span of time.
+// Asks Python as yk_host_goes_on does. context: a double[2], the span of time.
 bool yk_host_goes_on_in_time(void *context, double time);
 
 typedef struct YkHostMany {
@@ -47,7 +47,7 @@ YkStatus yk_host_step_many(const YkHostMany *many, size_t begin, size_t end);
 // Draws the values of designs 0 to count - 1 of one parameter.
 void yk_host_draw(const YkDistribution *distribution, uint64_t seed, uint64_t parameter, double *values, size_t count);
 
-// For the bench: the library's own part of `count` calls of solve, and of step.
+// For the bench: makes `count` calls of solve, or of step, without Python's part.
 void yk_host_time_solve(YkState *state, const YkState *entry, YkInputHold *holds, YkMove *move, const double *values,
                         size_t count);
 void yk_host_time_steps(YkSimulation *simulation, double span, size_t count);

@@ -1,4 +1,4 @@
-"""What a pose answers with: motions, forces, and mappings that read them when they are asked for."""
+"""The answers of a pose: motions, forces, and mappings that read each of them on demand."""
 from __future__ import annotations
 
 from typing import Any, Callable, Generic, Iterator, Mapping, NamedTuple, TypeVar
@@ -26,7 +26,7 @@ class PointMotion(NamedTuple):
 
 
 class Reaction(NamedTuple):
-    """What a joint's first body exerts on its second, in world axes, N and N m."""
+    """The force and moment of a joint's first body on its second, in world axes, N and N m."""
 
     by: str
     on: str
@@ -36,7 +36,7 @@ class Reaction(NamedTuple):
 
 
 class Effort(NamedTuple):
-    """The effort along a coordinate, N m or N; `low` and `high` differ where dry friction at rest leaves it open."""
+    """The effort along a coordinate, N m or N; `low` and `high` differ if dry friction at rest leaves it open."""
 
     value: float
     low: float
@@ -51,13 +51,13 @@ class Energy(NamedTuple):
 
 
 class Named(Mapping[str, T], Generic[T]):
-    """Answers by name, each read when it is asked for."""
+    """Answers by name, each read on demand."""
 
     __slots__ = ("_names", "_read", "_kind", "_keep")
 
     def __init__(self, names: Mapping[str, Any], read: Callable[[Any], T], kind: str, keep: object) -> None:
         self._names, self._read, self._kind = names, read, kind
-        self._keep = keep  # the pose, whose memory is used again once it is gone
+        self._keep = keep  # the pose, whose memory is reused once it is gone
 
     def __getitem__(self, name: str) -> T:
         try:

@@ -1,4 +1,4 @@
-"""Arrays from outside: checked once, copied only where they are not contiguous doubles."""
+"""Arrays from outside: checked once, copied only if they are not contiguous doubles."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Mapping, Optional
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def dimensions(value: Any, name: str) -> int:
-    """Returns the number of dimensions of what may be an array."""
+    """Returns the number of dimensions of a value that may be an array."""
     try:
         return int(np.ndim(value))
     except ValueError:
@@ -20,7 +20,7 @@ def dimensions(value: Any, name: str) -> int:
 
 
 def doubles(value: Any, name: str, shape: Optional[tuple[int, ...]] = None) -> "NDArray[np.float64]":
-    """Returns an array of finite doubles, contiguous; refuses other types, shapes and NaN, naming the first.
+    """Returns a contiguous array of finite doubles; refuses other types, other shapes and NaN, and names the first.
 
     Arrays of other real numbers, and those that are not contiguous, are copied.
     """
@@ -44,12 +44,12 @@ def doubles(value: Any, name: str, shape: Optional[tuple[int, ...]] = None) -> "
 
 
 def spread(values: Mapping[str, Any], count: int) -> tuple[dict[str, float], dict[str, "NDArray[np.float64]"]]:
-    """Parts start values that all simulations share from arrays with one for each."""
+    """Separates start values that all simulations share from arrays with one value for each."""
     several = {name: v for name, v in values.items() if not is_pair(v) and dimensions(v, name) > 0}
     arrays = {name: doubles(v, name, (count,)) for name, v in several.items()}
     return {name: v for name, v in values.items() if name not in arrays}, arrays
 
 
 def is_pair(value: Any) -> bool:
-    """Returns whether it is a value with its unit, as (60, "deg")."""
+    """Returns whether it is a value with its unit, such as (60, "deg")."""
     return isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str)

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
     from ._core import Core
 
-SLICE = 1 << 16  # poses a call: Ctrl-C is noticed between two of them
+SLICE = 1 << 16  # poses per call; Ctrl-C is noticed between two calls
 
 
 class Columns(Mapping[str, Any]):
-    """Answers as arrays by name, each contiguous. `status` tells which poses stand: 0 or above."""
+    """Answers as contiguous arrays by name. A pose is valid where `status` is 0 or above."""
 
     def __init__(self, names: list[str], values: "NDArray[np.float64]", status: "NDArray[np.int8]") -> None:
         self.values_, self.status = values, status
@@ -43,7 +43,7 @@ class Columns(Mapping[str, Any]):
         return self.values_
 
     def to_pandas(self) -> Any:
-        """Returns the columns as a pandas.DataFrame; needs pandas."""
+        """Returns the columns as a pandas.DataFrame; requires pandas."""
         import pandas  # type: ignore[import]
 
         return pandas.DataFrame({**self._rows, "status": self.status})

@@ -1,4 +1,4 @@
-"""The builder: a machine made by calls, which say what a model file says."""
+"""The builder: a machine made by calls, with the contents of a model file."""
 from __future__ import annotations
 
 from typing import Any, Mapping, Optional, Sequence, TypeVar, Union
@@ -28,9 +28,9 @@ def scalar(value: Any, name: str) -> str:
 
 
 class Builder(Guarded):
-    """What a machine is made of. Every call returns the machine, so that calls can be chained.
+    """The calls that make a machine. Each returns the machine, so that calls can be chained.
 
-    Numbers are in the machine's own units, SI and radians unless `units` says otherwise; texts are expressions of
+    Numbers are in the machine's own units, SI and radians unless `units` says otherwise; strings are expressions of
     parameters with units, as in a model file: "30 deg", "l1 + l2", "20 rpm * t".
     """
 
@@ -46,7 +46,7 @@ class Builder(Guarded):
             self._builder = ffi.gc(c, lib.yk_builder_free)
 
     def _changed(self) -> None:
-        """Forgets what was computed from the machine as it was."""
+        """Forgets what was computed from the machine before a change."""
         raise NotImplementedError
 
     def _edit(self) -> CData:
@@ -60,7 +60,7 @@ class Builder(Guarded):
         return self._builder
 
     def set(self: Self, path: str, value: Any) -> Self:
-        """Sets a key by its path, as set("springs/k/damping", "5 N*s/m"); everything the format has can be said so."""
+        """Sets any key of the format by its path, for example set("springs/k/damping", "5 N*s/m")."""
         with self._lock:
             builder = self._edit()
             if not isinstance(value, (bool, str)) and hasattr(value, "__float__"):
@@ -70,7 +70,7 @@ class Builder(Guarded):
         return self
 
     def remove(self: Self, path: str) -> Self:
-        """Removes a key with all that is in it; nothing where it is not."""
+        """Removes a key with everything in it, if it exists."""
         with self._lock:
             lib.yk_builder_remove(self._edit(), encoded(path, "path"))
         return self
@@ -82,7 +82,7 @@ class Builder(Guarded):
         return self
 
     def units(self: Self, **units: str) -> Self:
-        """Says what bare numbers mean, as units(length="mm", angle="deg")."""
+        """Sets the units of bare numbers, for example units(length="mm", angle="deg")."""
         return self._set_all("units", units)
 
     def parameter(self: Self, name: str, value: Value) -> Self:
@@ -96,7 +96,7 @@ class Builder(Guarded):
     def body(self: Self, name: str, points: Optional[Mapping[str, Point]] = None, *, mass: Optional[Value] = None,
              center: Optional[Point] = None, inertia: Optional[Value] = None,
              rod: Optional[Sequence[str]] = None) -> Self:
-        """Adds a body, or more to one: points in its axes, mass, and centre with inertia or a uniform rod."""
+        """Adds a body, or adds to one: points in its axes, mass, and centre with inertia or a uniform rod."""
         with self._lock:
             lib.yk_builder_body(self._edit(), encoded(name))
             for point, place in named(points, "points").items():
@@ -137,7 +137,7 @@ class Builder(Guarded):
 
     def free(self: Self, name: str, first: str, second: str, *, from_: Optional[str] = None, to: Optional[str] = None,
              x: Optional[str] = None, y: Optional[str] = None, angle: Optional[str] = None) -> Self:
-        """Leaves everything free between two bodies; names all three coordinates, or none."""
+        """Leaves two bodies free of each other; names all three coordinates, or none."""
         names = [x, y, angle]
         given = [one is not None for one in names]
         if any(given) and not all(given):
@@ -145,11 +145,11 @@ class Builder(Guarded):
         return self._joint(name, "free", first, second, at=names if any(given) else None, from_=from_, to=to)
 
     def drive(self: Self, coordinate: str, value: Value) -> Self:
-        """Drives a coordinate by an expression of time, as "20 rpm * t"."""
+        """Drives a coordinate by an expression of time, such as "20 rpm * t"."""
         return self.set(f"drives/{coordinate}", value)
 
     def start(self: Self, coordinate: str, value: Value) -> Self:
-        """Says where the machine was put together; "theta.rate" gives a rate."""
+        """Gives a coordinate at the place where the machine is put together; "theta.rate" gives a rate."""
         return self.set(f"start/{coordinate}", value)
 
     def effort(self: Self, coordinate: str, value: Value) -> Self:
@@ -185,14 +185,14 @@ class Builder(Guarded):
         return self.set(f"belts/{name}", {"between": [first, second], "radii": [*radii], **more})
 
     def _said(self) -> str:
-        """Returns what was said so far as a model file."""
+        """Returns the machine so far as a model file."""
         text = lib.yk_builder_text(self._builder)
         if text == ffi.NULL:
             raise MemoryError("out of memory")
         return text_of(text)
 
     def _check_builder(self) -> Problems:
-        """Returns problems of what was said, with `where` naming bodies and joints; raises nothing."""
+        """Returns the machine's problems, in which `where` names bodies and joints; raises nothing."""
         problems = Problems()
         model = lib.yk_builder_model(self._builder, ffi.NULL, problems.c)
         if model != ffi.NULL:

@@ -16,7 +16,11 @@ if TYPE_CHECKING:
 
 
 class Configurations(list):  # type: ignore[type-arg]
-    """The poses of all configurations. `complete` is True if the list is proved; `reason` and `because` give the proof or what is missing."""
+    """The poses of all configurations.
+
+    `complete` is True if it is proved that there are no others; `reason` and `because` give the proof, or say what it
+    lacks.
+    """
 
     complete: bool = True
     reason: Optional[str] = None
@@ -47,7 +51,7 @@ def yk_host_visit(context: CData, state: CData) -> bool:
 
 
 def states(plan: Plan, time: float) -> tuple[list[CData], CData]:
-    """Returns the states of all configurations at the asked pose, in the command's order, and the library's report."""
+    """Returns the states of all configurations at the requested pose, in the command's order, and the report."""
     state = new_state(plan.mech)
     plan.ask(state, time)
     found: list[CData] = []
@@ -63,7 +67,7 @@ def states(plan: Plan, time: float) -> tuple[list[CData], CData]:
 
 
 def own(plan: Plan, time: float) -> Optional[CData]:
-    """Returns the machine's own state at the asked pose, or None if it does not get there."""
+    """Returns the machine's own state at the requested pose, or None if it does not get there."""
     if plan.entry is None:
         return None
     state = new_state(plan.mech)
@@ -75,7 +79,7 @@ def own(plan: Plan, time: float) -> Optional[CData]:
 
 
 def is_own(plan: Plan, state: CData, time: float) -> bool:
-    """Tells whether a configuration is the one that the machine gets to."""
+    """Returns whether a configuration is the one that the machine gets to."""
     mine = own(plan, time)
     return mine is not None and bool(lib.yk_state_is_at(mine, state))
 
@@ -99,7 +103,7 @@ def find(machine: "Machine", plan: Plan, time: float, request: Any) -> Configura
 
 
 def choose(plan: Plan, state: CData, time: float, word: Union[str, int]) -> int:
-    """Puts a state in the configuration that is named: "nearest", a label, or a number from 1. Returns the status."""
+    """Puts a state in a named configuration: "nearest", a label, or a number from 1. Returns the status."""
     plan.ask(state, time)
     if word == "nearest":
         status: int = lib.yk_state_assemble(state)

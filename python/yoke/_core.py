@@ -56,7 +56,7 @@ _SI_UNITS = ("m", "rad", "kg", "s", "N", "N*m", "kg*m^2", "m/s", "rad/s", "m/s^2
 
 
 def exact_words(own: CData, name: str, value: Value) -> str:
-    """Returns a parameter's value as a text; a number is in SI, and is read back as the same number."""
+    """Returns a parameter's value as a string; a number is in SI, and reads back as the same number."""
     if isinstance(value, (str, tuple)):
         return words(value, name)
     wanted = number(value, name)
@@ -72,17 +72,17 @@ def exact_words(own: CData, name: str, value: Value) -> str:
 
 
 class Facts:
-    """A model with what was computed from it once.
+    """A model with everything that is computed from it once.
 
-    It points to nothing that points back to it, here and wherever handles of the library are kept: they are then freed
-    by their counts, in order, and never by the collector of cycles, which has none.
+    Nothing that it points to points back to it, here and wherever handles of the library are kept: reference counts
+    then free them in order. The collector of cycles would free them in any order.
     """
 
     def __init__(
         self, text: str, name: str, parameters: dict[str, Value], lock: Optional[str], problems: Problems
     ) -> None:
         self.text, self.name, self.parameters, self.lock = text, name, parameters, lock
-        self.own: CData = None  # the file's own machine, where parameters replace its values
+        self.own: CData = None  # the file's own machine, if parameters replace its values
         overrides: list[tuple[str, str]] = []
         if parameters:
             quiet = Problems()
@@ -146,7 +146,7 @@ class Facts:
 
 
 class Core(Facts):
-    """The facts with the plans of requests that were made before. The machine's lock guards it."""
+    """The facts, and the plans of earlier requests. The machine's lock guards it."""
 
     def __init__(
         self, text: str, name: str, parameters: dict[str, Value], lock: Optional[str], problems: Problems
@@ -163,7 +163,7 @@ class Core(Facts):
         key = (tuple(at), tuple(rate), tuple(accel), swept, imposed)
         found = self.plans.get(key)
         if found is None:
-            if len(self.plans) >= 64:  # a program that asks for ever new combinations keeps the latest
+            if len(self.plans) >= 64:  # a program that always asks for new combinations keeps the latest
                 self.plans.pop(next(iter(self.plans)))
             found = self.plans[key] = _reach.Plan(self.facts, *key)
         return found
@@ -182,7 +182,7 @@ def channels_of(mech: CData, names: Sequence[str]) -> CData:
 
 
 def names_of(of: Any) -> list[str]:
-    """Returns `of` as a list of names: a list, or "s,s.rate" as the command takes it."""
+    """Returns `of` as a list of names; it is a list, or a string such as "s,s.rate", as the command takes it."""
     if isinstance(of, str):
         return [name for name in of.split(",") if name]
     names = list(of)

@@ -81,7 +81,7 @@ def _drawn(model: CData, name: str, asked: Distribution, seed: int, count: int, 
 
 
 def grid(model: CData, vary: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns the designs of a grid, (from, to, count) a parameter; the last one varies fastest."""
+    """Returns the designs of a grid, (from, to, count) for each parameter; the last one varies fastest."""
     axes = []
     for name, given in vary.items():
         if not isinstance(given, (tuple, list)) or len(given) not in (3, 4):

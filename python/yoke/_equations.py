@@ -1,4 +1,4 @@
-"""The machine's equations in symbols, and verdicts on equations of others."""
+"""The machine's equations in symbols, and verdicts on equations of the user's own."""
 from __future__ import annotations
 
 import json
@@ -49,7 +49,7 @@ class Equations:
         self.machine, self.names, self._pose = machine, names, pose
         self._core = machine._ready() if pose is None else pose._plan.core
         self._pages: dict[str, str] = {}
-        self._page("text")  # derives now, so that what cannot be derived is told now
+        self._page("text")  # derives now, so that it raises now if something cannot be derived
 
     def _page(self, format_: str) -> str:
         if format_ not in self._pages:
@@ -78,7 +78,7 @@ class Equations:
         return text_of(lib.yk_derivation_text(derivation))
 
     def text(self) -> str:
-        """Returns the equations for people, a formula a line."""
+        """Returns the equations for people, one formula on each line."""
         return self._page("text")
 
     def latex(self) -> str:
@@ -90,7 +90,7 @@ class Equations:
         return self._page("mathml")
 
     def c(self) -> str:
-        """Returns the equations as C, a function a section."""
+        """Returns the equations as C, with one function for each section."""
         return self._page("c")
 
     def json(self) -> Any:
@@ -121,12 +121,12 @@ class Verdict(NamedTuple):
 
     equation: str
     verdict: str
-    is_identity: bool  # true even if the loops were open
+    is_identity: bool  # true even if the loops are open
     poses: int  # at which both sides were compared
-    machines: int  # with other dimensions at which it was compared too
+    machines: int  # with other dimensions, compared too
     left: Optional[float]  # both sides at a pose where they differ
     right: Optional[float]
-    pose: dict[str, tuple[float, float, float]]  # of the coordinates there: position, rate, acceleration
+    pose: dict[str, tuple[float, float, float]]  # position, rate and acceleration of the coordinates there
     parameters: Optional[str]  # "a = 0.053", of a machine for which it is false
     hint: Optional[str]  # the slip that would explain it
 

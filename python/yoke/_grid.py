@@ -10,12 +10,12 @@ Cell = Union[str, float, None]
 
 
 def _left(text: str) -> int:
-    """Returns where a number is aligned: at its point, its exponent, or its end."""
+    """Returns the place at which a number is aligned: its point, its exponent, or its end."""
     return min((text.find(c) for c in ".e" if c in text), default=len(text))
 
 
 def text(heads: Sequence[str], rows: Sequence[Sequence[Cell]], indent: int = 2) -> str:
-    """Returns a table whose numbers stand point below point.
+    """Returns a table whose numbers are aligned at their points.
 
     >>> print(text(["angle", "[deg]"], [["theta", 30.0], ["phi", -7.25]]))
       angle  [deg]

@@ -1,4 +1,4 @@
-"""Objects that belong to one thread at a time: their lock, their end, and what a fork leaves of them."""
+"""Objects that belong to one thread at a time: their locks, and what a close or a fork does to them."""
 from __future__ import annotations
 
 import os
@@ -30,7 +30,7 @@ _all: "WeakSet[Guarded]" = WeakSet()
 
 
 def _after_fork() -> None:
-    """In the child: what another thread was using when the process forked may be half changed, and is given up."""
+    """Gives up, in the child, objects that another thread was using at the fork: they may be half changed."""
     for one in list(_all):
         if one._lock.acquire(blocking=False):
             one._lock.release()

@@ -1,4 +1,4 @@
-"""What a machine is, and its life: from a file or from calls until it is closed."""
+"""The names and values of a machine, and its life: from a file or from calls until it is closed."""
 from __future__ import annotations
 
 import os
@@ -21,7 +21,7 @@ _given_up: "list[Optional[Core]]" = []
 
 
 class Identity(Builder):
-    """A machine without its questions: names, parameters, text, and what was computed from them once."""
+    """A machine without its analyses: names, parameters, text, and everything that is computed from them once."""
 
     __slots__ = ("_kept", "_source")
 
@@ -42,14 +42,14 @@ class Identity(Builder):
 
     def _give_up(self, why: str) -> None:
         super()._give_up(why)
-        _given_up.append(self._kept)  # half changed: never used, never freed
+        _given_up.append(self._kept)  # half changed, so it is neither used nor freed
         self._kept = None
 
     def _changed(self) -> None:
         self._kept = None
 
     def _ready(self) -> Core:
-        """Returns what was computed from the machine; loads it where that is not done. The lock is held."""
+        """Returns what was computed from the machine; loads it if that has not been done. The lock is held."""
         if self._kept is not None:
             return self._kept
         if self._gone:
@@ -143,7 +143,7 @@ class Identity(Builder):
 
     @property
     def freedom(self) -> int:
-        """Degrees of freedom, by rank where the machine could be assembled."""
+        """Degrees of freedom, by rank if the machine could be assembled."""
         with self._lock:
             f = lib.yk_mechanism_freedom(self._ready().base)
             return int(f.by_rank if f.by_rank >= 0 else f.gruebler)
@@ -155,7 +155,7 @@ class Identity(Builder):
                                                                                      encoded(name)))
 
     def value(self, text: str, kind: str = "length") -> float:
-        """Returns a value with a unit in SI, as value("30 deg", "angle"); other kinds are "length", "time", "force"."""
+        """Returns a value with a unit in SI: value("30 deg", "angle"); other kinds are "length", "time", "force"."""
         quantity = getattr(lib, f"YK_QUANTITY_{str(kind).upper().replace('-', '_')}", None)
         if quantity is None:
             raise refusal(RequestError, "E0806", f"there is no kind of value `{kind}`")
@@ -163,7 +163,7 @@ class Identity(Builder):
             return si(self._ready().model, text, quantity, "text")
 
     def replace(self: Self, parameters: Values = None, **values: Value) -> Self:
-        """Returns the machine with other values of its parameters, in the configuration that it was put together in."""
+        """Returns the machine with other values of its parameters, put together in the same configuration."""
         more = named(parameters, "parameters", values)
         with self._lock:
             self._ready()

@@ -48,7 +48,7 @@ class Lanes:
     @classmethod
     def make(cls, core: "Core", options: Mapping[str, Any], at: Mapping[str, Any], rate: Mapping[str, Any],
              channels: list[Any], acted: list[int], status: "NDArray[np.int8]", threads: int) -> Optional["Lanes"]:
-        """Returns None if the machine does not fit into lanes, or a channel is neither a position nor a rate of a coordinate."""
+        """Returns None if the machine does not fit into lanes, or a channel is no position or rate of a coordinate."""
         if any(c.kind != lib.YK_CHANNEL_COORDINATE or c.order > 1 for c in channels):
             return None
         first = _first(core, options, at, rate, len(status)).new()
@@ -84,7 +84,7 @@ class Lanes:
         return np.array([x for m in motions for x in (m.position, m.velocity)])
 
     def step(self, span: float, efforts: Optional["NDArray[np.float64]"], submit: Any) -> None:
-        """Sets efforts [copy, effort] and advances all copies. submit: begins a call in another thread."""
+        """Sets efforts [copy, effort] and advances all copies; `submit` begins a call in another thread."""
         if efforts is not None:
             self._efforts[:] = efforts.T
         count, threads = len(self.status), len(self._lanes)
@@ -103,7 +103,7 @@ class Lanes:
 
 def _first(core: "Core", options: Mapping[str, Any], at: Mapping[str, Any], rate: Mapping[str, Any],
            count: int) -> Request:
-    """Returns the request of the first of some copies."""
+    """Returns the library's request for the first of some copies."""
     (same_at, each_at), (same_rate, each_rate) = spread(at, count), spread(rate, count)
     own_at = {n: same_at[n] if n in same_at else float(each_at[n][0]) for n in at}
     own_rate = {n: same_rate[n] if n in same_rate else float(each_rate[n][0]) for n in rate}

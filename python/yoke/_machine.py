@@ -1,4 +1,4 @@
-"""The machine: what `yoke.load` returns, and what all questions are asked of."""
+"""The machine, which `yoke.load` returns and whose methods give all answers."""
 from __future__ import annotations
 
 import os
@@ -25,8 +25,9 @@ _NONE: Mapping[str, Any] = {}
 class Machine(Identity):
     """A planar machine: loaded by `yoke.load`, or made by calls.
 
-    Values are numbers in SI and radians, texts with a unit as "60 mm", or pairs as (30, "deg"). Coordinates are
-    keyword arguments, or in `at` where their names are not identifiers. All answers are in SI and radians.
+    Values are numbers in SI and radians, strings with a unit such as "60 mm", or pairs such as (30, "deg").
+    Coordinates are keyword arguments, or entries of `at` if their names are not identifiers. All answers are in SI
+    and radians.
 
     >>> m = Machine("pendulum").gravity(0, -9.81).body("ground", {"O": (0, 0)})
     >>> m = m.body("rod", {"O": (0, 0), "P": (0, -0.5)}, mass=2, rod=("O", "P"))
@@ -42,12 +43,12 @@ class Machine(Identity):
     def solve(self, *, time: Value = 0.0, at: Values = None, rate: Values = None, accel: Values = None,
               effort: Values = None, assembly: Union[str, int, None] = None, method: str = "reduced",
               **coordinates: Value) -> Pose:
-        """Moves the machine to a pose and returns it, with forces where there are masses or loads.
+        """Moves the machine to a pose and returns it, with forces if there are masses or loads.
 
         Without arguments it is the pose of `start:` at t = 0. `time` follows the drives, coordinates are set in place
-        of their drives, `rate`, `accel` and `effort` set those by name. `assembly` takes another configuration on
-        purpose: "nearest", a label, or its number in `configurations`, from 1. Raises PoseError where a limit is in
-        the way.
+        of their drives, and `rate`, `accel` and `effort` set rates, accelerations and efforts by name. `assembly`
+        chooses another configuration: "nearest", a label, or its number in `configurations`, from 1. Raises PoseError
+        if a limit is in the way.
         """
         with self._lock:
             core = self._kept if self._kept is not None else self._ready()
@@ -69,7 +70,7 @@ class Machine(Identity):
             return pose
 
     def _posed(self, plan: Plan, slot: Slot, request: Any, status: int, method: Any, is_start: bool) -> Pose:
-        """Finds the forces of a pose that was reached."""
+        """Finds the forces at a pose that was reached."""
         if method is None:
             raise refusal(RequestError, "E0806", "method takes reduced or newton-euler here")
         forces = 0
@@ -104,7 +105,7 @@ class Machine(Identity):
 
     def configurations(self, *, time: Value = 0.0, at: Values = None, progress: Progress = None,
                        **coordinates: Value) -> "_configurations.Configurations":
-        """Returns every configuration that closes at a pose; `complete` of the list tells whether these are all."""
+        """Returns every configuration that closes at a pose; the list's `complete` says whether these are all."""
         with self._lock, Watch(progress, "configurations"):
             core = self._ready()
             coordinates = named(at, "at", coordinates)
@@ -117,7 +118,7 @@ class Machine(Identity):
             **coordinates: Value) -> _map.Map:
         """Maps the whole motion of a machine with one freedom: all circuits, limits, change points and dead points.
 
-        over   the coordinate that is mapped; the first input where none is named. Other inputs are held by `at`.
+        over   the coordinate that is mapped, by default the first input; `at` holds other inputs
         """
         with self._lock, Watch(progress, "map"):
             return _map.Map(self, self._ready(), over, time, named(at, "at", coordinates))
@@ -126,7 +127,7 @@ class Machine(Identity):
                 **coordinates: Value) -> _regions.Regions:
         """Maps two freedoms: the regions of their plane in which the machine has equally many configurations.
 
-        over   two coordinates, as "theta1,theta2" or a list; the inputs that `at` does not hold where none are named
+        over   two coordinates, "theta1,theta2" or a list; by default the inputs that `at` does not hold
         """
         with self._lock, Watch(progress, "regions"):
             return _regions.Regions(self, self._ready(), over, tolerance, time, named(at, "at", coordinates))
@@ -138,9 +139,9 @@ class Machine(Identity):
               turn_max: Optional[Value] = None, progress: Progress = None, **coordinates: Any) -> Table:
         """Moves a coordinate, or the time `t`, through a range and returns a row for each step, and one more.
 
-        The range is a pair or has a unit: theta=(0, 360, "deg"). Between the rows nothing is jumped: limits, dead
-        points, change points and extremes are the table's `events`. At a limit the rows end, and `status` is "limit".
-        The rows are the library's own memory, not a copy.
+        The range is a pair, with or without a unit: theta=(0, 360, "deg"). No limit, dead point, change point or
+        extreme between the rows is missed; they are the table's `events`. At a limit the rows end, and `status` is
+        "limit". The rows are the library's own memory, not a copy.
         """
         with self._lock, Watch(progress, "sweep"):
             core = self._ready()
@@ -153,8 +154,8 @@ class Machine(Identity):
               accel: Optional[Mapping[str, Any]] = None, out: Any = None, **coordinates: Any) -> _batch.Columns:
         """Solves many independent poses at once: arrays of input values in, an array for each column out.
 
-        Every pose lies on the machine's branches, whether or not it could get there; `status` tells which poses stand,
-        and others are 0. `out`, an array [column, pose], takes the answers in place of a new one.
+        Every pose lies on the machine's branches, whether or not it could get there. Where `status` is below 0 there
+        is no pose, and the answers are 0. `out`, an array [column, pose], takes the answers in place of a new one.
         """
         with self._lock:
             positions, rates, accelerations = named(at, "at", coordinates), named(rate, "rate"), named(accel, "accel")
@@ -167,12 +168,12 @@ class Machine(Identity):
               progress: Progress = None) -> Table:
         """Computes many designs of the machine, each with its own parameters, on all processors.
 
-        vary     a grid, as {"r": ("40 mm", "60 mm", 100)}
-        sample   distributions, as {"r": yoke.normal("50 mm", "0.1 mm")}, or the path of a file of them;
-                 `designs` says how many, `seed` which
+        vary     a grid, such as {"r": ("40 mm", "60 mm", 100)}
+        sample   distributions, such as {"r": yoke.normal("50 mm", "0.1 mm")}, or the path of a file of them;
+                 `designs` is the number of samples, `seed` that of their random numbers
         designs  the designs themselves: arrays in SI by parameter
-        over     poses of each design, as {"theta": (0, 360, "deg")} in `steps` steps: then the least, largest and mean
-                 value and the range of each column are returned, or with every_pose all of them
+        over     poses of each design, such as {"theta": (0, 360, "deg")} in `steps` steps; returns the least, largest
+                 and mean value and the range of each column, or with every_pose the values at all poses
         """
         with self._lock, Watch(progress, "study"):
             core = self._ready()
@@ -207,7 +208,7 @@ class Machine(Identity):
                  **coordinates: Value) -> Table:
         """Returns the motion under loads from `start:` as rows in time, with events and a summary.
 
-        events   crossings to report, as {"theta": "90 deg"}
+        events   crossings to report, such as {"theta": "90 deg"}
         method   "dop853", "sdirk4" for stiff machines, or "rk4" with a fixed `step`
         """
         with self._lock, Watch(progress, "simulate"):
@@ -277,7 +278,7 @@ class Machine(Identity):
         return self.solve().svg(width, labels)
 
     def animation(self, seconds: Optional[float] = None, rate: float = 25.0) -> Svg:
-        """Returns the machine moving, as an SVG document that is animated by CSS alone."""
+        """Returns a moving picture of the machine, an SVG document animated by CSS alone."""
         with self._lock:
             return Svg(_output.animation(self._ready(), seconds, rate))
 

@@ -30,10 +30,10 @@ class Simulations(Guarded):
     values   [simulation, column]: what `of` names, after the last step
     status   0, or below 0 for a simulation that could not go on; it stands still until it is restarted
     time     s, of each
-    lanes    whether they are stepped several at a time, in SIMD lanes, as many times as fast: with method="rk4" and
-             positions and rates of coordinates as columns, for open trees whose loads are gravity, efforts that are
-             set or constant, viscous friction, and linear springs and dampers along coordinates
-    The results have the same bits for any number of threads; in lanes they are those of single simulations up to
+    lanes    whether several are stepped at a time, in SIMD lanes: if method="rk4", if the columns are positions and
+             rates of coordinates, and if the machine is an open tree whose loads are gravity, efforts that are set or
+             constant, viscous friction, and linear springs and dampers along coordinates
+    The results have the same bits for any number of threads; in lanes they agree with single simulations up to
     rounding.
     """
 
@@ -54,7 +54,7 @@ class Simulations(Guarded):
         most = os.cpu_count() or 1 if threads is None else _sweep.count(threads, "threads", 1024)
         self._threads = min(most, self.count)
         self._pool: Any = None
-        self._process = 0  # whose threads the pool has
+        self._process = 0  # the process in which the pool has its threads
         self.values, self.status = np.zeros((self.count, len(self.of))), np.zeros(self.count, np.int8)
         plan, acted = self._core.plan(list(self._at)), [self._core.coordinate(n).number for n in self.efforts]
         self._channels = channels_of(plan.mech, self.of)
@@ -141,7 +141,7 @@ class Simulations(Guarded):
 
     def restart(self, which: Any = None, *, at: Optional[Mapping[str, Any]] = None,
                 rate: Optional[Mapping[str, Any]] = None) -> None:
-        """Begins some simulations, or all, anew, from start values of their own: arrays with one for each of them.
+        """Begins some or all simulations anew, from arrays with a start value for each of them or from shared values.
 
         which  indices, or a mask [count]; None: all
         """

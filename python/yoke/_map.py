@@ -31,7 +31,7 @@ class Range(NamedTuple):
 
 
 class Turn(NamedTuple):
-    """How a joint's angle moves on a circuit: `full` if it can go on turning the same way for ever."""
+    """How a joint's angle moves on a circuit; `full` if it can turn for ever in one direction."""
 
     full: bool
     range: Range
@@ -68,8 +68,10 @@ class Circuit(NamedTuple):
 
 
 class Way(list):  # type: ignore[type-arg]
-    """Coordinates from one pose to another, and beside each limit or change point on the way; empty, and so false, if there
-    is none. `proved` tells whether that is certain, `reason` why the machine cannot get there."""
+    """The coordinates at both ends of a way and beside each limit or change point; empty, and so false, without a way.
+
+    `proved` says whether the answer is certain, `reason` why the machine cannot get there.
+    """
 
     proved: bool = True
     reason: str = ""
@@ -78,7 +80,7 @@ class Way(list):  # type: ignore[type-arg]
 class Map(Guarded):
     """The map of a machine over one coordinate.
 
-    coordinate   the mapped one; `domain` is the range in which it was looked at
+    coordinate   the mapped one; `domain` is the range that was searched
     circuits     the one that contains the start first
     complete     whether nothing can be missing; `because` says why, or what is not proved
     """
@@ -135,7 +137,7 @@ class Map(Guarded):
     def __reduce__(self) -> Any:
         return _again, (self.machine, self._request)
 
-    # --- what is read once
+    # --- read once
 
     def _circuit(self, core: Core, k: int) -> Circuit:
         c = lib.yk_map_circuit(self._c, k)
@@ -196,7 +198,7 @@ class Map(Guarded):
     def reach(self, to: Mapping[str, Value], pose: Optional[Mapping[str, Value]] = None) -> Way:
         """Finds how the machine gets to coordinates without being taken apart, past the fewest limits and change points.
 
-        pose   coordinates from which it begins; its start where none are given
+        pose   coordinates from which it begins, by default those of its start
         """
         with self._lock:
             if self._gone:
@@ -242,10 +244,10 @@ class Map(Guarded):
         return {name: row[c.number] for name, c in self._plan.coordinates.items()}
 
     def svg(self, of: Optional[str] = None, trace: Sequence[str] = ()) -> Svg:
-        """Draws a coordinate over the mapped one, one colour a circuit, and the curves of points beside it.
+        """Draws a coordinate over the mapped one, with a colour for each circuit, and the curves of points beside it.
 
-        of      the coordinate that is drawn upwards; the first that is not mapped, declared ones first
-        trace   points, as "coupler.P"
+        of      the coordinate on the vertical axis, by default the first that is not mapped, declared ones first
+        trace   points, such as "coupler.P"
         """
         with self._lock:
             if self._gone:

@@ -60,7 +60,7 @@ def rows(sim: "Simulation", start: float, to: float, every: Optional[Value], ste
 
 
 def _rows_of(span: float, every: float) -> int:
-    """Returns the number of rows after the first: the last one at the end, whatever is left of a span before it."""
+    """Returns the number of rows after the first; the last row is at the end, even if the last span is shorter."""
     count = span / every
     if not count <= 10_000_000:
         raise refusal(RequestError, "E0806", "every: more than 10 million rows")

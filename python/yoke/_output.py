@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def finish(text: str, path: Union[str, "os.PathLike[str]", None]) -> Union[str, Path]:
-    """Returns a text, or writes it to a file, which appears whole or not at all, and returns its path."""
+    """Returns a string, or writes it to a file, which appears whole or not at all, and returns the file's path."""
     if path is None:
         return text
     target = Path(path)
@@ -106,7 +106,7 @@ def report(core: "Core", *, over: Optional[Mapping[str, Any]] = None, steps: Opt
 
 
 def animation(core: "Core", seconds: Optional[float], rate: float) -> str:
-    """Returns the machine moving as an SVG document."""
+    """Returns a moving picture of the machine as an SVG document."""
     page = _page(core, None, None, None, (), False, rate)
     drawing = lib.yk_report_drawing(page)
     if drawing == ffi.NULL:

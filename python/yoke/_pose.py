@@ -1,4 +1,4 @@
-"""A pose: positions, velocities, accelerations and forces of a machine as it stands."""
+"""A pose: positions, velocities, accelerations and forces of a machine."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional, Sequence
@@ -27,7 +27,7 @@ class Svg(str):
 class Pose:
     """One pose of a machine. All numbers are in SI and radians; `pose["s.rate"]` reads any channel by its name.
 
-    It belongs to one thread at a time, as the machine does.
+    Like the machine, it belongs to one thread at a time.
     """
 
     __slots__ = ("machine", "_plan", "_slot", "_request", "status", "is_start", "index", "message", "notes",
@@ -37,7 +37,7 @@ class Pose:
         self.machine, self._plan, self._slot, self._request = machine, plan, slot, request
         self.is_start = is_start  # the configuration that the machine itself gets to
         self.index: Optional[int] = None  # among `configurations`
-        self.message = ""  # why there are no forces, where there are none
+        self.message = ""  # why there are no forces, if there are none
         self.notes: tuple[Problem, ...] = ()  # what the machine passed on its way here
         self._forces = slot.dynamics is not None
         self.status = "ok" if status == 0 else status_name(status)
@@ -98,7 +98,7 @@ class Pose:
 
     @property
     def label(self) -> str:
-        """The configuration, as "A+ C-", or "J+.2" where several at these inputs share a label."""
+        """The configuration, such as "A+ C-", or "J+.2" if several at these inputs share a label."""
         with self.machine._lock:
             return self._plan.name_of(self._slot.state)
 
@@ -108,7 +108,7 @@ class Pose:
         return float(lib.yk_state_time(self._slot.state))
 
     def __getitem__(self, channel: str) -> float:
-        """Returns a channel by its name, as `--of` takes it: "s.rate", "A.force.x", "energy"; NaN where undefined."""
+        """Returns a channel by its name in `--of`: "s.rate", "A.force.x", "energy"; NaN if it is undefined."""
         plan = self._plan
         found = plan.channels.get(channel)
         if found is None:
@@ -164,7 +164,7 @@ class Pose:
         e = lib.yk_dynamics_energy(self._slot.dynamics)
         return Energy(e.kinetic, e.potential)
 
-    # --- shown
+    # --- display
 
     def table(self, *units: str) -> str:
         """Returns the coordinates as the command prints them, in the file's units or in those given ("mm", "deg")."""
@@ -219,7 +219,7 @@ class Pose:
 
 
 def _again(machine: "Machine", request: Any, index: Optional[int]) -> Pose:
-    """Makes a pose anew from its machine and the request, after pickling."""
+    """Makes a pose again from its machine and the request, after pickling."""
     if index is not None:
         found: Pose = machine.configurations(**request)[index]
         return found

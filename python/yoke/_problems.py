@@ -11,9 +11,9 @@ _SEVERITIES = ("note", "warning", "error")
 
 
 class Problem(NamedTuple):
-    """One thing that Yoke has to say about a file or a request.
+    """One error, warning or note about a file or a request.
 
-    `line` and `column` count from 1; `line` is 0 where there is no place in a text, and `where` may tell it then.
+    `line` and `column` count from 1; `line` is 0 if there is no place in a text, and `where` may then name the item.
     """
 
     severity: str  # "note", "warning" or "error"
@@ -32,7 +32,7 @@ class Problem(NamedTuple):
 
 
 class Error(Exception):
-    """Everything that Yoke refuses or cannot do; `problems` says why, each with its place and hint."""
+    """The base of all exceptions of Yoke; `problems` gives the reasons, each with its place and hint."""
 
     def __init__(self, text: str, problems: tuple[Problem, ...] = (), status: str = "") -> None:
         super().__init__(text, problems, status)
@@ -55,7 +55,7 @@ class UnknownName(RequestError, LookupError):
 
 
 class PoseError(Error):
-    """The machine has no answer to this request: a limit is in the way, or nothing closes. `status` tells which."""
+    """The machine has no answer to this request: a limit is in the way, or nothing closes. `status` says which."""
 
 
 class ClosedError(Error):
@@ -63,11 +63,11 @@ class ClosedError(Error):
 
 
 class YokeWarning(UserWarning):
-    """Something that Yoke warns about: the answer is valid, but look."""
+    """A warning of Yoke: the answer is valid, but should be looked at."""
 
 
 def text_of(value: Any) -> str:
-    """Returns a C string as text; "" for NULL."""
+    """Returns a C string as a str; "" for NULL."""
     result: str = "" if value == ffi.NULL else ffi.string(value).decode("utf-8", "replace")
     return result
 
@@ -85,7 +85,7 @@ def _problem(p: Any) -> Problem:
 
 
 class Problems:
-    """Collects what the library says during a call; then raises it, or warns."""
+    """Collects the library's problems during a call; then raises or warns of them."""
 
     __slots__ = ("c",)
 
@@ -104,7 +104,7 @@ class Problems:
         return text_of(lib.yk_problems_text(self.c, 0)).rstrip("\n")
 
     def fail(self, kind: type[Error], status: int = 0, fallback: str = "out of memory") -> Error:
-        """Returns the exception for a call that failed; raises what ended it from outside, such as Ctrl-C."""
+        """Returns the exception for a call that failed; if something outside ended it, such as Ctrl-C, raises that."""
         _watch.check()
         problems = self.list()
         if status == lib.YK_NO_MEMORY or not problems and fallback == "out of memory":
@@ -114,14 +114,14 @@ class Problems:
         return kind(self.text() or fallback, problems, status_name(status) if status else "")
 
     def warn(self, level: int = 3) -> None:
-        """Warns of problems that are warnings."""
+        """Issues the problems that are warnings."""
         for problem in self.list():
             if problem.severity == "warning":
                 warnings.warn(str(problem), YokeWarning, stacklevel=level + 1)
 
 
 def refusal(kind: type[Error], code: str, message: str, hint: Optional[str] = None, status: str = "") -> Error:
-    """Returns an exception for something that this package refuses itself, in the command's words."""
+    """Returns an exception for a request that this package itself refuses, in the command's words."""
     problem = Problem("error", code, message, hint=hint)
     return kind(str(problem), (problem,), status)
 

@@ -1,4 +1,4 @@
-"""How a machine gets to a requested pose, moved there from its start as the command moves it."""
+"""Moves a machine from its start to a requested pose, as the command does."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional, Sequence
@@ -20,7 +20,7 @@ class Slot:
     def __init__(self, plan: "Plan", is_shared: bool = True) -> None:
         self.state: CData = new_state(plan.mech)
         self.dynamics: CData = plan.new_dynamics()
-        self.is_shared = is_shared  # goes back to the pool; not with efforts of its own
+        self.is_shared = is_shared  # goes back to the pool, unless it has efforts of its own
 
 
 class Plan:
@@ -66,13 +66,13 @@ class Plan:
 
     @property
     def configurations(self) -> CData:
-        """What enumerating has learnt about this mechanism."""
+        """What enumerating configurations has learnt about this mechanism."""
         if self._configurations is None:
             self._configurations = new_configurations(self.mech)
         return self._configurations
 
     def name_of(self, state: CData) -> str:
-        """Returns a configuration's name: its label, with a number where several at its inputs share one ("J+.2")."""
+        """Returns a configuration's name: its label, with a number if several at its inputs share it ("J+.2")."""
         name = ffi.new("char **")
         status = lib.yk_configurations_name(self.configurations, state, ffi.NULL, name)
         if status < 0:
@@ -80,7 +80,7 @@ class Plan:
         return text_of(name[0])
 
     def new_dynamics(self, all_prescribed: bool = False) -> CData:
-        """Returns dynamics in which accelerations that are set, or all, are prescribed; None without loads."""
+        """Returns dynamics in which some or all accelerations are prescribed; None without loads."""
         dynamics = new_dynamics(self.mech)
         if dynamics is None:
             return None
@@ -113,7 +113,7 @@ class Plan:
             return Slot(self)
 
     def reach(self, state: CData, time: float) -> int:
-        """Brings a state to the pose that `holds` and `time` ask for. Returns the status, or raises."""
+        """Moves a state to the pose that `holds` and `time` ask for. Returns the status, or raises."""
         if self.entry is None or self.entry_status != 0:
             is_dead = self.entry_status == lib.YK_SINGULAR and self.mech is not self.core.base
             if self.entry is None or self.entry_status < 0 or is_dead:
@@ -129,7 +129,7 @@ class Plan:
         return status
 
     def _note_way(self) -> tuple[Problem, ...]:
-        """Tells change points and detours on the way, and a start at which two configurations meet."""
+        """Notes change points and detours on the way, and a start at which two configurations meet."""
         move, notes = self.move, []
         if self.entry_status == lib.YK_SINGULAR and self.hold_count > 0:
             notes.append(Problem("warning", "W0615", "the pose of `start:` is one where two configurations meet; the "
@@ -145,7 +145,7 @@ class Plan:
         return tuple(notes)
 
     def ask(self, state: CData, time: float) -> None:
-        """Sets a fresh state's inputs to those that are asked, without a pose."""
+        """Sets a fresh state's inputs to the requested ones, without solving its pose."""
         for k in range(self.hold_count):
             hold = self.holds[k]
             lib.yk_state_hold_input(state, hold.input, hold.order, hold.value)

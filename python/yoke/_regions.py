@@ -1,4 +1,4 @@
-"""Regions: where over two freedoms a machine has equally many configurations, with proof."""
+"""Regions of two freedoms in which a machine has equally many configurations, with proof."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional
@@ -25,8 +25,7 @@ if TYPE_CHECKING:
 
 
 class Bound(NamedTuple):
-    """What bounds a region: the joint whose configurations meet there, None at the end of the map; and for which part of the
-    outlines."""
+    """A boundary: the joint whose configurations meet there, None at the end of the map; its part of the outlines."""
 
     of: Optional[str]
     part: float
@@ -46,9 +45,9 @@ class Region(NamedTuple):
 class Regions(Guarded):
     """The map of a machine over two coordinates, rad or m.
 
-    coordinates   the two; `domain` are the ranges in which it was looked at
-    regions       in which the machine closes: the one that contains the start first, then the largest first
-    tolerance     what is narrower, over either coordinate, may be missing
+    coordinates   the two; `domain` has the ranges that were searched
+    regions       in which the machine closes: the one that contains the start, then the others, the largest first
+    tolerance     regions that are narrower, over either coordinate, may be missing
     proved        which part of the domain is proved
     complete      whether the rest lies along the curves; `because` says what is proved, or what is not
     """
@@ -80,7 +79,7 @@ class Regions(Guarded):
 
     @staticmethod
     def _stand(core: Core, over: Any, time: Value, at: Mapping[str, Value]) -> "tuple[Plan, Coordinate, Coordinate, CData]":
-        """Brings a state to the pose at which the machine stands, with the mapped coordinates as inputs."""
+        """Moves a state to the machine's pose, with the mapped coordinates as inputs."""
         names = names_of(over) if over is not None else []
         if over is not None and len(names) != 2:
             raise refusal(RequestError, "E0806", f"`over` takes the names of two coordinates, not {over!r}")
@@ -124,7 +123,7 @@ class Regions(Guarded):
     # --- questions
 
     def at(self, first: float, second: float) -> "tuple[int, bool]":
-        """Returns how many configurations there are at a pose, rad or m, and whether that is proved just there."""
+        """Returns how many configurations there are at a pose, rad or m, and whether that is proved there."""
         with self._lock:
             if self._gone:
                 self._refuse()

@@ -1,4 +1,4 @@
-"""What is rounding noise in a table, by the largest values of its pose; and the units that a table is asked in."""
+"""The size of rounding noise in a table, by the largest values of its pose; the units requested for a table."""
 from __future__ import annotations
 
 import math
@@ -15,7 +15,7 @@ _NOISE, _NOISE_OF_SUMS = 1e-13, 1e-15
 
 
 class Scale:
-    """The largest rate and acceleration of a pose, in angles or in lengths over the machine's size."""
+    """The largest rate and acceleration of a pose, of angles or of lengths over the machine's size."""
 
     def __init__(self, plan: "Plan", slot: "Slot") -> None:
         state: CData = slot.state
@@ -59,7 +59,7 @@ class Scale:
 
 
 def chosen_units(model: CData, units: Sequence[str]) -> dict[int, tuple[str, float]]:
-    """Reads units such as "mm" and "deg". Returns name and size in SI of values, rates and accelerations in them."""
+    """Reads units such as "mm" and "deg". Returns the name and size in SI of their values, rates and accelerations."""
     result: dict[int, tuple[str, float]] = {}
     for unit in units:
         for family in (ANGLE, LENGTH):

@@ -1,4 +1,4 @@
-"""One machine moving in time, stepped and acted on by its host."""
+"""A machine that moves in time; its host steps it and acts on it."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Callable, Iterator, MutableMapping, NamedTuple, Optional, Sequence
@@ -29,7 +29,7 @@ _KINDS = {
 
 
 class Summary(NamedTuple):
-    """How a simulation went: its steps, and how well energy and loops are kept."""
+    """Figures of a simulation: its steps, and how well energy and loops are kept."""
 
     steps: int
     rejected: int
@@ -42,7 +42,7 @@ class Summary(NamedTuple):
 
 
 class Efforts(MutableMapping[str, float]):
-    """Efforts that act along coordinates, N m or N: set one, and it holds until it is set again."""
+    """Efforts that act along coordinates, N m or N; each holds until it is set again."""
 
     __slots__ = ("_simulation", "_set")
 
@@ -85,10 +85,10 @@ def yk_host_control(context: CData, _simulation: CData, time: float) -> bool:
 
 
 class Simulation(Guarded):
-    """One machine moving in time, stepped by its host.
+    """A machine that moves in time, stepped by its host.
 
-    `sim["theta"]` reads any channel, `sim.effort["theta"] = 2.0` acts, `sim.step(1e-3)` goes on; `save` and `restore`
-    continue with the same bits. A simulation is a context manager and belongs to one thread at a time.
+    `sim["theta"]` reads any channel, `sim.effort["theta"] = 2.0` acts, `sim.step(1e-3)` goes on. After `save` and
+    `restore` it continues with the same bits. A simulation is a context manager and belongs to one thread at a time.
     """
 
     __slots__ = ("machine", "_efforts", "_c", "_request", "_core", "_channels", "_control", "_kept")
@@ -124,7 +124,7 @@ class Simulation(Guarded):
 
     @property
     def time(self) -> float:
-        """The time at which it stands, s."""
+        """The present time, s."""
         with self._lock:
             return float(lib.yk_simulation_time(self._use()))
 
@@ -135,7 +135,7 @@ class Simulation(Guarded):
             return self._end(c, lib.yk_simulation_step(c, si(self._core.model, span, TIME, "span")))
 
     def advance(self, to: Value) -> float:
-        """Advances to a time. Returns the time reached, which is earlier only where a control ended it."""
+        """Advances to a time. Returns the time reached, which is earlier only if a control ended the advance."""
         with self._lock:
             c = self._use()
             return self._end(c, lib.yk_simulation_advance(c, si(self._core.model, to, TIME, "to")))
@@ -176,7 +176,7 @@ class Simulation(Guarded):
             return np.array([lib.yk_simulation_channel(c, found[k]) for k in range(len(names))])
 
     def accelerate(self, coordinate: str, acceleration: Value) -> None:
-        """Takes over a driven coordinate: from here on it moves with this acceleration, in place of its drive."""
+        """Takes over a driven coordinate: from now on it moves with this acceleration, in place of its drive."""
         with self._lock:
             c, info = self._use(), self._core.coordinate(coordinate)
             value = si(self._core.model, acceleration, info.quantity(2), coordinate)
@@ -184,7 +184,7 @@ class Simulation(Guarded):
                 raise refusal(RequestError, "E0806", f"`{coordinate}` is not driven")
 
     def watch(self, name: str, channel: str, value: Value = 0.0, direction: int = 0) -> None:
-        """Reports crossings of a channel and a value as events called `name`."""
+        """Reports each time that a channel crosses a value, as an event called `name`."""
         with self._lock:
             found = self._found(channel)
             limit = si(self._core.model, value, found[0].quantity, name)
@@ -192,7 +192,7 @@ class Simulation(Guarded):
                 raise MemoryError("out of memory")
 
     def control(self, period: Value, function: Optional[Callable[["Simulation", float], object]]) -> None:
-        """Calls function(simulation, time) now and after every period, exactly then; False ends the advance there."""
+        """Calls function(simulation, time) now and exactly after every period; False ends the advance."""
         with self._lock:
             c = self._use()
             handle = ffi.new_handle((ref(self), function)) if callable(function) else ffi.NULL
@@ -218,7 +218,7 @@ class Simulation(Guarded):
             return bytes(ffi.buffer(data, size))
 
     def restore(self, saved: bytes) -> None:
-        """Puts it where another simulation of the same machine was saved; on failure nothing changes."""
+        """Restores a saved simulation of the same machine; on failure nothing changes."""
         with self._lock:
             status = lib.yk_simulation_restore(self._use(), ffi.from_buffer(saved), len(saved))
             if status == lib.YK_BAD_MODEL:
@@ -228,7 +228,7 @@ class Simulation(Guarded):
 
     def clone(self) -> "Simulation":
         """Returns a second simulation in the same condition, without the control; it goes on with the same bits."""
-        with self.machine._lock:  # a start is found with what the machine keeps
+        with self.machine._lock:  # finding a start uses what the machine keeps
             other = Simulation(self.machine, self._request, self._kept)
         other.restore(self.save())
         other._efforts.update(self._efforts)
@@ -261,7 +261,7 @@ class Simulation(Guarded):
             return Summary(*(getattr(s, name) for name in Summary._fields))
 
     def rows(self, to: Value, *, every: Optional[Value] = None, steps: int = 100, of: Any = None) -> Table:
-        """Advances to a time and returns rows of channels on the way, from where it stands."""
+        """Advances to a time and returns rows of channels on the way, from the present time on."""
         with self._lock:
             return _motion.rows(self, self.time, si(self._core.model, to, TIME, "to"), every, steps, of)
 

@@ -1,4 +1,4 @@
-"""Where the file assembles the machine, which is where every request begins."""
+"""The pose in which the file assembles the machine, from which every request begins."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Callable, Optional
@@ -11,13 +11,13 @@ from ._watch import check, progress_of_host
 if TYPE_CHECKING:
     from ._core import Facts
 
-_CODES = {  # the error that each failing status stands for
+_CODES = {  # the error for each failing status
     lib.YK_LIMIT: "E0602", lib.YK_NO_ASSEMBLY: "E0601", lib.YK_NOT_CONVERGED: "E0606", lib.YK_STOPPED: "E0608",
 }
 
 
 def _owned(made: CData, free: Callable[[CData], None], mech: CData) -> CData:
-    """Frees what the library made of a mechanism with its last user, before the mechanism."""
+    """Frees what the library made from a mechanism when its last user goes, before the mechanism."""
 
     def end(c: CData, keep: CData = mech) -> None:
         free(c)
@@ -26,7 +26,7 @@ def _owned(made: CData, free: Callable[[CData], None], mech: CData) -> CData:
 
 
 def new_state(mech: CData) -> CData:
-    """Returns a state of a mechanism, which its long calls can be stopped on."""
+    """Returns a state of a mechanism whose long calls can be stopped."""
     state = lib.yk_state_new(mech)
     if state == ffi.NULL:
         raise MemoryError("out of memory")
@@ -47,7 +47,7 @@ def new_dynamics(mech: CData) -> CData:
 
 
 def new_configurations(mech: CData) -> CData:
-    """Returns what enumerating learns about a mechanism, for as many poses as there are."""
+    """Returns an object that keeps what enumerating learns about a mechanism, for any number of poses."""
     all_of = lib.yk_configurations_new(mech)
     if all_of == ffi.NULL:
         raise MemoryError("out of memory")
@@ -55,12 +55,12 @@ def new_configurations(mech: CData) -> CData:
 
 
 def message_of(state: CData) -> str:
-    """Returns what a state's report says."""
+    """Returns a state's report in words."""
     return text_of(lib.yk_state_report(state).message)
 
 
 def label_of(state: CData) -> str:
-    """Returns the label of a state's configuration, as "A+ C-"."""
+    """Returns the label of a state's configuration, such as "A+ C-"."""
     length = lib.yk_state_label(state, ffi.NULL, 0)
     text = ffi.new("char[]", length + 1)
     lib.yk_state_label(state, text, length + 1)
@@ -68,7 +68,7 @@ def label_of(state: CData) -> str:
 
 
 def pose_error(status: int, message: str, hint: Optional[str] = None) -> Exception:
-    """Returns the exception for a pose that is not reached; raises what ended the call from outside."""
+    """Returns the exception for a pose that is not reached; if something outside ended the call, raises that."""
     check()
     if status == lib.YK_NO_MEMORY:
         return MemoryError("out of memory")
@@ -77,7 +77,7 @@ def pose_error(status: int, message: str, hint: Optional[str] = None) -> Excepti
 
 
 class Start:
-    """The machine where the file assembles it, with the file's own choice of inputs, at t = 0."""
+    """The machine as the file assembles it, with the file's own choice of inputs, at t = 0."""
 
     def __init__(self, core: "Facts") -> None:
         self.mech: CData = core.base
@@ -94,13 +94,13 @@ class Start:
         return int(lib.yk_state_assemble(state) if status >= 0 else status)
 
     def _own(self, core: "Facts") -> CData:
-        """Assembles the file's own machine where parameters replace its values; None if it cannot be."""
+        """Assembles the file's own machine if parameters replace its values; None if it cannot be assembled."""
         mech = core.compile(core.own, (), Problems()) if core.own is not None else None
         state = new_state(mech) if mech is not None else None
         return state if state is not None and self._assemble(state) >= 0 else None
 
     def _take(self, core: "Facts", own: CData) -> int:
-        """Takes the configuration that the file has at its own parameters."""
+        """Takes the configuration that the file's own machine has."""
         status = lib.yk_state_set_time(self.state, 0.0, ffi.NULL)
         if status < 0:
             return int(status)
@@ -115,7 +115,7 @@ class Start:
         return int(lib.YK_NO_ASSEMBLY if status == lib.YK_LIMIT else status)
 
     def _carry(self, core: "Facts", own: CData) -> Optional[int]:
-        """Moves all parameters at once from the file's to the asked ones; None if they do not vary continuously."""
+        """Moves all parameters at once from the file's to the requested ones; None if they do not vary continuously."""
         names = list(core.parameters)
         mech = lib.yk_state_mechanism(own)
         inputs = lib.yk_input_count(self.mech)

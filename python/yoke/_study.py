@@ -132,7 +132,7 @@ def _one(over: Any) -> tuple[str, Any]:
 
 
 def run(study: Study, designs: Mapping[str, Any], every_pose: bool) -> Table:
-    """Computes all designs. Returns a row each: parameters, status, number of valid poses, then the answers."""
+    """Computes all designs. Returns a row for each: parameters, status, number of valid poses, then the answers."""
     arrays = [doubles(a, n) for n, a in designs.items()]
     count, reduced = len(arrays[0]) if arrays else 1, study.swept is not None and not every_pose
     if any(a.shape != (count,) for a in arrays):
@@ -195,9 +195,9 @@ def _run(study: Study, case: Any, data: Any) -> None:
 
 
 class Sensitivities(NamedTuple):
-    """Derivatives of columns with respect to parameters, [column, parameter], by two ways that share only the pose.
+    """Derivatives of columns with respect to parameters, [column, parameter], in two ways that share only the pose.
 
-    `by_derivative` has positions of machines without gears, belts and cams; elsewhere it is NaN.
+    `by_derivative` covers positions in machines without gears, belts and cams; elsewhere it is NaN.
     """
 
     of: tuple[str, ...]

@@ -21,14 +21,14 @@ Range = Union[Tuple[Value, Value], Tuple[float, float, str]]
 
 
 def is_range(value: Any) -> bool:
-    """Tells a range from a value: (0, 360, "deg"), (0.0, 6.28) and ("0 deg", "1 rad"), but not (30, "deg")."""
+    """Returns whether it is a range: (0, 360, "deg"), (0.0, 6.28) and ("0 deg", "1 rad") are, (30, "deg") is not."""
     if not isinstance(value, (tuple, list)):
         return False
     return len(value) == 3 or len(value) == 2 and (isinstance(value[0], str) or not isinstance(value[1], str))
 
 
 def ends(model: CData, value: Any, quantity: int, name: str) -> tuple[float, float]:
-    """Returns both ends of a range in SI; a unit after them holds for both."""
+    """Returns both ends of a range in SI; a unit after them applies to both."""
     if not is_range(value):
         raise refusal(RequestError, "E0812", f"`{name}` takes a range as (0, 360, \"deg\") or (\"0 mm\", \"60 mm\"), "
                       f"not {value!r}")
@@ -90,7 +90,7 @@ def _words_of_limit(plan: Plan, sweep: CData, swept: str, quantity: int, state: 
 
 def run(core: "Core", coordinates: Mapping[str, Any], of: Any, steps: Any, hold: "Holding", method: int,
         turn_max: Optional[Value]) -> Table:
-    """Sweeps and returns the rows; at a limit those before it."""
+    """Sweeps and returns the rows, which end at a limit."""
     swept, value, at = split(coordinates)
     step_count = count(steps, "steps")
     is_time = swept == "t" and "t" not in core.coordinates
@@ -157,7 +157,7 @@ def _view(sweep: CData, names: Sequence[str], heads: Sequence[Column], caption: 
 
 
 class Holding:
-    """What a request holds beside its coordinates: rates, accelerations, efforts, and the time."""
+    """The settings of a request other than its coordinates: rates, accelerations, efforts, and the time."""
 
     def __init__(self, core: "Core", time: Value, rate: Optional[Mapping[str, Value]],
                  accel: Optional[Mapping[str, Value]], effort: Optional[Mapping[str, Value]]) -> None:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class TaskError(Error, ValueError):
-    """The task's file is wrong, or it asks for what cannot be sought."""
+    """The task's file is wrong, or asks for something that cannot be searched for."""
 
 
 class Dyad(NamedTuple):
@@ -30,32 +30,32 @@ class Dyad(NamedTuple):
     kind: str
     fixed: tuple[float, float]
     moving: tuple[float, float]
-    length: float  # of the link, m; 0 with a slide
-    direction: float  # of the line, rad; 0 with two pins
+    length: float  # length of the link, m; 0 with a slide
+    direction: float  # angle of the line, rad; 0 with two pins
 
 
 class Candidate(NamedTuple):
     """A machine that does what the task asks; all numbers in SI. `machine()` loads it."""
 
-    model: str  # the model file
+    model: str  # the model file's text
     mechanism: str
     type: str  # "crank-rocker", ...: as driven
     error: float  # sum of squares: of distances (m^2), angles (rad^2), or both by weight
     worst: float  # the largest single deviation
     transmission: tuple[float, float]  # least and largest transmission angle over the motion
-    size: float  # of the longest link
+    size: float  # length of the longest link
     circuits: int
     pivots: tuple[tuple[float, float], tuple[float, float]]
     lengths: tuple[float, float, float, float]  # ground, input, coupler, output
-    # Slider-crank: of the slider's line from the input's pivot, to the left of the line; inverted slider-crank: of the
-    # output's pivot from the coupler's line; others: None.
+    # Signed distance of the slider's line from the input's pivot, positive to the line's left (slider-crank), or of
+    # the output's pivot from the coupler's line (inverted slider-crank); None for others.
     offset: Optional[float]
-    point: tuple[float, float]  # of the coupler, in its axes
+    point: tuple[float, float]  # a point of the coupler, in its axes
     dyads: Optional[tuple[int, int]]
     parameters: dict[str, float]
-    angles: "NDArray[np.float64]"  # of the input at the points of a path
+    angles: "NDArray[np.float64]"  # angles of the input at the points of a path
     curve: "NDArray[np.float64]"  # [k, 2]: the coupler point's path; of functions the input angle and the error
-    defect: Optional[str]  # why it was left out; None for those that were found
+    defect: Optional[str]  # why it was left out; None if it is a candidate
 
     def machine(self) -> "Machine":
         """Loads the machine."""
@@ -70,9 +70,9 @@ class Candidate(NamedTuple):
 class Synthesis(list):  # type: ignore[type-arg]
     """The candidates of a task, the best first.
 
-    complete    whether all that there is was sought: not where a task leaves a choice, which is sampled, nor for paths
-    stopped     whether it ended before its time; then the same seed need not give the same answer again
-    solutions   how many solutions the equations have, complex and real, where they are finitely many; otherwise None
+    complete    whether all machines were searched for: not if the task leaves a choice, which is sampled, nor for paths
+    stopped     whether the search was ended early; then the same seed need not give the same answer again
+    solutions   how many solutions the equations have, complex and real, if finitely many; otherwise None
     left_out    how many machines were left out, by their defect: "branch", "circuit", "order", ...
     defects     those machines
     """
@@ -180,8 +180,8 @@ def synthesize(task: Union[str, "os.PathLike[str]"], *, seed: int = 1, best: int
                progress: Progress = None) -> Synthesis:
     """Finds machines for a task: the path of its file, or its text if that has several lines.
 
-    seed   of samples, where a task leaves a choice
-    best   how many candidates are kept; 0: as the task says, or 10
+    seed   of the samples, if the task leaves a choice
+    best   how many candidates are kept; 0: as many as the task says, or 10
     """
     with Watch(progress, "synthesize"):
         own = _load(task)

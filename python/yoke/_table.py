@@ -15,8 +15,8 @@ class Event(NamedTuple):
 
     kind: str  # "limit", "change-point", "dead-point", "minimum", "maximum"; "stop", "release", "crossing", ...
     at: float
-    name: str  # of the channel, the joint, the coordinate or what was watched
-    value: float  # NaN where there is none
+    name: str  # of the channel, joint, coordinate or crossing
+    value: float  # NaN if there is none
 
 
 class Column(NamedTuple):
@@ -91,7 +91,7 @@ class Table(np.ndarray):  # type: ignore[type-arg]
         return _grid.html(self._heads(), self._cells(20), note)
 
     def to_pandas(self, index: Optional[str] = None) -> Any:
-        """Returns the rows as a pandas.DataFrame; needs pandas."""
+        """Returns the rows as a pandas.DataFrame; requires pandas."""
         import pandas  # type: ignore[import]
 
         frame = pandas.DataFrame({name: self[name] for name in self.dtype.names or ()})
@@ -106,5 +106,5 @@ def table(data: Any, columns: Sequence[Column], caption: str) -> Table:
 
 
 def row_type(names: Sequence[str]) -> Any:
-    """Returns the type of a row: doubles by these names, as the library lays them out."""
+    """Returns the type of a row: doubles with these names, as the library lays them out."""
     return np.dtype([(name, np.float64) for name in names])

@@ -29,7 +29,7 @@ def number(value: Any, name: str) -> float:
 
 
 def named(values: Any, name: str, more: Mapping[str, Any] = MappingProxyType({})) -> dict[str, Any]:
-    """Returns values by name; refuses what is not a mapping from names."""
+    """Returns values by name; refuses anything but a mapping from names."""
     if values is None:
         return dict(more)
     if not isinstance(values, Mapping) or not all(isinstance(key, str) for key in values):
@@ -41,7 +41,7 @@ def named(values: Any, name: str, more: Mapping[str, Any] = MappingProxyType({})
 
 
 def words(value: Value, name: str) -> str:
-    """Returns a value as a text for the library: a pair (30, "deg") as "30.0 deg"."""
+    """Returns a value as a string for the library: the pair (30, "deg") as "30.0 deg"."""
     if isinstance(value, str):
         return value
     if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str):
@@ -50,7 +50,7 @@ def words(value: Value, name: str) -> str:
 
 
 def si(model: CData, value: Value, quantity: int, name: str) -> float:
-    """Returns a value in SI: numbers are in SI already, texts are read as the command reads them."""
+    """Returns a value in SI: numbers are in SI already, strings are read as the command reads them."""
     if type(value) is float and value - value == 0:
         return value
     if not isinstance(value, (str, tuple)):
@@ -64,7 +64,7 @@ def si(model: CData, value: Value, quantity: int, name: str) -> float:
 
 
 def encoded(text: str, name: str = "text") -> bytes:
-    """Returns a text for C; refuses one that C would cut off."""
+    """Returns a string for C; refuses one that C would cut off."""
     if not isinstance(text, str):
         raise refusal(RequestError, "E0806", f"`{name}` takes a text, not {text!r}")
     if "\0" in text:
@@ -73,7 +73,7 @@ def encoded(text: str, name: str = "text") -> bytes:
 
 
 def unit_of(model: CData, quantity: int) -> tuple[str, float]:
-    """Returns the unit in which the file gives a quantity, and its size in SI; forces in N where it gives none."""
+    """Returns the file's unit of a quantity, and its size in SI; N for forces if the file has none."""
     size = ffi.new("double *", 1.0)
     unit = text_of(lib.yk_model_unit(model, quantity, size))
     si_units = {lib.YK_QUANTITY_FORCE: "N", lib.YK_QUANTITY_TORQUE: "N*m", lib.YK_QUANTITY_ENERGY: "J"}
@@ -83,7 +83,7 @@ def unit_of(model: CData, quantity: int) -> tuple[str, float]:
 
 
 def digits(value: float, count: int = 6) -> str:
-    """Returns a number with at most `count` significant digits, as the command writes it; "-" where there is none.
+    """Returns a number with at most `count` significant digits, as the command writes it; "-" for NaN.
 
     >>> digits(0.1 + 0.2), digits(-0.0), digits(float("nan")), digits(123456789.0), digits(1.5e-7)
     ('0.3', '0', '-', '123457000', '1.5e-7')
@@ -104,7 +104,7 @@ def digits(value: float, count: int = 6) -> str:
 
 
 def shown(model: CData, value: float, quantity: int, count: int = 6) -> str:
-    """Returns "190.09 deg": a value in the file's unit; angles in radians also in degrees."""
+    """Returns a value in the file's unit, such as "190.09 deg"; angles in radians also in degrees."""
     unit, size = unit_of(model, quantity)
     text = f"{digits(value / size, count)} {unit}".rstrip()
     if quantity == lib.YK_QUANTITY_ANGLE and unit == "rad":

@@ -9,17 +9,17 @@ from ._native import ffi, lib
 
 Progress = Union[bool, Callable[[float], object], None]
 _reports: dict[int, Callable[[float], object]] = {}  # by thread
-_raised: dict[int, BaseException] = {}  # by thread: what a callback raised, which ended the call
+_raised: dict[int, BaseException] = {}  # by thread: the exception of a callback, which ended the call
 
 
 def keep(_kind: Any, error: BaseException, _trace: Any) -> None:
-    """Keeps what a callback raised, until the call that it ended has returned."""
+    """Keeps a callback's exception until the call that it ended has returned."""
     _raised[get_ident()] = error
 
 
 @ffi.def_extern(error=False, onerror=keep)  # type: ignore[misc]
 def yk_host_ask(part: float) -> bool:
-    """Lets Python look at signals, and tells the progress."""
+    """Lets Python look at signals, and reports the progress."""
     report = _reports.get(get_ident())
     if report is not None:
         report(part)
@@ -27,7 +27,7 @@ def yk_host_ask(part: float) -> bool:
 
 
 def check() -> None:
-    """Raises what ended a long call of this thread, if anything did."""
+    """Raises the exception that ended a long call of this thread, if there was one."""
     if _raised:
         error = _raised.pop(get_ident(), None)
         if error is not None:
@@ -44,7 +44,7 @@ def _bar(title: str) -> tuple[Optional[Callable[[float], object]], Callable[[], 
 
 
 class Watch:
-    """Follows the long calls of a block: `progress` is True (tqdm, if it is there), a function, or None."""
+    """Follows the long calls of a block: `progress` is True (tqdm, if it is installed), a function, or None."""
 
     __slots__ = ("progress", "title", "before", "close")
 

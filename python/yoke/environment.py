@@ -18,19 +18,19 @@ Reward = Callable[["NDArray[np.float64]", "NDArray[np.float64]"], Any]
 
 
 class Environment:
-    """`count` copies of a machine that learn, or are controlled, together.
+    """`count` copies of a machine, controlled together.
 
-    machine   its free coordinates move, efforts of `act` are the actions
+    machine   its free coordinates move, and efforts along those of `act` are the actions
     act       efforts along coordinates, in the order of the actions' columns
     observe   channels, in the order of the observations' columns
     span      time of a step
-    start     ranges from which start values are drawn, as {"theta": (-0.05, 0.05), "theta.rate": (-0.05, 0.05)}, SI
+    start     ranges in SI from which start values are drawn: {"theta": (-0.05, 0.05), "theta.rate": (-0.05, 0.05)}
     reward    function of observations and actions; 1 for each step by default
-    ended     function of the observations: which copies have come to their end
+    ended     function of the observations that returns which copies have ended
     most      steps after which a copy is cut off
 
-    A copy that has ended is restarted by the next `step`, which returns its first observation. What copy k draws
-    depends on the seed and k alone: not on their number, nor on threads.
+    A copy that has ended is restarted by the next `step`, which returns its first observation. The random numbers of
+    copy k depend on the seed and k alone, not on the number of copies or threads.
     """
 
     def __init__(self, machine: "Machine", count: int, *, act: Sequence[str], observe: Sequence[str], span: Value,
@@ -53,7 +53,7 @@ class Environment:
         self.reset(seed=0)
 
     def reset(self, seed: Optional[int] = None) -> tuple["NDArray[np.float64]", dict[str, Any]]:
-        """Restarts all copies, with a seed the random numbers too. Returns observations [copy, channel] and {}."""
+        """Restarts all copies and, with a seed, the random numbers. Returns observations [copy, channel] and {}."""
         if seed is not None or not self._random:
             root = np.random.SeedSequence(seed)
             self._random = [np.random.default_rng(np.random.SeedSequence(root.entropy, spawn_key=(k,)))
@@ -95,7 +95,7 @@ class Environment:
         return values.copy(), reward, ended, cut, {"status": self.simulations.status.copy()}
 
     def _answer(self, name: str, value: Any, kind: type) -> "NDArray[Any]":
-        """Copies what a function of the caller returned, one value for each copy."""
+        """Copies the result of a caller's function, one value for each copy."""
         if dimensions(value, name) != 1 or len(value) != self.count:
             raise refusal(RequestError, "E0806", f"`{name}` returns an array of shape {(self.count,)}, not {np.shape(value)}")
         return np.array(value, kind)

@@ -13,7 +13,7 @@ typedef struct YkNameEntry {
 
 typedef struct YkNames {
     const char **keys;    // NULL in a free slot
-    YkNameEntry *entries; // in the same slots: comparing hashes tells most keys apart without reading their text
+    YkNameEntry *entries; // in the same slots: hashes distinguish most keys without reading their text
     size_t count, capacity;
 } YkNames; // zeroed = empty
 

@@ -2,7 +2,7 @@
 //
 // The public call creates the pace, on its stack or in the object it works on. Everything that runs on its behalf
 // counts in it through a pointer, which is NULL if the caller is not watching. A stopped pace stays stopped: code that
-// is told false gives up, and the public call returns YK_STOPPED whatever its parts returned.
+// gets false gives up, and the public call returns YK_STOPPED whatever its parts returned.
 #ifndef BASE_PACE_H
 #define BASE_PACE_H
 #include <stdbool.h>
@@ -16,7 +16,7 @@ enum { YK_PACE_SLICE = 8000000 };
 typedef struct YkPace {
     YkProgress progress;
     double from, to; // the shares of the whole call between which the present stage lies
-    double part;     // of the whole call: told last
+    double part;     // of the whole call: reported last
     uint64_t work;   // since the caller was asked
     bool is_stopped;
 } YkPace;
@@ -25,7 +25,7 @@ typedef struct YkPace {
 bool yk_pace_begin(YkPace *pace, YkProgress progress);
 // Begins a stage of the call, between two shares of it.
 void yk_pace_stage(YkPace *pace, double from, double to);
-// Tells which part of the stage is done; the caller learns of it when it is asked next.
+// Notes which part of the stage is done; the caller learns of it when it is asked next.
 void yk_pace_reach(YkPace *pace, double part);
 bool yk_pace_ask(YkPace *pace); // asks, whatever was counted
 

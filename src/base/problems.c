@@ -83,7 +83,7 @@ void yk_problems_name_places(YkProblems *problems, YkNamePlace name)
     if (problems) problems->name_place = name;
 }
 
-// NULL if nothing more than the place itself is known, and when out of memory: the place is still told.
+// NULL if nothing more than the place itself is known, and when out of memory: the place is still printed.
 static const char *name_place(YkProblems *problems, YkPlace place)
 {
     YkText words = {0};

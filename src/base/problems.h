@@ -10,9 +10,9 @@
 enum { YK_PROBLEMS_MAX = 200 }; // after these, one last problem says that more were found
 // Names the source and keeps a copy of its text for quoting lines (text may be NULL).
 void yk_problems_set_source(YkProblems *problems, const char *name, const char *text, size_t length);
-// Names who tells the problems that have no place, instead of the source (a program; NULL: the source again).
+// Names the program that problems without a place begin with, instead of the source (NULL: the source again).
 void yk_problems_set_teller(YkProblems *problems, const char *name);
-// Says in words of what a place in the source is; false where it does not know.
+// Says in words of what a place in the source is; false if it does not know.
 typedef bool (*YkNamePlace)(const char *source, size_t length, YkPlace place, YkText *words);
 // From now on problems say so in `where`, until another source is set.
 void yk_problems_name_places(YkProblems *problems, YkNamePlace name);

@@ -1,4 +1,4 @@
-// Decodes UTF-8 strictly, and tells how a code point shows on a terminal.
+// Decodes UTF-8 strictly, and finds how a code point appears on a terminal.
 #include "base/utf8.h"
 
 size_t yk_utf8_decode(const char *text, size_t length, uint32_t *code)

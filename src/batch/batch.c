@@ -29,7 +29,7 @@ static void fill_constants(YkBatch *b)
         for (size_t k = 0; k < b->lanes; k++) b->constant[i * b->lanes + k] = b->state->input[i];
 }
 
-// Returns whether every pose is solved by a state: tracked, or asked what only a state tells.
+// Returns whether every pose is solved by a state: it is tracked, or some channel is known only to a state.
 static bool needs_state(const YkBatch *b)
 {
     if (b->mech->has_groups || b->mech->reference_count > 0 || (b->forces && !b->forces->lanes)) return true;

@@ -1,10 +1,10 @@
-// What a batch offers to later rooms.
+// The functions of a batch for later rooms.
 #ifndef BATCH_BATCH_H
 #define BATCH_BATCH_H
 #include <yoke/batch.h>
 
 // Makes a batch for a machine of dyads whose poses follow each other along one path of the inputs, at most some degrees
-// apart. It counts angles turn by turn along the path, and tells where the branches may no longer be those of the path.
+// apart. It counts angles turn by turn along the path, and marks where the branches may no longer be those of the path.
 YkBatch *yk_batch_new_along(const YkState *state, const YkChannel *channels, size_t channel_count);
 // Returns whether its channels of forces cannot be computed in lanes.
 bool yk_batch_has_slow_forces(const YkBatch *batch);

@@ -1,4 +1,4 @@
-// Makes the forces of lanes: the tape, and from where its leaves get their values.
+// Makes the forces of lanes: the tape, and the sources of its leaves' values.
 #include <stdlib.h>
 #include "base/text.h"
 #include "batch/lane_forces.h"
@@ -134,8 +134,8 @@ static YkRef rate_by(YkProgram *p, const YkRates *by, size_t input, size_t base,
     return yk_graph_multiply(&p->graph, yk_graph_number(&p->graph, 1 / ratio), rates->turn[base]);
 }
 
-// What turns at a fixed ratio to an input has rates that are multiples of one rate, so that terms of all of it join. In
-// a variant the ratios may vary.
+// Orientations that turn at a fixed ratio to an input have rates that are multiples of one rate, so that their terms
+// join. In a variant the ratios may vary.
 static void place_linear_rates(YkLaneForces *f, YkProgram *p, YkRates *r, YkRates *s)
 {
     size_t n = p->mech->input_count;

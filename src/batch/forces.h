@@ -13,7 +13,7 @@ YkLaneForces *yk_lane_forces_new(const YkMechanism *mech, const YkChannel *chann
                                  bool *fits);
 void yk_lane_forces_free(YkLaneForces *forces);
 size_t yk_lane_forces_length(const YkLaneForces *forces); // operations a pose
-// Returns whether a channel tells something about whether all are finite: they are where all such channels are.
+// Returns whether a channel is one of those that decide whether all are finite: all are if these are.
 bool yk_lane_forces_tell(const YkLaneForces *forces, size_t channel); // with the present parameters
 // Takes new values of the variant's parameters.
 void yk_lane_forces_redesign(YkLaneForces *forces);

@@ -51,7 +51,7 @@ const double *yk_batch_number_of(const YkBatch *batch, size_t channel);
 void yk_batch_write_angle(const YkBatch *batch, size_t coordinate, double *out, size_t n);
 // Writes a channel that is none of forces. masks: some lanes may not close, or are at a dead point.
 void yk_batch_write_channel(const YkBatch *batch, size_t channel, bool masks, double *out);
-// judge.c: tells the status of n lanes, and leaves margins that mask what they cannot tell. Returns the worst.
+// judge.c: finds the status of n lanes, and leaves margins that mask undecided ones. Returns the worst.
 YkStatus yk_batch_judge(YkBatch *batch, signed char *status, size_t n);
 // Solves one lane of the block in batch->state.
 YkStatus yk_batch_solve_lane(YkBatch *batch, size_t lane);
@@ -66,7 +66,7 @@ bool yk_batch_run_forces_alone(YkBatch *batch, double *const *outputs, size_t at
 void yk_batch_write_positions(const YkBatch *batch);
 // Returns how many lanes have finite forces, from the first.
 size_t yk_batch_finite_lanes(const YkBatch *batch, double *const *outputs, size_t at, size_t n);
-// Replaces forces that are not finite by those of one pose, or tells its status. Returns the worst.
+// Replaces forces that are not finite by those of one pose, or takes its status. Returns the worst.
 YkStatus yk_batch_settle_forces(YkBatch *batch, double *const *outputs, signed char *status, size_t at, size_t n);
 
 #endif

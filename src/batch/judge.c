@@ -35,7 +35,7 @@ static YkStatus judge_by_state(YkBatch *b, size_t k, bool closes)
     return !closes ? YK_LIMIT : *margin <= YK_SINGULAR_MARGIN ? YK_SINGULAR : YK_OK;
 }
 
-// Judges a lane; leaves a margin that masks what it cannot tell. On a path the state judges close poses, not a lane.
+// Judges a lane; leaves a margin that masks it if it is undecided. On a path the state judges close poses, not a lane.
 static YkStatus judge_lane(YkBatch *b, size_t k)
 {
     double *margin = &b->run.space->margin[k];

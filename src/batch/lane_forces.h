@@ -1,4 +1,4 @@
-// The inside of YkLaneForces: what makes the tape, and what runs it.
+// The inside of YkLaneForces: shared by the files that make the tape and run it.
 #ifndef BATCH_LANE_FORCES_H
 #define BATCH_LANE_FORCES_H
 #include "batch/forces.h"

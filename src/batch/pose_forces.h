@@ -1,4 +1,4 @@
-// Forces of a batch or a study: in lanes where the machine allows it, by the dynamics of one pose where not. All
+// Forces of a batch or a study: in lanes if the machine allows it, otherwise by the dynamics of one pose. All
 // accelerations are given.
 #ifndef BATCH_POSE_FORCES_H
 #define BATCH_POSE_FORCES_H

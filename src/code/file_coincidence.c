@@ -1,5 +1,5 @@
 // Poses at which two pins of a dyad coincide, so that any angle closes it. The engine keeps the angle with which the
-// machine comes there. A printed function has no memory: it takes the pose a hair before, against the rates.
+// machine arrives. A printed function has no memory: it takes the pose just before, going back along the rates.
 #include "code/file.h"
 
 bool yk_file_may_coincide(const YkFile *file)

@@ -1,4 +1,4 @@
-// Channels: names of numbers that a pose can tell.
+// Channels: names of the numbers of a pose.
 #include <string.h>
 #include "base/problems.h"
 #include "base/text.h"

@@ -1,5 +1,5 @@
 // Finds the freedom by rank, part by part. Counting is not enough when constraints repeat each other: only the Jacobian
-// of the closed loops tells. Source of the iteration: Levenberg 1944, Marquardt 1963, as least squares.
+// of the closed loops shows it. Source of the iteration: Levenberg 1944, Marquardt 1963, as least squares.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

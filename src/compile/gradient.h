@@ -31,7 +31,7 @@ void yk_gradient_free(YkGradient *gradient);
 // Cost: that of the expressions, once for each parameter on which they depend; allocates nothing.
 bool yk_gradient_design(YkGradient *gradient);
 // Linearises the loops at a pose: x[yk_variable_count], as yk_closure takes them, and their rates and accelerations, or
-// NULL where no answer depends on any. Returns false if the loops do not determine the pose: at a dead point. Cost
+// NULL if no answer depends on any. Returns false if the loops do not determine the pose: at a dead point. Cost
 // O(variables^3).
 bool yk_gradient_pose(YkGradient *gradient, const double *x, const double *rates, const double *accelerations);
 // Adds the derivatives of an answer to slope[parameters of the variant]: start, take the share of each weighted channel

@@ -177,7 +177,7 @@ static size_t variable_of(const YkGradient *g, YkRelationTerm term)
 }
 
 // Their first and second derivatives, -L' a' and -L'' a'^2 - L' a'', have shares of the argument a by those of the law
-// L. What is linear is settled already.
+// L. Linear parts are settled already.
 void yk_gradient_take_relation(YkGradient *g, size_t relation, size_t order, double by)
 {
     const YkRelation *r = &g->mech->relations[relation];

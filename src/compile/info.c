@@ -168,7 +168,7 @@ size_t yk_block_count(const YkMechanism *mech)
     return mech->block_count;
 }
 
-// A member of a block: a joint or a body. One half of a free joint stands for both, and no carriage is told.
+// A member of a block: a joint or a body. One half of a free joint stands for both, and carriages are left out.
 static bool is_told(const YkMechanism *mech, const YkBlock *b, uint32_t k)
 {
     int32_t member = mech->block_members[k];
@@ -188,7 +188,7 @@ static size_t count_told(const YkMechanism *mech, const YkBlock *b, uint32_t fir
     return told;
 }
 
-// Returns the member number `index` of those that are told, YK_NONE past the last.
+// Returns the member number `index` of those that are shown, YK_NONE past the last.
 static int32_t told_at(const YkMechanism *mech, const YkBlock *b, uint32_t first, uint32_t count, size_t index)
 {
     bool all_are = mech->model->carriage_count == 0;

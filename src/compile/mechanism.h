@@ -154,7 +154,8 @@ typedef struct YkBlockAside {
 typedef struct YkBlock {
     YkBlockKind kind;
     YkBlockForm form;
-    // Dyads: known part, arms (in relative slots, in the axes of the unknown), lines. What a pose needs comes first.
+    // Dyads: known part, arms (in relative slots, in the axes of the unknown), lines. Members that a pose needs come
+    // first.
     bool arm_is_constant[2];
     int32_t line_slot[2]; // RRP: orientation of the line; RPR: relative slot; PP: both; GUIDE: the line
     YkColumn column[2];   // RRR: Phi1, Phi2; RRP, RPR: Phi, d; PP: d1, d2
@@ -271,7 +272,7 @@ int32_t yk_tree_coordinate(const YkMechanism *mech, int32_t joint, bool is_dista
 // Returns the relation by whose law a coordinate of the tree follows another one, or YK_NONE. O(relations).
 int32_t yk_law_relation(const YkMechanism *mech, size_t coordinate);
 // Writes the way to a body in the tree, in pieces: path[] gets its bodies from depth `from` on (1: next to the root),
-// the body itself last, YK_TREE_PATH at most. Returns how many; 0 where the way has ended.
+// the body itself last, YK_TREE_PATH at most. Returns how many; 0 if the way has ended.
 enum { YK_TREE_PATH = 512 };
 size_t yk_tree_path(const YkMechanism *mech, int32_t body, size_t from, int32_t *path);
 // Returns the factor that makes a relation's value a length: gears and the like are equations of angles, times teeth.

@@ -7,7 +7,7 @@
 #include "compile/terms.h"
 #include "compile/topology.h"
 
-enum { YK_ANCHORS_MAX = 8 }; // more joints to known clusters tell nothing new
+enum { YK_ANCHORS_MAX = 8 }; // more joints to known clusters add nothing
 
 typedef struct YkInputSum { // what is a sum of inputs
     bool is_known;
@@ -59,7 +59,7 @@ void yk_plan_end(YkPlan *plan);
 // input_sums.c: returns the sums of all orientations, made at the first call. NULL when out of memory: plan->failed.
 YkInputSum *yk_plan_sums(YkPlan *plan);
 YkInputSum *yk_plan_sum_of(const YkPlan *plan, YkRelationTerm term);
-// Returns x + y, or 0 where that is but rounding: over hundreds of turns of an input, rounding would be a miss.
+// Returns x + y, or 0 if that is but rounding: over hundreds of turns of an input, rounding would be a miss.
 double yk_plan_add(double x, double y);
 // Adds target += factor * form.
 void yk_plan_add_sum(YkPlan *plan, YkInputSum *target, const YkInputSum *form, double factor);

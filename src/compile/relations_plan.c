@@ -1,7 +1,7 @@
 // Relations in the plan: once all but one of its angles and distances are known, a relation gives the last.
 //
-// What is a sum of inputs is kept as such a sum (a *form*), so that trains of gears and racks stay exact over any
-// number of turns; an angle that loops place is taken nearest to a reference that follows the motion.
+// A sum of inputs is kept as such (a *form*), so that trains of gears and racks stay exact over any number of turns; an
+// angle that loops place is taken nearest to a reference that follows the motion.
 #include "base/memory.h"
 #include "compile/plan.h"
 #include "compile/relations.h"

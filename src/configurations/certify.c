@@ -186,7 +186,7 @@ bool yk_certify(const YkShape *shape, const YkVec *coefficients, YkVec *x, YkCer
         *certificate = (YkCertificate){radii[r], image, YK_REALITY_UNKNOWN};
         certificate->reality = is_real ? YK_REAL : avoids_reals(&p, image) ? YK_NOT_REAL : YK_REALITY_UNKNOWN;
         is_proved = true;
-        if (certificate->reality != YK_REALITY_UNKNOWN) break; // otherwise a smaller polydisc may tell
+        if (certificate->reality != YK_REALITY_UNKNOWN) break; // otherwise a smaller polydisc may decide
     }
     return is_proved;
 }

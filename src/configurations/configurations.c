@@ -1,4 +1,4 @@
-// Visits every configuration of a machine, and tells whether there are others.
+// Visits every configuration of a machine, and finds whether there are others.
 #include <yoke/configurations.h>
 #include <stdlib.h>
 #include <string.h>
@@ -168,7 +168,7 @@ static const char *reason_outside(YkOutside outside)
     case YK_OUTSIDE_RELATIONS:
         return "gears, belts, cams or laws are solved together with its loops";
     case YK_OUTSIDE_REDUNDANT:
-        return "its equations are not as many as its unknowns";
+        return "it has not as many equations as unknowns";
     case YK_OUTSIDE_LARGE:
         return "it has more than seven loops";
     case YK_OUTSIDE_LINES:

@@ -7,7 +7,7 @@
 #include "num/dense.h"
 
 // Proves that A[m][n] has a rank of at least r, at all poses within 1e-10 of this one: some r columns have a left
-// inverse Y, with |I - Y A| < 1 in every row. Returns r, or 0 where that is not proved.
+// inverse Y, with |I - Y A| < 1 in every row. Returns r, or 0 if that is not proved.
 static size_t prove_rank(YkContinua *c, size_t m, size_t n, const double *A)
 {
     size_t count = m * n + m + 2 * n + m * n;

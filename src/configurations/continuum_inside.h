@@ -3,7 +3,7 @@
 #define CONFIGURATIONS_CONTINUUM_INSIDE_H
 #include "configurations/continuum.h"
 
-enum { YK_CONTINUUM_SAMPLES = 16 }; // poses by which bodies are told that keep their angle
+enum { YK_CONTINUUM_SAMPLES = 16 }; // poses that show which bodies keep their angle
 
 // --- continuum_equations.c
 double yk_continuum_unit(const YkContinua *continua, size_t column); // of an unknown: 1 rad, or the size

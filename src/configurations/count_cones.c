@@ -186,7 +186,7 @@ static int sign_of(const double *x, size_t n)
     return sign;
 }
 
-// Returns how often the eliminated cone meets another: |det|, 0 where they do not, -1 where v is not generic enough to
+// Returns how often the eliminated cone meets another: |det|, 0 if they do not, -1 where v is not generic enough to
 // tell. v: with the first cone's share taken from it.
 static int meet(const Cones *c, const Steps *s, const uint16_t *cone, const double *v)
 {

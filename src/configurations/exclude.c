@@ -8,7 +8,7 @@
 #include "num/dense.h"
 
 enum { N = YK_GEARED_MAX, ROWS = YK_GEARED_ROWS, BOXES_MAX = 400000 };
-#define SMALLEST 1e-7                // half a side, rad: poses that are not told apart then meet
+#define SMALLEST 1e-7                // half a side, rad: poses that are not separated by then meet
 #define NEAR (0.5 * YK_EXCLUDE_NEAR) // half a side: smaller boxes are left where a singular pose is as close
 #define WIDER 1.5                    // a pose on the side of a box is inside of the box in which it is sought
 
@@ -254,7 +254,7 @@ static void read_at(Search *s, const double *x)
     for (size_t r = 0; r < s->g->relations; r++) read_relation(s, r, &point, &nearest);
 }
 
-// Finds the pose that is alone in a box, by Newton's method for the equations that prove that. Tells by how much these
+// Finds the pose that is alone in a box, by Newton's method for the equations that prove that. Says by how much these
 // miss there, and by how much all do if there are more.
 static void polish(Search *s, const Box *box, double *x, double *miss, double *all)
 {
@@ -322,7 +322,7 @@ static bool keep(Search *s, const Box *box, YkExcluded *out)
     for (size_t k = 0; k < out->count; k++) {
         alone = out->alone + 2 * n * k;
         if (!(apart(s, x, out->poses + n * k) < 1e-7)) continue;
-        if (!is_within(s, x, alone, alone + n)) out->is_complete = false; // two that nothing tells apart
+        if (!is_within(s, x, alone, alone + n)) out->is_complete = false; // two that cannot be separated
         return true;
     }
     if (!yk_geared_turn(s->g, x)) out->is_complete = false;

@@ -14,7 +14,7 @@ typedef struct YkExcluded { // the array is kept and reused
     bool is_complete; // every pose is listed here or lies in one of the boxes that were left
 } YkExcluded;
 
-// Returns false when out of memory. It is incomplete if `pace` stops it, or if poses that meet cannot be told apart.
+// Returns false when out of memory. It is incomplete if `pace` stops it, or if poses that meet cannot be separated.
 bool yk_exclude(const YkGeared *geared, YkPace *pace, YkExcluded *out);
 // Coefficients along an interval of a parameter: discs of them in its middle, and of their derivatives all over it;
 // those of the loops, then of the phases at [loops (unknowns + 1) 2 + relation (unknowns + 1) + unknowns].

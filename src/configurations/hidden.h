@@ -11,7 +11,7 @@
 typedef struct YkHidden {
     size_t loops, angles, slides; // without the hidden one
     int turning[2 * YK_SYSTEM_LOOPS_MAX];
-    // Of loops, then of conjugates: [2 loops][angles + slides + 1], the constants last; and the factors of h.
+    // Those of loops, then of conjugates: [2 loops][angles + slides + 1], the constants last; and the factors of h.
     YkVec coefficients[2 * YK_SYSTEM_LOOPS_MAX * 2 * YK_SYSTEM_LOOPS_MAX], times[2 * YK_SYSTEM_LOOPS_MAX];
     bool is_angle;                           // the hidden one
     size_t hidden;                           // its unknown in the shape

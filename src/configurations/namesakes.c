@@ -1,4 +1,4 @@
-// Names of configurations. A number that tells apart configurations with one label is counted at the start, where the
+// Names of configurations. A number that distinguishes configurations with one label is counted at the start, where the
 // machine was assembled, so that a configuration keeps its name while the machine moves.
 #include "configurations/namesakes.h"
 #include <stdlib.h>

@@ -16,7 +16,7 @@ typedef struct Centers {
     const YkCenter **of; // [bodies * bodies], both ways round
 } Centers;
 
-// What the source of values needs: the symbols of each pair of bodies, or -1.
+// Data for the source of values: the symbols of each pair of bodies, or -1.
 typedef struct Symbols {
     size_t bodies;
     int32_t *x, *y; // [bodies * bodies]

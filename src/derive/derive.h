@@ -8,7 +8,7 @@
 // first to the second by whole-number combinations. Derive in body form, show in joint form.
 //
 // Elements are constant and live as long as the derivation. A function that returns one returns NULL if the ring
-// could not make it (yk_ring_status tells why), and accepts NULL for any element, so that a derivation is checked only
+// could not make it (yk_ring_status says why), and accepts NULL for any element, so that a derivation is checked only
 // once, at its end.
 #ifndef DERIVE_DERIVE_H
 #define DERIVE_DERIVE_H
@@ -158,7 +158,7 @@ YkRingStatus yk_derivation_fault(const YkDerivation *derivation);
 
 // --- From the file (expression.c, measures.c, constants.c, symbols.c)
 // Returns an expression of the file in SI, exactly: parameters, coordinates, rates and t become symbols; decimals and
-// units are exact (deg with the symbol pi). What is not a polynomial becomes a constant symbol if it is constant;
+// units are exact (deg with the symbol pi). An expression that is not a polynomial becomes a symbol if it is constant;
 // otherwise NULL with the status YK_RING_DIVISOR. NULL expression: 0.
 const YkPoisson *yk_derive_expression(YkDerivation *d, const YkExpr *expr);
 // Does the same, but returns NULL for NULL, and does not fail if the ring cannot hold it.

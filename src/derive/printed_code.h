@@ -1,4 +1,4 @@
-// What generated code needs besides the formulas of a page.
+// The parts of generated code besides the formulas of a page.
 #ifndef DERIVE_PRINTED_CODE_H
 #define DERIVE_PRINTED_CODE_H
 #include "derive/derive.h"

@@ -13,7 +13,7 @@ static bool has_laws(const YkModel *model)
     return model->law_count > 0;
 }
 
-// What `all` leaves out: other sections have the same equations, in the order in which they are solved.
+// Sections that `all` leaves out: others have the same equations, in the order in which they are solved.
 static bool is_on_request(const YkModel *model)
 {
     (void)model;

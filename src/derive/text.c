@@ -1,4 +1,4 @@
-// Names put together.
+// Composes names.
 #include <string.h>
 #include "derive/derive.h"
 

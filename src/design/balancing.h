@@ -1,4 +1,4 @@
-// The inside of balancing: a cycle of poses, and what the engine tells of each.
+// The inside of balancing: a cycle of poses, and the engine's answers at each.
 #ifndef DESIGN_BALANCING_H
 #define DESIGN_BALANCING_H
 #include <yoke/balancing.h>
@@ -28,7 +28,7 @@ struct YkBalancing {
     YkText model;
 };
 
-// Finds the cycle: one turn, or the way between limits. Returns YK_BAD_ARGUMENT where there is none.
+// Finds the cycle: one turn, or the way between limits. Returns YK_BAD_ARGUMENT if there is none.
 YkStatus yk_cycle_find(const YkState *state, size_t steps, YkCycle *cycle);
 // Makes a turn as many turns as the machine and its efforts need to repeat: two for a four-stroke engine.
 YkStatus yk_cycle_repeat(const YkState *state, YkCycle *cycle);

@@ -199,7 +199,7 @@ static double refine(Measure *m, size_t i, double at, double before, double here
 }
 
 // Takes the peaks about the middle one of three poses that follow each other: none exceeds the middle by more than it
-// exceeds the lower neighbour. What is constant but for rounding has none.
+// exceeds the lower neighbour. A value that is constant but for rounding has none.
 static void take_peaks(Measure *m, double at, double size[3][PEAKS], double *peak)
 {
     for (size_t i = 0; i < PEAKS; i++) {

@@ -31,7 +31,7 @@ static bool is_readable(FILE *file, const char *path, size_t *expected, YkProble
 {
     struct stat status;
     *expected = 0;
-    if (fstat(fileno(file), &status) != 0) return true; // reading will tell
+    if (fstat(fileno(file), &status) != 0) return true; // reading will show why
     if (S_ISDIR(status.st_mode)) {
         yk_problem(problems, YK_CODE_FILE_DIRECTORY, nowhere, "%q is a directory, not a file", path);
         return false;

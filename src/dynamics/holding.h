@@ -1,4 +1,4 @@
-// Dry friction of joints at rest: what it may exert is an interval, and so is the effort of a drive that holds the
+// Dry friction of joints at rest: it may be any in an interval, and so may the effort of a drive that holds the
 // machine. Inverse dynamics has no single answer there.
 #ifndef DYNAMICS_HOLDING_H
 #define DYNAMICS_HOLDING_H

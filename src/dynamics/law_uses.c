@@ -1,4 +1,4 @@
-// Lists the uses of laws that a pose can leave, and looks for those that it has left.
+// Lists the uses of laws that a pose can leave, and finds those that it has left.
 #include "dynamics/law_uses.h"
 #include <stdlib.h>
 #include <string.h>

@@ -47,7 +47,7 @@ double yk_dynamics_contact_pull(const YkDynamics *d, size_t contact)
     if (!cam) return 0;
     YkReaction r = yk_dynamics_contact(d, contact), shaft = d->joint[cam->cam_joint];
     YkVec outwards = {r.at[0] - shaft.at[0], r.at[1] - shaft.at[1]}, force = {r.force[0], r.force[1]};
-    // A flat face is pushed along its line, and the force's place on that line tells nothing.
+    // A flat face is pushed along its line, and the force's place on that line has no meaning.
     if (!cam->oscillates) outwards = yk_mul(d->motion[cam->carrier].e, cam->along);
     return -yk_dot(outwards, force) - 1e-9 * yk_norm(outwards) * d->largest_force;
 }

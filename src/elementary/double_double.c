@@ -1,4 +1,4 @@
-// The last step of what may overflow or be subnormal.
+// The last step of results that may overflow or be subnormal.
 #include "elementary/double_double.h"
 
 double yk_scaled(DoubleDouble a, int64_t exponent)

@@ -2,8 +2,8 @@
 //
 // They take what the C standard lets <math.h> take and answer as its annex F says: NaN where there is no value,
 // infinities, signed zeros, exact cases exact. No errno, no flags. Each is within 1 unit in the last place
-// everywhere; README.md has what was measured. What IEEE 754 fixes to the bit - sqrt, fabs, floor, rint, ldexp, fma and
-// the like - comes from the C library.
+// everywhere; README.md has the measurements. Functions that IEEE 754 fixes to the bit - sqrt, fabs, floor, rint,
+// ldexp, fma and the like - come from the C library.
 #ifndef ELEMENTARY_ELEMENTARY_H
 #define ELEMENTARY_ELEMENTARY_H
 #include <stddef.h>

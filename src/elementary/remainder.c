@@ -15,7 +15,7 @@ static Parts parts_of(double x)
     return exponent == 0 ? (Parts){fraction, -1074} : (Parts){fraction | (uint64_t)1 << 52, exponent - 1075};
 }
 
-// What |x| leaves when divided by |y|, both finite, y not 0, |x| >= |y|; *is_odd: whether the quotient is.
+// Returns the remainder of |x| divided by |y|, both finite, y not 0, |x| >= |y|; *is_odd: whether the quotient is.
 static double left_of(double x, double y, bool *is_odd)
 {
     Parts a = parts_of(x), b = parts_of(y);

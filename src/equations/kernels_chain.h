@@ -103,7 +103,7 @@ YK_INLINE bool chain_write(const ChainLink *link, size_t links, const YkTreeRows
     return is_finite;
 }
 
-// What a pass over lanes must bear with.
+// The cases for which a pass over lanes must be prepared.
 typedef enum ChainCare {
     CHAIN_NEAR, // angles within the range of the near reduction
     CHAIN_FAR,  // any angle
@@ -111,7 +111,7 @@ typedef enum ChainCare {
 } ChainCare;
 
 // Computes the accelerations of the states from `from` on, before `to`; ok: as yk_lanes_tree has it. *bad: whether one
-// is not 1. Returns the bits that tell whether an angle is far: then all must be repeated with that care. is_plain:
+// is not 1. Returns bits that are set if an angle is far: then all must be repeated with that care. is_plain:
 // tree->side is not 0. All signs of vectors are then left out, which occur in pairs but for that of gravity's moment.
 YK_INLINE uint64_t chain_lanes(const YkTreeLanes *tree, size_t links, YkAxis axis, bool is_plain, ChainCare care,
                                double *ok, bool *bad, size_t from, size_t to)

@@ -28,7 +28,7 @@ typedef struct YkLinkBlock {
     YkFew *q, *v, *effort;           // given; q and v at the end of the step
     YkFew *at_q, *at_v, *a, *torque; // where the rates are sought, and what is found there
     YkFew *sum_q, *sum_v;
-    YkFew ok; // 1, or 0 where a freedom has no inertia or a number is not finite
+    YkFew ok; // 1, or 0 if a freedom has no inertia or a number is not finite
 } YkLinkBlock;
 
 typedef struct YkLinkLanes {

@@ -72,7 +72,7 @@ YK_INLINE bool chain_eliminate(ChainLink *link, size_t links)
 }
 
 // Solves for two links by their determinant, with one division. Returns false if inertia does not resist each of them,
-// or if the product of their inertias may be no number: chain_solve tells which, since all rows are left as they are.
+// or if the product of their inertias may be no number: chain_solve finds which, since all rows are left as they are.
 YK_INLINE bool chain_solve_two(ChainLink *first, ChainLink *second)
 {
     const double least = 1e-290, most = 1e290;

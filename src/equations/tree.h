@@ -7,7 +7,7 @@
 
 typedef struct YkTreeDynamics YkTreeDynamics;
 // Returns NULL if the machine has loops, or is not of this kind (its only loads are gravity and efforts; no drives), or
-// when out of memory: *fits tells which.
+// when out of memory: *fits says which.
 YkTreeDynamics *yk_tree_dynamics_new(const YkMechanism *mech, bool *fits);
 void yk_tree_dynamics_free(YkTreeDynamics *tree);
 // Accelerates. q[input], v[input]: positions and rates; effort[input]: along each coordinate (NULL: none). Writes

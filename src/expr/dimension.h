@@ -69,7 +69,7 @@ void yk_dim_set(YkDimensions *dims, int32_t name, YkDimension dimension, const Y
 // Finds state and dimension of the expression and all its parts from the leaves up. In the last phase it reports what
 // does not fit inside it.
 void yk_dim_up(YkDimensions *dims, YkExpr *expr);
-// Tells the expression, and so its parts, which dimension its place wants (NULL: none in particular). Sets open
+// Gives the expression, and so its parts, the dimension that its place requires (NULL: none in particular). Sets open
 // parameters and the scales of bare numbers. is_direct: no other quantity contributed to `want`.
 void yk_dim_down(YkDimensions *dims, YkExpr *expr, const YkDimension *want, bool is_direct);
 

@@ -6,7 +6,7 @@
 
 typedef struct YkFormula YkFormula;
 
-// Tells what a name stands for: a constant (sets value, returns -1) or variables[index] (returns the index >= 0).
+// Resolves a name: a constant (sets value, returns -1) or variables[index] (returns the index >= 0).
 // Returns -2 if it does not know the name.
 typedef int (*YkResolve)(void *context, const YkExpr *name, double *value);
 

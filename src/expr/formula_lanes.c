@@ -1,5 +1,5 @@
-// Evaluates formulas over lanes: one instruction over all lanes, then the next. The same bits as one by one; what has
-// no value is not finite, and stays so through all that follows.
+// Evaluates formulas over lanes: one instruction over all lanes, then the next. The same bits as one by one; an
+// operation without a value gives a number that is not finite, and stays so through all that follows.
 #include <math.h>
 #include "expr/formula_inside.h"
 

@@ -3,7 +3,7 @@
 #include "expr/formula_inside.h"
 #include "expr/jet.h"
 
-// Returns the slope of a function or a power from its Taylor series; NaN where it has none.
+// Returns the slope of a function or a power from its Taylor series; NaN if it has none.
 static double slope_of_series(int operation, const double value[2], const double slope[2])
 {
     YkSeries a = {{value[0], slope[0]}}, b = {{value[1], slope[1]}}, result;

@@ -68,7 +68,7 @@ static bool looks_like_a_name(const char *word)
     return strcmp(word, "t") == 0 || strpbrk(word, "0123456789_") != NULL;
 }
 
-// Refuses what stands in place of a unit: a misspelt unit, or a factor whose operator is missing or has no spaces.
+// Refuses the text in place of a unit: a misspelt unit, or a factor whose operator is missing or has no spaces.
 static YkExpr *refuse_unit(YkParser *parser, size_t number, size_t unit, size_t bad, size_t bad_length)
 {
     if (bad_length == 0) bad_length = 1;

@@ -3,7 +3,7 @@
 // - racks: a force along the rack at the pitch line
 // - belts: couples on both pulleys and on their carrier
 // - cams: a force along the common normal through the follower's roller (or edge), or where a flat face touches;
-//   couples for a follower that turns about a pin on the cam's own, in which case nothing tells where it is
+//   couples for a follower that turns about a pin on the cam's own, in which case its place is not known
 // - cams with two rollers: the first bears while the force is positive, otherwise the second, with its own normal. With
 //   a and b the forces of both that do the same work as the lift grows, that is (a + b)/2 for each newton, and
 //   (a - b)/2 for each newton of its magnitude, which turns nothing

@@ -1,5 +1,5 @@
 // Sums of products that are less than they seem: multiples of the same factors, and the squares of a unit vector's two
-// parts. What turns with one body is full of them: a gear's teeth, its arms and its accelerations all have the
+// parts. Vectors that turn with one body are full of them: a gear's teeth, its arms and its accelerations all have the
 // direction of the line of centres, so that products of the two fold to numbers.
 #include <float.h>
 #include <math.h>
@@ -159,7 +159,7 @@ static void collect(const YkGraph *g, Terms *t)
     t->count = left;
 }
 
-// Returns whether a part of a unit vector is a factor of the product. Of long products without one little can vanish.
+// Returns whether a part of a unit vector is a factor of the product. In long products without one little can vanish.
 static bool has_unit(const YkGraph *g, const Product *p)
 {
     for (size_t k = 0; k < p->count; k++)

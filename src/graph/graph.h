@@ -40,7 +40,7 @@ typedef enum YkValueKind {
     YK_VALUE_LARGEST,
     YK_VALUE_SIZE,    // |a|
     YK_VALUE_CHOOSE,  // a < 0 ? b : c
-    YK_VALUE_WITNESS, // 0, or NaN where a is not finite
+    YK_VALUE_WITNESS, // 0, or NaN if a is not finite
     YK_VALUE_RESULT   // number b of call a
 } YkValueKind;
 

@@ -25,7 +25,7 @@ typedef enum YkHelper {
 typedef struct YkPrinter YkPrinter;
 enum { YK_PRINTER_KNOWN_MAX = 512 };
 
-// What the file around the printed functions has: its names, its calls.
+// The file around the printed functions: its names, its calls.
 typedef struct YkPrinterFile {
     void *context;
     const char *parameter, *own_parameter; // before a parameter's name: in a pose; where the machine is computed
@@ -34,7 +34,7 @@ typedef struct YkPrinterFile {
     const char *(*name)(void *context, const char *wish);
     // For graphs with calls. Prints the statements of one; returns the array with its results.
     const char *(*call)(YkPrinter *printer, const YkCall *call);
-    // What a call takes besides its arguments: at most `capacity` to known. Returns how many; fails if
+    // Writes what a call takes besides its arguments, at most `capacity`, to known. Returns how many; fails if
     // there are more.
     size_t (*call_known)(YkPrinter *printer, const YkCall *call, YkRef *known, size_t capacity);
 } YkPrinterFile;

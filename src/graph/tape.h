@@ -9,7 +9,7 @@
 
 typedef struct YkTape YkTape;
 
-// What the graph's calls of laws mean: result = value, first and second derivative.
+// The meaning of the graph's calls of laws: result = value, first and second derivative.
 typedef struct YkTapeLaws {
     const void *context;
     void (*evaluate)(const void *context, int32_t law, double argument, double result[3]);
@@ -26,7 +26,7 @@ size_t yk_tape_length(const YkTape *tape); // operations a pose
 
 // Returns whether the roots depend on a leaf.
 bool yk_tape_needs(const YkTape *tape, size_t leaf);
-// Returns whether a root tells something about whether all are finite: they are where all such roots are.
+// Returns whether a root is one of those that decide whether all are finite: all are if these are.
 bool yk_tape_tells(const YkTape *tape, size_t root); // with the present parameters
 // Gives a leaf of a pose its lanes, which must stay until the tape has run.
 void yk_tape_set_lanes(YkTape *tape, size_t leaf, const double *lanes);

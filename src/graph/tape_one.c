@@ -5,7 +5,7 @@
 // as long as some are ready, that is, wait for no other; the next kind is then that of the operation from which most
 // others lead to a result, since the waiting for each other is half of the cost. A group of one kind costs one jump.
 //
-// Leaves that are numbers of a pose are read where they stand: the operations are told anew when the pose stands
+// Leaves that are numbers of a pose are read where they are: the operations get new addresses when the pose stands
 // elsewhere.
 #include "graph/tape_one.h"
 

@@ -1,4 +1,4 @@
-// What one lane of a tape runs from.
+// The data from which one lane of a tape runs.
 #ifndef GRAPH_TAPE_ONE_H
 #define GRAPH_TAPE_ONE_H
 #include "graph/tape_steps.h"

@@ -1,5 +1,5 @@
 // Joins the components of a turning vector's acceleration, x w^2 + y a and x a - y w^2, to one step with two results.
-// Every body has such a pair; its four factors are read once. Where lanes are not vectors nothing would be gained.
+// Every body has such a pair; its four factors are read once. If lanes are not vectors, nothing would be gained.
 #include "graph/tape_steps.h"
 
 // Returns whether a sum has a step of its own, with two products and nothing else.

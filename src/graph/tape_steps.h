@@ -63,7 +63,7 @@ struct YkTape {
     double **row;            // rows of the leaves, then those of the roots, then the tape's own
     double **own_row;        // [leaf]: what yk_tape_set fills; NULL for a leaf that nothing depends on
     const double **constant; // [root]: its number, if it is the same in all lanes
-    bool *tells;             // [root]: it is one of those that tell whether all are finite
+    bool *tells;             // [root]: it is one of those that decide whether all are finite
     bool *is_parameter;      // [leaf]: it depends on parameters alone
     size_t leaf_count, root_count, row_count;
     int32_t *wide; // rows of parameters that some step reads lane by lane; all others have one number
@@ -142,7 +142,7 @@ bool yk_tape_order(YkTapeMaker *maker, YkArena *work, const YkRef *roots);
 // the leaves.
 bool yk_tape_place(YkTape *tape, YkArena *work, const YkGraph *graph, const YkRef *leaves, const YkRef *roots,
                    const YkRef *made);
-// tape_finite.c: finds the roots that tell whether all are finite. Returns false when out of memory.
+// tape_finite.c: finds the roots that decide whether all are finite. Returns false when out of memory.
 bool yk_tape_find_telling(YkTapeMaker *maker, YkArena *work, const YkRef *roots);
 // tape_run.c: runs steps over n lanes.
 void yk_tape_run_steps(const YkTape *tape, const YkTapeStep *steps, size_t count, size_t n);
@@ -153,7 +153,7 @@ void yk_tape_run_rare(const YkTape *tape, const YkTapeCall *calls, double *const
 // tape_one.c: makes the operations of one lane from those on rows, once these are placed. Returns false when out of
 // memory.
 bool yk_tape_make_one(YkTape *tape, YkArena *work);
-// Tells the operations where a pose stands, whose numbers are leaves; NULL: these have numbers of their own.
+// Gives the operations the address of a pose whose numbers are leaves; NULL: these have numbers of their own.
 void yk_tape_read_pose(YkTape *tape, const double *pose);
 // Takes the values that depend on parameters alone.
 void yk_tape_prepare_one(YkTape *tape);

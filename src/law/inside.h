@@ -42,7 +42,7 @@ void yk_piece_eval(const YkPiece *piece, const double *numbers, double x, double
 // kernels_polynomial.c: computes the value and two derivatives of a polynomial, without waves, at n places.
 void yk_law_polynomial(const double *c, size_t terms, double middle, double scale, const double *x, double *const *d,
                        size_t n);
-// Tells whether n places are all in [from, to).
+// Returns whether n places are all in [from, to).
 void yk_law_within(bool *within, const double *x, double from, double to, size_t n);
 // build.c: adds a piece with its numbers (terms + 3 waves of them); frame gives the rest. Returns false when out of
 // memory.

@@ -22,7 +22,7 @@ struct YkCertifier {
     YkWitness witness; // first
     YkChain chain;
     double *memory;
-    Place last, aside, here; // the last step, the last pose behind it, and the one that is told
+    Place last, aside, here; // the last step, the last pose behind it, and the one that is reported
     bool is_aside;
     YkMotionCertificate found, *kept;
     size_t kept_count;
@@ -281,7 +281,7 @@ static void change(YkWitness *witness, const YkState *from, const YkState *to)
         return;
     }
     bool goes_on = from && from->has_pose && from->mech == c->chain.mech && !is_outside(c);
-    bool was_closed = goes_on && c->chain.piece_count == 0; // all in closed form: the new groups alone can tell
+    bool was_closed = goes_on && c->chain.piece_count == 0; // all in closed form: only the new groups decide
     double off = goes_on ? gap_between(from, to) : 0;
     if (goes_on && !was_closed && c->last.stands && !stands_for(c, from, off)) note_change(c);
     if (!make_chain(c, to->mech)) c->has_failed = true;

@@ -1,4 +1,4 @@
-// Takes the compiled steps in discs.
+// Evaluates the compiled steps in discs.
 #include <stdlib.h>
 #include "law/law.h"
 #include "map/piece.h"

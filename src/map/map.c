@@ -188,7 +188,7 @@ static bool is_mappable(const YkState *start, size_t coordinate, YkProblems *pro
 {
     const YkMechanism *mech = start->mech;
     if (coordinate >= mech->coordinate_count || mech->coordinates[coordinate].input == YK_NONE)
-        return yk_map_refuse(problems, "what it is mapped over is not an input", NULL);
+        return yk_map_refuse(problems, "the mapped coordinate is not an input", NULL);
     return start->has_pose ||
            yk_map_refuse(problems, "it is not assembled, so that it has no circuit of its own", NULL);
 }

@@ -1,4 +1,4 @@
-// Tells what happens where the ends of strands meet: limits, change points, or something that is not proved.
+// Finds what happens where the ends of strands meet: limits, change points, or something that is not proved.
 #include <stdlib.h>
 #include <string.h>
 #include "map/segments.h"
@@ -107,7 +107,7 @@ static void tie_group(YkTracer *t, const YkMeeting *m, const size_t *member, siz
         tie_limit(t, m, member[0], member[1]);
     } else if (count == 4 && arriving == 2) {
         tie_crossing(t, m, member);
-    } else { // more than a limit or a crossing: told, not judged
+    } else { // more than a limit or a crossing: reported, not judged
         size_t event = t->event_count++;
         yk_note_unproved(t, 0.5 * (m->from + m->to), level - 1);
         for (size_t k = 1; k < count; k++) {

@@ -1,5 +1,5 @@
-// Pieces in real unknowns: groups with gears, belts or racks among their equations, and gears that take a fraction of
-// an angle that loops place. Angles count modulo 2 pi: over all turns of the wheels that their meshes allow.
+// Pieces in real unknowns: groups with gears, belts or racks among their equations, and gears that turn by a fraction
+// of an angle that loops place. Angles count modulo 2 pi: over all turns of the wheels that their meshes allow.
 #ifndef MAP_MESHED_H
 #define MAP_MESHED_H
 #include "configurations/exclude.h"

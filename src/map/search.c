@@ -177,8 +177,8 @@ static bool prove_halves(Between *b, double from, double to, const YkBoxes *boxe
     return prove_over(b, from, middle, boxes) && prove_over(b, middle, to, boxes);
 }
 
-// Returns whether nothing but known strands is in boxes (NULL: anywhere) over an interval. What one look at it does not
-// tell is left to its halves.
+// Returns whether nothing but known strands is in boxes (NULL: anywhere) over an interval. Boxes that this does not
+// decide are left to its halves.
 static bool prove_over(Between *b, double from, double to, const YkBoxes *boxes)
 {
     enum { MOST = 400000, FEW = 100 };
@@ -214,7 +214,7 @@ static bool prove_over(Between *b, double from, double to, const YkBoxes *boxes)
     bool is_short = length < YK_TRACE_ZONE || b->is_zone;
     bool is_proved = is_divided && rest.count == 0;
     if (is_divided && !is_proved && !b->is_zone &&
-        rest.count <= FEW) { // near a limit smaller boxes may tell, which halves could not start from
+        rest.count <= FEW) { // near a limit smaller boxes may decide, from which halves could not start
         over.boxes = rest.numbers;
         over.count = rest.count;
         over.smallest *= 0.1;
@@ -255,7 +255,7 @@ static int compare(const void *a, const void *b)
     return p->at < q->at ? -1 : p->at > q->at;
 }
 
-// Ties the ends of strands that lie inside: those that are as near as rounding tells meet.
+// Ties the ends of strands that lie inside: those that agree to rounding meet.
 static void tie_ends(YkTracer *t, YkStrand *below, size_t first)
 {
     const YkStrands *list = &t->levels[below->level + 1];

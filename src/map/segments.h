@@ -6,7 +6,7 @@
 typedef struct YkSegment {
     double from, to;
     bool is_far[2];  // whether what ends it there is a solution on its way to infinity
-    YkStrand **real; // NULL where one was joined to a strand of the segment before
+    YkStrand **real; // NULL if one was joined to a strand of the segment before
     size_t count, capacity;
 } YkSegment;
 

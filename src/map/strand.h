@@ -73,7 +73,7 @@ typedef struct YkTracer {
     size_t event_count;
     bool out_of_memory;
     size_t steps_left; // of those that following may still take on this strand
-    // What could not be proved: the first of them.
+    // The first thing that could not be proved.
     bool is_unproved;
     double unproved_at;
     size_t unproved_block;

@@ -1,7 +1,7 @@
 // A tube: where a block's real solution is over an interval, with proof that there is exactly one.
 //
-// What cells of strands do in discs for complex solutions (configurations/certify.h), tubes do for real ones in angles
-// and distances, at a tenth of the cost: motions take one for every few degrees.
+// Cells of strands do this in discs for complex solutions (configurations/certify.h); tubes do it for real ones in
+// angles and distances, at a tenth of the cost: motions take one for every few degrees.
 #ifndef MAP_TUBE_H
 #define MAP_TUBE_H
 #include "map/piece.h"

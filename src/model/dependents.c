@@ -1,4 +1,4 @@
-// Which parameters and expressions depend on some parameters.
+// Finds the parameters and expressions that depend on some parameters.
 #include "model/redesign.h"
 
 typedef struct Look {

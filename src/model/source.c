@@ -67,7 +67,7 @@ static const char *new_value(const YkOverride *values, size_t count, const char 
     return value;
 }
 
-// The text with new values of a section in place of the old; false where one of these is not found as it is written.
+// The text with new values of a section in place of the old; false if one of these is not found as it is written.
 static bool replace(const YkNode *section, const YkOverride *values, size_t count, const char *source, size_t length,
                     YkText *text)
 {

@@ -34,7 +34,7 @@ bool yk_load_expect(YkLoader *loader, const YkNode *node, YkNodeKind kind, const
     const char *what = yk_load_subject(loader, subject);
     if (yk_load_is_empty(node)) {
         yk_problem(loader->problems, YK_CODE_EMPTY_VALUE, node->place, "%s is left empty", what);
-        yk_problem_hint(loader->problems, "%s is wanted", kind_name(kind));
+        yk_problem_hint(loader->problems, "%s is needed", kind_name(kind));
     } else {
         yk_problem(loader->problems, YK_CODE_WRONG_KIND, node->place, "%s must be %s, this is %s", what,
                    kind_name(kind), yk_node_kind_name(node));
@@ -95,7 +95,7 @@ static double plain_value(const YkExpr *expr)
     return expr->kind == YK_EXPR_NEGATE ? -plain_value(expr->a) : expr->number * expr->value_scale;
 }
 
-// What `name` means in one value alone, while its names are replaced.
+// The meaning of `name` in one value alone, while its names are replaced.
 typedef struct Meaning {
     YkLoader *loader;
     const YkOwnName *own;

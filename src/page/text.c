@@ -230,7 +230,7 @@ static void add_value(Sheet *sheet, const YkLine *line, const YkShownMatrix *mat
     }
 }
 
-// Writes a formula with matrices: side by side with what stands between them.
+// Writes a formula with matrices side by side, with the pieces between them.
 static void put_tall(Sheet *sheet, const YkLine *line)
 {
     YkText *text = &sheet->text;

@@ -6,7 +6,7 @@
 
 typedef enum YkPartKind { YK_PIN, YK_SLIDE, YK_PIN_SLOT, YK_WELD, YK_FREE, YK_PART_COUNT } YkPartKind;
 
-// A joint holds point `at` of body b at a place on body a. What it leaves free:
+// A joint holds point `at` of body b at a place on body a. The members say what it leaves free.
 typedef struct YkPart {
     const char *key;         // its key in the model file: "pin", "slide", "pin-slot", "weld", "free"
     bool turns;              // b may turn relative to a (coordinate: angle)

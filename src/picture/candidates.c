@@ -42,7 +42,7 @@ static Cell cell_for(YkText *svg, const Box *box, YkVec corner)
     return (Cell){svg, middle, yk_add(corner, origin), (CELL - 2 * MARGIN) / size};
 }
 
-// A machine that is there is shown by the curve of its point alone.
+// An existing machine is shown by the curve of its point alone.
 static Cell fit_curve(YkText *svg, const YkSynthesis *s, const YkFound *found, YkVec corner)
 {
     const YkMachineTask *machine = &s->task->machine;

@@ -24,7 +24,7 @@ YkBox yk_box_at(YkVec middle, double width, double height);
 // Takes a place; does nothing beyond YK_LABELS_MAX.
 void yk_labels_take(YkLabels *labels, YkBox box);
 // Finds the best place of a word of that size round a point, about `reach` away from it, near before far: the first
-// of the cheapest. What it would cover is its price; `price` may be NULL. Takes nothing.
+// of the cheapest. The price is the area it would cover; `price` may be NULL. Takes nothing.
 YkBox yk_labels_find(const YkLabels *labels, YkVec at, double reach, double width, double height, double *price);
 
 #endif

@@ -12,7 +12,7 @@ static void add_two(YkText *svg, const char *name, double a, double b)
     yk_text_format(svg, " data-%s=\"%g %g\"", name, a, b);
 }
 
-// Opens a group that tells the panel's ranges, in the units of its axes.
+// Opens a group that states the panel's ranges, in the units of its axes.
 static void open_group(const YkPanel *p, const char *name)
 {
     yk_text_format(p->svg, "<g class=\"%s\"", name);

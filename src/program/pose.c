@@ -94,7 +94,7 @@ static void start_inputs(YkProgram *p)
         p->input[i].position = yk_graph_leaf(g, YK_LEAF_POSE, yk_graph_text(&p->graph, "in->%s", name));
         p->input[i].velocity = yk_graph_leaf(g, YK_LEAF_POSE, yk_graph_text(&p->graph, "in->%s_rate", name));
         p->input[i].acceleration = yk_graph_leaf(g, YK_LEAF_POSE, yk_graph_text(&p->graph, "in->%s_accel", name));
-        if (p->mech->coordinates[p->mech->inputs[i]].is_distance) // an angle's sine tells
+        if (p->mech->coordinates[p->mech->inputs[i]].is_distance) // an angle shows it by its sine
             p->witness = yk_graph_add(g, p->witness, yk_graph_unary(g, YK_VALUE_WITNESS, p->input[i].position));
     }
 }

@@ -29,8 +29,7 @@ static void refute(YkCheck *check, YkCheckVerdict *verdict)
     verdict->slip = yk_check_slip(check);
 }
 
-// Returns false if inputs move in any way. What depends on the drives' motion, or contains t, is tested on that
-// motion.
+// Tests an equation that contains t, or depends on the drives' motion, on that motion.
 static void ask_drives(YkCheck *check, YkCheckVerdict *verdict)
 {
     size_t times = 0;

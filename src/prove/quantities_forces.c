@@ -72,7 +72,7 @@ static const YkPoisson *part_of(YkRing *ring, Part part, const YkPoisson *force,
     return part == PART_X ? yk_ring_real(ring, force) : yk_ring_imaginary(ring, force);
 }
 
-// Returns what a planet's own pin bears, as solve tells it, of the force of the pins of all equal planets: its share of
+// Returns what a planet's own pin bears, as solve gives it, of the force of the pins of all equal planets: its share of
 // the teeth's, and its own weight and inertia, which the equations have once.
 static const YkPoisson *own_pin_force(const YkDeriveForces *f, size_t joint)
 {

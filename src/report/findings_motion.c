@@ -58,7 +58,7 @@ static void find_events(YkReportPage *report, YkText *text)
     }
 }
 
-// A cam's follower dwells, so its turning points do not tell when it moves.
+// A cam's follower dwells, so its turning points do not show when it moves.
 static bool is_follower(const YkReportPage *report, size_t joint)
 {
     for (size_t k = 0; k < report->model->cam_count; k++)
@@ -145,7 +145,7 @@ static bool is_singular(const YkReportPage *report, size_t block)
     return false;
 }
 
-// Finds the least transmission angle of each dyad over the motion. It is 0 where the motion ends at a limit, which
+// Finds the least transmission angle of each dyad over the motion. It is 0 if the motion ends at a limit, which
 // is nothing new.
 static void find_transmission(YkReportPage *report, YkText *text)
 {

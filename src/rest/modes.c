@@ -159,7 +159,7 @@ static double most_power(const YkRest *rest, const YkLoadItem *spring)
 }
 
 // Returns the power of all loads, as the last energy had the bodies move, if none took any, and gravity and springs
-// gave all that they may. 0 where one has no value.
+// gave all that they may. 0 if one has no value.
 static double power_of_loads(const YkRest *rest)
 {
     const YkModel *model = rest->mech->model;

@@ -38,7 +38,7 @@ struct YkRest {
     double loads;       // what the loads would accelerate at most if none balanced another, 1/s^2 in units of inputs
     bool has_inertia;   // in some pose from which the search started
     bool is_complete;   // all circuits were searched
-    bool is_wound;      // the loads of a pose are others a turn later
+    bool is_wound;      // the loads of a pose differ a turn later
     bool ran_out;       // of memory, in that search
     const double *row;  // of the map, beside which the state stands; NULL elsewhere
     YkReport lack;      // report of the first such pose without accelerations

@@ -36,7 +36,7 @@ const YkPoisson *yk_ring_vector(YkRing *ring, int32_t x, int32_t y)
     return yk_poisson_make(ring, terms[0].key < terms[1].key ? terms : swapped, 2, 1);
 }
 
-// Divides *rest by all powers of a prime: returns the root of its square part; *odd tells whether one factor is left
+// Divides *rest by all powers of a prime: returns the root of its square part; *odd: whether one factor is left
 // over.
 static int64_t take_prime(int64_t *rest, int64_t prime, bool *odd)
 {

@@ -1,4 +1,4 @@
-// Exact whole numbers of 63 bits and a sign: every operation tells whether its result fits. INT64_MIN counts as too
+// Exact whole numbers of 63 bits and a sign: every operation says whether its result fits. INT64_MIN counts as too
 // large, so that every number has a negative.
 #ifndef RING_EXACT_H
 #define RING_EXACT_H

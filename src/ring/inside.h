@@ -52,7 +52,7 @@ typedef struct YkPartial {
     const YkPoisson *derivative;
 } YkPartial;
 
-// What a symbol stands for; few symbols stand for anything.
+// The meaning of a symbol, which few symbols have.
 typedef struct YkRingMeaning {
     YkPartial *partials;
     const YkPoisson *square; // of a root symbol: its square

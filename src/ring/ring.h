@@ -58,7 +58,7 @@ bool yk_ring_spend(YkRing *ring, size_t work);
 void yk_ring_set_limit(YkRing *ring, size_t terms); // sets the most terms an element may have; at least 1
 
 // --- Symbols
-// A class tells where the reader expects a symbol within a product, in this order.
+// A class says where the reader expects a symbol within a product, in this order.
 typedef enum YkRingClass {
     YK_RING_INERTIA,
     YK_RING_MASS,
@@ -105,9 +105,9 @@ const YkPoisson *yk_ring_rational(YkRing *ring, int64_t numerator,
 const YkPoisson *yk_ring_decimal(YkRing *ring, int64_t mantissa, int32_t exponent);
 const YkPoisson *yk_ring_i(YkRing *ring);
 const YkPoisson *yk_ring_sqrt(YkRing *ring, int64_t square); // of 2^a 3^b n^2 only; others fail with YK_RING_POWER
-const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol);  // the symbol as an element; an angle outside of cos and sin
+const YkPoisson *yk_ring_of(YkRing *ring, int32_t symbol); // the symbol as an element; an angle outside of cos and sin
 const YkPoisson *yk_ring_vector(YkRing *ring, int32_t x, int32_t y); // x + i y
-const YkPoisson *yk_ring_unit(YkRing *ring, int32_t angle); // e^(i angle)
+const YkPoisson *yk_ring_unit(YkRing *ring, int32_t angle);          // e^(i angle)
 // Returns e^(i pi numerator / denominator). Multiples of 15 deg are exact numbers. Any other is a power of the unit of
 // a constant angle `pi_7`, a symbol without relations: elements that come out equal are equal, but the ring does not
 // know that 7 times pi_7 is pi.

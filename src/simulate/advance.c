@@ -11,13 +11,13 @@ static YkStatus give_up(YkSimulation *sim, YkStatus status, const char *why)
 
 static const char *const near_rest =
     "a drive comes to rest, or turns back, so near to a change point that steps in time do "
-    "not tell on which side of it the machine goes on; `yoke sweep --over t` does";
+    "not show on which side of it the machine goes on; `yoke sweep --over t` does";
 
-static const char *const lost_energy = "the balance of energy is off by more than a thousandth of what moves: from a "
+static const char *const lost_energy = "the balance of energy is off by more than a thousandth: from a "
                                        "singular position on, or where the steps "
                                        "are too coarse, this is not the machine's motion";
 
-// Counts the pose that stands, (t, y). Returns false if energy was lost.
+// Counts the present pose, (t, y). Returns false if energy was lost.
 static bool count(YkSimulation *sim, const double *y)
 {
     memcpy(sim->work, y + 2 * sim->free_count, sim->work_count * sizeof *sim->work);
@@ -73,7 +73,7 @@ static bool restart(YkSimulation *sim)
 }
 
 static const double POOR = 0.2, // sin^2 of the worst block, below which other coordinates are sought
-    BLIND = 1e-8;               // and below which the pose does not tell its rates well enough to find any
+    BLIND = 1e-8;               // and below which the pose does not determine its rates well enough to find any
 
 // Looks for better coordinates if these are near a dead point, and for blocks near a singular position.
 static bool look_round(YkSimulation *sim)

@@ -29,7 +29,7 @@ static bool stand(const Line *line, double x)
     return true;
 }
 
-// Returns a block's margin in the pose that stands; negative where the block does not close, NaN if it cannot be told,
+// Returns a block's margin in the present pose; negative if the block does not close, NaN if it cannot be found,
 // because another one does not.
 static double margin_of(const YkState *s, size_t block, bool stands)
 {

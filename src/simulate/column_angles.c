@@ -1,6 +1,7 @@
-// Tells the branches of a dyad apart by an angle whose sine has the determinant's sign, with its rate and acceleration
-// at a pose: the angle between its two columns. For an RPR it is another angle, since its columns swap sides abruptly
-// where the point passes the pin: its determinant r is a length, and the angle's tangent is r over the machine's size.
+// Distinguishes the branches of a dyad by an angle whose sine has the determinant's sign, with its rate and
+// acceleration at a pose: the angle between its two columns. For an RPR it is another angle, since its columns swap
+// sides abruptly where the point passes the pin: its determinant r is a length, and the angle's tangent is r over the
+// machine's size.
 #include "simulate/crossing.h"
 
 static YkDirection of_plane(YkPlane p)

@@ -11,7 +11,7 @@ static const YkNear *last_look(const YkSimulation *sim, size_t block, size_t *cu
     return *cursor < sim->near_count && sim->near[*cursor].block == block ? &sim->near[*cursor] : NULL;
 }
 
-// Keeps the prediction where the pose itself cannot tell.
+// Keeps the prediction where the pose itself does not decide.
 static YkNear known_near(const YkSimulation *sim, const YkRun *run, size_t block, const YkNear *old, double t)
 {
     YkDirection d = yk_between_columns(run, &sim->mech->blocks[block]);

@@ -38,12 +38,12 @@ static inline bool yk_begins_flat(const YkSimulation *sim)
 
 // --- guide.c
 //
-// Drives that alone move the machine may rest, or turn back, so near to a singular position that no prediction tells on
+// Drives that alone move the machine may rest, or turn back, so near to a singular position that no prediction shows on
 // which side of it they go on. A second state, the guide, follows the drives there as sweeps do.
 
 // Starts it at the state's pose, unless it has begun. Returns false when out of memory.
 bool yk_simulation_start_guide(YkSimulation *sim);
-// Returns whether the pose that stands is the same.
+// Returns whether the present pose is the same.
 bool yk_simulation_agrees_with_guide(YkSimulation *sim);
 // Ends the motion at the limit, if any, that the drives are about to reach: steps in time fail a little before it.
 void yk_simulation_end_at_limit(YkSimulation *sim);

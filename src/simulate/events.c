@@ -27,7 +27,7 @@ static double argument_here(YkSimulation *sim, const YkLawUse *use)
     return yk_law_use_argument(use, sim->state, sim->dynamics->loads);
 }
 
-// Returns by how much the argument of a law is outside its range; below 0 where the law is not in use.
+// Returns by how much the argument of a law is outside its range; below 0 if the law is not in use.
 static double excess_here(YkSimulation *sim, const YkLawUse *use)
 {
     double excess = yk_law_use_excess(use, argument_here(sim, use));
@@ -266,7 +266,7 @@ static void look_at_cams(YkSimulation *sim, bool *ok)
 
 // --- laws whose range is left
 
-// Notes it with the argument at the pose that stands.
+// Notes it with the argument at the present pose.
 static void note_law(YkSimulation *sim, const YkLawUse *use, double t)
 {
     yk_simulation_note(sim, YK_HAPPENING_LAW_LEFT, t, use->told.name, argument_here(sim, use));

@@ -119,7 +119,7 @@ bool yk_simulation_open_touching(YkSimulation *sim)
         if (!yk_simulation_is_loose(sim, k) || flight->is_held) continue;
         if (!open_cam(sim, k)) return false;
         flight->is_about = sim->open[k];
-        flight->is_held = false; // that is told once it would have to pull
+        flight->is_held = false; // that is reported once it would have to pull
     }
     return true;
 }

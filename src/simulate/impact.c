@@ -1,4 +1,4 @@
-// Impacts: stops that are hit, several at once if reached together; what rests, rebounds or is struck away.
+// Impacts: stops that are hit, several at once if reached together; which coordinates rest, rebound or are struck away.
 #include "simulate/contact.h"
 
 static bool is_of_kind(const YkSimulation *sim, size_t contact, YkLoadKind kind)

@@ -60,7 +60,7 @@ static void look_along(YkSimulation *sim, double t, const double *y, const YkNea
 }
 
 // Does the same where drives determine the motion, and only one input moves: from the rates of both, since near the
-// singular position the pose tells nothing, and time leads only to one side of it if the drive turns back there.
+// singular position the pose shows nothing, and time leads only to one side of it if the drive turns back there.
 static void look_along_drive(YkSimulation *sim, double t, const double *y, const YkNear *near, Way *way)
 {
     YkState *s = sim->state;
@@ -245,7 +245,7 @@ bool yk_simulation_sum_poses(YkSimulation *sim, double t, const double *y, const
     return sum_poses(sim, t, y, acceleration, &fit);
 }
 
-// Returns whether the loops close in a pose that is a sum, as far as interpolation can tell.
+// Returns whether the loops close in a pose that is a sum, as exactly as interpolation can make it.
 static bool closes(YkState *s)
 {
     const double MOST = 1e-7; // of the size

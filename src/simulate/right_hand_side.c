@@ -1,4 +1,4 @@
-// The right-hand side: rates and accelerations of the independent coordinates, and the pose that stands with them.
+// The right-hand side: rates and accelerations of the independent coordinates, and the present pose with them.
 #include <string.h>
 #include "simulate/crossing.h"
 

@@ -141,7 +141,7 @@ struct YkSimulation {
     YkStatus status;
     // Certificates (witness.c):
     YkWitness *witness; // or NULL
-    YkState *home;      // the last pose that it was told as a step; NULL: none yet, or no groups
+    YkState *home;      // the last pose that it received as a step; NULL: none yet, or no groups
     double redo_until, redo_step;
     int redone; // times in succession that a step was taken back
 };
@@ -149,7 +149,7 @@ struct YkSimulation {
 // witness.c: tells the witness that the motion begins at the state, which has the pose of `from`, a state of another
 // mechanism; NULL: it begins anywhere.
 void yk_simulation_tell_start(YkSimulation *sim, const YkState *from);
-// Tells it of the pose that stands. Returns false, with a report, if that is proved to be on another configuration.
+// Passes it the present pose. Returns false, with a report, if that is proved to be on another configuration.
 bool yk_simulation_tell(YkSimulation *sim, YkWitnessed kind);
 // Returns whether the step that the integrator has just made is proved to end on another configuration.
 bool yk_simulation_has_jumped(YkSimulation *sim);
@@ -251,14 +251,14 @@ YkMotion yk_simulation_gap(const YkSimulation *sim, size_t cam); // above 0 off 
 // Returns whether this cam can lose its follower, and has not.
 bool yk_simulation_is_loose(const YkSimulation *sim, size_t cam);
 double yk_simulation_pull(YkSimulation *sim,
-                          size_t cam); // above 0 if it would have to pull; 0 where forces are unknown
-bool yk_simulation_lift_off(YkSimulation *sim, size_t cam); // at the pose that stands; false on failure
+                          size_t cam);                      // above 0 if it would have to pull; 0 if forces are unknown
+bool yk_simulation_lift_off(YkSimulation *sim, size_t cam); // at the present pose; false on failure
 bool yk_simulation_open_touching(YkSimulation *sim);        // before an impact: all cams, those that touch are marked
 bool yk_simulation_close_touching(YkSimulation *sim);       // after it: those from which the follower does not part
 
 // contact.c
 bool yk_simulation_contacts_start(
-    YkSimulation *sim); // which stops are touched, which joints stick, at the pose that stands
+    YkSimulation *sim); // which stops are touched, which joints stick, at the present pose
 // Finds accelerations including the contacts' efforts, in dynamics->acceleration.
 YkStatus yk_simulation_accelerate(YkSimulation *sim);
 // Returns the acceleration of a contact's coordinate, under the contacts' efforts by the last evaluation; exactly 0 if
@@ -276,7 +276,7 @@ double yk_simulation_input_scale(const YkSimulation *sim, size_t free); // 1 rad
 double yk_simulation_energy_scale(const YkSimulation *sim);
 // Lower rates count as rest, rad/s or machine sizes per second.
 double yk_simulation_rate_floor(const YkSimulation *sim);
-double yk_simulation_margin(const YkSimulation *sim); // of the pose that stands
+double yk_simulation_margin(const YkSimulation *sim); // of the present pose
 
 // happenings.c: keeps what happens, up to a fixed number.
 void yk_simulation_note(YkSimulation *sim, YkHappeningKind kind, double time, const char *name, double value);

@@ -1,4 +1,4 @@
-// The witness of a simulation: it is told of the poses at the ends of steps, at events and at rows, and refuses what
+// The witness of a simulation: it receives the poses at the ends of steps, at events and at rows, and refuses what
 // cannot be the same configuration.
 #include "simulate/simulation.h"
 
@@ -11,7 +11,7 @@ void yk_simulation_set_certifier(YkSimulation *sim, YkCertifier *certifier)
     if (sim->has_begun) yk_simulation_tell_start(sim, NULL);
 }
 
-// Keeps the pose that stands, which is proved.
+// Keeps the present pose, which is proved.
 static void keep_home(YkSimulation *sim)
 {
     if (!sim->mech->has_groups) return;

@@ -13,7 +13,7 @@ YkStatus yk_state_by_all_loops(YkState *state, YkSpace *space, YkStatus status);
 
 // Writes all orientations and distances, as yk_closure has them, where the inputs have moved on from those of `space`
 // by `h` times their rates, in a straight line. `h` is short: the way differs from a straight one by less than 1e-4 rad
-// or sizes. Returns NULL where that is not so, or the loops do not determine the motion. Changes the rates of `space`.
+// or sizes. Returns NULL if that is not so, or the loops do not determine the motion. Changes the rates of `space`.
 const double *yk_all_loops_ahead(YkState *state, YkSpace *space, double h);
 
 #endif

@@ -1,5 +1,6 @@
 // Two of three equal cranks are in line with their coupler: as a four-bar they could fold either way there, and only
-// the third crank tells how the coupler goes on. Beyond such a pose the kept equations hold again, on the other branch.
+// the third crank decides how the coupler goes on. Beyond such a pose the kept equations hold again, on the other
+// branch.
 #include "solve/passing.h"
 #include <math.h>
 #include <string.h>

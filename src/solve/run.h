@@ -12,13 +12,13 @@ typedef struct YkRun {
     YkGroupWork *groups;         // for GROUP blocks (one lane only), or NULL
     size_t lanes;
     const double *references; // [mech->reference_count]: references of the angles from which relations start
-    const bool *rates_alone;  // [slot]: nobody reads its direction, so that lanes need not turn it; or NULL
-    const bool *idle;         // [slot]: nobody reads anything of it; or NULL
+    const bool *rates_alone;  // [slot]: nothing reads its direction, so lanes need not turn it; or NULL
+    const bool *idle;         // [slot]: nothing reads any of it; or NULL
     bool *is_plain;           // whether all inputs of several lanes are numbers, of a machine in which nothing else may
                               // fail: margins are then left alone; or NULL
 } YkRun;
 
-// Returns where an input or a relation turns an orientation: without its direction if nobody reads that.
+// Returns where an input or a relation turns an orientation: without its direction if nothing reads that.
 static inline YkTurn yk_run_turn(const YkRun *run, int32_t slot)
 {
     YkTurn turn = yk_space_turn(run->space, slot);
@@ -26,7 +26,7 @@ static inline YkTurn yk_run_turn(const YkRun *run, int32_t slot)
     return turn;
 }
 
-// Returns whether nobody reads what an input or a relation turns.
+// Returns whether nothing reads what an input or a relation turns.
 static inline bool yk_run_is_idle(const YkRun *run, int32_t slot)
 {
     return run->idle && run->idle[slot];

@@ -12,10 +12,10 @@ typedef struct YkPhase { // of an input that has made many turns: stands for `an
     double value, angle;
 } YkPhase;
 
-// A witness is told of the motions of a state, or of a simulation. A YkCertifier begins with one.
+// A witness follows the motions of a state, or of a simulation. A YkCertifier begins with one.
 typedef enum YkWitnessed {
     YK_WITNESS_STEP, // the next verified pose of the motion
-    YK_WITNESS_TRY,  // the same, but if the way to it is refuted it has not been told
+    YK_WITNESS_TRY,  // the same, but if the way to it is refuted it does not count
     YK_WITNESS_ASIDE // a pose between the last two steps: a row, after other such poses. The next step goes on from the last one
 } YkWitnessed;
 typedef struct YkWitness {
@@ -25,7 +25,7 @@ typedef struct YkWitness {
     // The motion goes on with a state of another mechanism of the same model, at the same pose. `from` is the state
     // before it; NULL: it begins there. `to` NULL: that mechanism is gone.
     void (*change)(struct YkWitness *witness, const YkState *from, const YkState *to);
-    // Remembers what has been told so far, under a number; and goes back to it, for another try.
+    // Remembers what it has received so far, under a number; and goes back to it, for another try.
     void (*keep)(struct YkWitness *witness, size_t number);
     void (*recall)(struct YkWitness *witness, size_t number);
 } YkWitness;
@@ -55,7 +55,7 @@ struct YkState {
     bool has_pose, has_rates;
     bool
         is_regular; // only the kept equations are singular, or nearly: pose and rates come from all loops (all_loops.c)
-    double *all_loops; // room for that; NULL where it cannot be
+    double *all_loops; // room for that; NULL if it cannot be
     bool
         is_clear; // a change point is close, and rates that rounding would spoil come from poses beside it (sweep/blur.c)
     bool is_kept; // at a coincidence: the last pose has angles that no loop determines, kept from the pose before it
@@ -71,8 +71,8 @@ struct YkState {
 };
 
 // Begins a long call on a state; returns whether it is one of its own, for which `progress` is asked. Otherwise it is
-// part of another call, or nobody watches. From here until yk_state_end solutions fail with YK_STOPPED once the caller
-// has said so; the call may then end with whatever it finds.
+// part of another call, or no caller watches. From here until yk_state_end solutions fail with YK_STOPPED once the
+// caller has said so; the call may then end with whatever it finds.
 bool yk_state_begin(YkState *state);
 // Ends it. Returns the status; YK_STOPPED if it was stopped, and then, if the call is its own, the state stands where
 // it stood before.

@@ -24,7 +24,7 @@ static void walk_inputs(YkState *s, YkArchive *a)
     yk_archive_numbers(a, s->valid_input, 3 * n);
     yk_archive_numbers(a, s->held, 3 * n);
     yk_archive_flags(a, s->is_held, 3 * n);
-    yk_archive_numbers(a, s->arrival, n); // exactly at a change point they tell which way the machine goes on
+    yk_archive_numbers(a, s->arrival, n); // exactly at a change point they decide which way the machine goes on
     yk_archive_numbers(a, s->heading, n);
     yk_archive_numbers(a, &s->arrival_time, 1);
     yk_archive_numbers(a, &s->time_heading, 1);

@@ -142,7 +142,7 @@ static void accept_along(YkState *s)
 }
 
 // Returns how far Newton's method may correct a prediction. From a dead point, which predicts nothing, the unknowns
-// move as the square root of the step, and the determinant's sign tells the direction.
+// move as the square root of the step, and the determinant's sign gives the direction.
 static double correction_max(const YkState *s, double way)
 {
     return at_dead_point(s) ? 0.01 : 0.25 * way + 1e-9;
@@ -170,7 +170,7 @@ static bool advance(YkState *s, Tracker *t, const double *ends)
 }
 
 // Departs from a dead point, where the unknowns move as the square root of the input's path, at an unknown rate. Tries
-// amplitudes in both directions: Newton's method and the determinant's sign tell which one the solution has.
+// amplitudes in both directions: Newton's method and the determinant's sign show which one the solution has.
 static void depart(YkState *s, Tracker *t, const double *ends)
 {
     double h = fmin(1, DEPARTURE / t->longest), base = sqrt(h * t->longest);

@@ -18,7 +18,7 @@ void yk_watch_end(YkBranchWatch *w)
     *w = (YkBranchWatch){0};
 }
 
-// Two poses whose margins differ by more than this are too far apart to tell what lies between them.
+// Two poses whose margins differ by more than this are too far apart to judge what lies between them.
 static const double CHANGE_MOST = 0.4;
 
 static bool is_doubtful(double a, double m, double b)

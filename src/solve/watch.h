@@ -1,4 +1,4 @@
-// Watches poses that follow each other on one path: could a block's branches have met between them? Its margins tell,
+// Watches poses that follow each other on one path: could a block's branches have met between them? Its margins decide,
 // three at a time, as long as no body turns far from one pose to the next.
 #ifndef SOLVE_WATCH_H
 #define SOLVE_WATCH_H

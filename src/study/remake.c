@@ -56,10 +56,10 @@ void yk_remake_end(YkStudy *study)
 
 typedef struct Made {
     YkProgress progress;
-    YkProblems *problems; // of no interest: the status tells
+    YkProblems *problems; // unused: the status says enough
     YkModel *model;
     YkMechanism *mech, *base_mech;
-    YkState *state, *base; // base: with the inputs of the start, if these are others
+    YkState *state, *base; // base: with the inputs of the start, if these differ
 } Made;
 
 static void tell_no_memory(const Made *m)
@@ -144,7 +144,7 @@ static YkStatus make_state(const Made *m, const YkState *as, YkMechanism **mech,
     return *state ? stand_as(*state, as) : YK_NO_MEMORY;
 }
 
-// Assembles by the start's inputs where these are others, then takes that pose.
+// Assembles by the start's inputs if these differ, then takes that pose.
 static YkStatus make(const YkRemake *r, const double *values, Made *m)
 {
     m->problems = yk_problems_new();

@@ -32,7 +32,7 @@ static double steps_to(const YkWorker *w, size_t pose)
         longest = way > longest ? way : longest;
     }
     double steps = longest <= FINE ? 1 : ceil(longest / STEP), least = w->way.lanes == 1 ? 2 : 1;
-    return steps > least ? steps : least; // three lanes at least tell what lies between them
+    return steps > least ? steps : least; // at least three lanes show what lies between them
 }
 
 typedef struct Answers { // of one call
@@ -235,7 +235,7 @@ static bool run_plan(YkWorker *w, Answers *a)
     return true;
 }
 
-// Goes on as far as lanes can tell. Returns false if the rest must be moved.
+// Goes on as far as lanes can judge. Returns false if the rest must be moved.
 static bool go_by_lanes(YkWorker *w, Answers *a)
 {
     size_t put = 0, pose;

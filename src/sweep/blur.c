@@ -5,7 +5,7 @@
 #include "elementary/elementary.h"
 #include "sweep/walk.h"
 
-// Returns whether the walk's pose is one, as far as its blocks tell. It may also be close to a limit, where nothing is
+// Returns whether the walk's pose is one, by its blocks. It may also be close to a limit, where nothing is
 // smooth.
 static bool may_be_blurred(const YkWalk *w)
 {
@@ -30,7 +30,7 @@ static bool read_touches(const YkWalk *w, double at, double *margins)
 }
 
 // Returns whether an interpolated pose is the state's own. On the other branch through the change point the motion is
-// smooth as well, and only its distance from this one tells them apart: it grows with the sine, and rounding with its
+// smooth as well, and only its distance from this one distinguishes them: it grows with the sine, and rounding with its
 // inverse.
 static bool is_own_pose(const YkState *s, const double *numbers)
 {

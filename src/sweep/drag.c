@@ -119,7 +119,7 @@ static double find_way(YkDrag *d, double at, bool *is_end)
     return fmin(up, down) < here ? (up < down ? 1 : -1) : 0;
 }
 
-// Has the distance begun to grow at the pose that stands, on the way `way`?
+// Has the distance begun to grow at the present pose, on the way `way`?
 static bool is_uphill(YkDrag *d, double at, double way)
 {
     if (d->state->has_rates) return way * slope_here(d) > 0;

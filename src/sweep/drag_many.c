@@ -7,8 +7,8 @@
 enum { STEPS_MAX = 300 };
 static const double STEP_MAX = 8 * YK_PI / 180, STILL = 1e-10; // rad, or sizes of the machine
 
-// What the point and the worst block do for a unit rate of each input, at the pose that stands. False where the rates
-// are not known.
+// Finds the motion of the point and of the worst block for a unit rate of each input, at the present pose. Returns
+// false if the rates are not known.
 static bool find_rates(YkDrag *d)
 {
     YkState *s = d->state;
@@ -137,7 +137,7 @@ static double quantity(const YkDrag *d, const Blocked *b)
     return value - s->low / s->scale < s->high / s->scale - value ? value : -value;
 }
 
-// As a further normal. False where it does not tell, or nothing is left to move.
+// As a further normal. False if it has no slope, or nothing is left to move.
 static bool add_normal(YkDrag *d, const Blocked *b)
 {
     YkState *s = d->state;

@@ -27,7 +27,7 @@ static double beyond(const YkDrag *d, size_t stop)
     return fmax(s->low - value, value - s->high) / s->scale;
 }
 
-// Returns whether the pose that stands is beyond a stop.
+// Returns whether the present pose is beyond a stop.
 static bool is_beyond(const YkDrag *d, size_t stop)
 {
     return beyond(d, stop) > 1e-12;

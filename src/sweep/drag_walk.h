@@ -1,4 +1,4 @@
-// Shared by dragging with one free input (drag.c) and with several (drag_many.c): the pose that stands, the stops, a
+// Shared by dragging with one free input (drag.c) and with several (drag_many.c): the present pose, the stops, a
 // walk.
 #ifndef SWEEP_DRAG_WALK_H
 #define SWEEP_DRAG_WALK_H
@@ -32,7 +32,7 @@ struct YkDrag {
     void *memory;
 };
 
-double yk_drag_distance(const YkDrag *drag);             // of the pose that stands
+double yk_drag_distance(const YkDrag *drag);             // of the present pose
 double yk_drag_scale(const YkDrag *drag, size_t active); // 1 rad, or the machine's size
 void yk_drag_begin_walk(YkDrag *drag);                   // a new walk from where the state stands
 void yk_drag_widen_stops(YkDrag *drag); // so that a machine that stands beyond a stop already may stay there

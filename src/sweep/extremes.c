@@ -64,7 +64,7 @@ static double at_change_point(const YkSweep *w, double at, double from, double t
     return at;
 }
 
-// Notes the extreme between two places that the sweep has passed on its branch; none where a pose between them does not
+// Notes the extreme between two places that the sweep has passed on its branch; none if a pose between them does not
 // close on that branch.
 static void bisect_extreme(YkSweep *w, size_t channel, double from, double to, double slope)
 {

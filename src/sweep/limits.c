@@ -1,5 +1,5 @@
 // The limits of the rates at a change point where a walk stands. J is singular there, but the motion is smooth through
-// it, so what has no value at the pose is interpolated from four poses on each side (Lagrange, error O(h^8)).
+// it, so values that do not exist at the pose are interpolated from four poses on each side (Lagrange, error O(h^8)).
 #include <stdlib.h>
 #include <string.h>
 #include "sweep/meeting.h"
@@ -36,7 +36,7 @@ static bool find_moving(YkBeside *b)
 }
 
 // Solves the pose that many steps from the change point, on the side of the signs if positive. Angles are counted from
-// the change point: a first, coarse step may turn a link too far for the next pose to tell how often it has turned.
+// the change point: a first, coarse step may turn a link too far for the next pose to show how often it has turned.
 static bool stand_beside(const YkBeside *b, double steps)
 {
     YkPath *path = &b->walk->path;

@@ -1,7 +1,7 @@
 // Change points that are known by the place of the input that leads to them. On each side of it the block has one sign,
 // however often and however little the motion goes over it: the pose follows from where the input is, not from its
-// past. Where several inputs lead there together, it follows from where they all are (side.c). If a drive turns back
-// just at a limit, time takes the place of the input.
+// past. If several inputs lead there together, it follows from where they all are (side.c). If a drive turns back just
+// at a limit, time takes the place of the input.
 #include "sweep/meeting.h"
 
 bool yk_walk_is_at_meeting(const YkWalk *w, size_t block, double a, double b)

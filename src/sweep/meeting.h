@@ -28,8 +28,8 @@ bool yk_walk_passes_meeting(YkWalk *walk, size_t block, double at, double way, b
 
 // --- side.c: where the inputs are
 
-// Returns how far the inputs on the path at `at` are from a block's known change point, in units; NaN where that cannot
-// be told: far away, if several inputs decide together.
+// Returns how far the inputs on the path at `at` are from a block's known change point, in units; NaN if that cannot
+// be found: far away, if several inputs decide together.
 double yk_meeting_off_at(const YkPath *path, size_t block, double at);
 // Returns the distance up to which a place counts as the change point itself.
 double yk_meeting_tolerance(const YkMeeting *meeting, const YkState *state);

@@ -16,7 +16,7 @@ typedef struct Search {
     double h;     // the distance between poses, in units
 } Search;
 
-// Returns the sine of the block's transmission angle; negative where that cannot be told.
+// Returns the sine of the block's transmission angle; negative if it cannot be found.
 static double sine_at(const Search *f, double value)
 {
     const YkPath *path = &f->walk->path;

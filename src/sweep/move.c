@@ -17,10 +17,10 @@ typedef struct Mover {
     const YkMoveOptions *options;
     YkMove *move;
     YkProblems *problems;
-    double from, to, part; // of the walk that is being gone; the part that was told last
+    double from, to, part; // of the present walk; the part that was reported last
 } Mover;
 
-// Tells those who watch how much of the way is done.
+// Reports how much of the way is done to those who watch.
 static bool ask(void *context, double at)
 {
     Mover *m = context;
@@ -157,14 +157,14 @@ static size_t nearest_node(const Tree *tree)
     return nearest;
 }
 
-// Lets the witness remember what it has been told on the way to a node; one more than all nodes stands for the straight
+// Lets the witness remember what it received on the way to a node; one more than all nodes stands for the straight
 // way.
 static void remember(const Mover *m, size_t node)
 {
     if (m->state->witness) m->state->witness->keep(m->state->witness, node);
 }
 
-// Stands at a node again, and lets the witness forget what it has been told since.
+// Stands at a node again, and lets the witness forget what it has received since.
 static void go_back(const Mover *m, const YkState *node, size_t number)
 {
     yk_state_take(m->state, node);

@@ -1,4 +1,4 @@
-// Distances on a path, measured by how far the inputs go. While a drive rests, time does not tell which poses are near:
+// Distances on a path, measured by how far the inputs go. While a drive rests, time does not show which poses are near:
 // a whole dwell is one pose.
 #include "sweep/path.h"
 #include <string.h>
@@ -35,7 +35,7 @@ double yk_path_input_at(const YkPath *path, size_t input, double time)
     return value;
 }
 
-// Returns the largest displacement of an input; infinite where a drive has no value.
+// Returns the largest displacement of an input; infinite if a drive has no value.
 static double largest(const YkPath *path, double at, double to)
 {
     double *u = path->others + 6 * path->state->mech->input_count, most = 0;

@@ -5,7 +5,7 @@
 #include "solve/state.h"
 
 // sin^2 below which, less than 1e-5 from a change point, a pose may still be the other branch's: it is not a reference,
-// and its rates do not tell which way a channel goes.
+// and its rates do not show which way a channel goes.
 #define YK_BRANCH_MARGIN 1e-10
 
 enum { YK_MEETING_SEEN = 4, YK_MEETING_LEVELS = 4 };
@@ -77,7 +77,7 @@ double yk_path_scale(const YkPath *path);
 
 // --- near.c: distances by how far the inputs go, rad or machine sizes
 
-// Returns the farthest that an input gets from where it is at `a`, on the way to `b`; infinite where a drive has no
+// Returns the farthest that an input gets from where it is at `a`, on the way to `b`; infinite if a drive has no
 // value.
 double yk_path_way(const YkPath *path, double a, double b);
 // Returns the place about `distance` from `at`, before it (way -1) or behind it (+1); NaN if the inputs never get that

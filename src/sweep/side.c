@@ -1,5 +1,5 @@
-// On which side of a block's known change point the inputs are. Where one input leads there, its value tells. Where
-// several do, together, poses tell: the sine of the transmission angle, with a sign, is nearly a straight line along
+// Finds on which side of a block's known change point the inputs are. If one input leads there, its value decides. If
+// several do together, poses decide: the sine of the transmission angle, with a sign, is nearly a straight line along
 // any one input, so poses a little farther along it on both sides give the value here to rounding.
 #include "sweep/meeting.h"
 #include <string.h>
@@ -39,7 +39,7 @@ static double off_of_one(const YkPath *path, const YkMeeting *m, double at)
     return ((m->input == YK_NONE ? at : path->state->input[3 * m->input]) - m->at) / m->unit;
 }
 
-// Returns the side on which a distance lies after `steps` more along the same input; 0 where it must be looked at anew,
+// Returns the side on which a distance lies after `steps` more along the same input; 0 if it must be looked at anew,
 // since the sine may now be steeper, or less, than where the change point was found.
 static int side_after(double off, double steps)
 {
@@ -87,7 +87,7 @@ static double sine_beside(const YkPath *path, size_t block, double steps, double
 }
 
 // Returns how far the inputs, as they are set, are beyond the change point along one of them, interpolated between
-// poses on both sides; NaN where it does not close.
+// poses on both sides; NaN if it does not close.
 static double off_by_poses(const YkPath *path, size_t block, double at, int level)
 {
     static const double weights[] = {0.75, -0.3, 0.05};
@@ -102,7 +102,7 @@ static double off_by_poses(const YkPath *path, size_t block, double at, int leve
     return sum / m->slope;
 }
 
-// Returns how far the inputs, as they are set, are from a change point on which several of them decide; NaN where that
+// Returns how far the inputs, as they are set, are from a change point on which several of them decide; NaN if that
 // cannot be told, which is far from it. Farther off than the poses that interpolate, the side is the one to which the
 // sine rises.
 static double off_of_several(const YkPath *path, size_t block, double at, int level)

@@ -127,7 +127,7 @@ static bool flip_at_end(YkWalk *w, size_t block, double a, double b)
 typedef enum Verdict { CLEAR, FINER, TOUCHED } Verdict;
 
 // Returns whether a block could pass a singular position between two times though three samples of its margin do not
-// show it: a drive may go past it and come back, at any pace, so only how far the inputs go tells.
+// show it: a drive may go past it and come back, at any pace, so only the way of the inputs shows it.
 static bool is_within_reach(const YkWalk *w, double least, double a, double b)
 {
     const double AHEAD = 2; // how much farther than the inputs the block may turn
@@ -329,8 +329,8 @@ bool yk_walk_refuses(YkWalk *w, double a, double b)
     return true;
 }
 
-// Returns the end of the next stride from `last`. From a singular pose it is a short one, which tells a limit from a
-// change point: farther on the machine may close again, on the other side of a gap.
+// Returns the end of the next stride from `last`. From a singular pose it is a short one, which distinguishes a limit
+// from a change point: farther on the machine may close again, on the other side of a gap.
 static double next_place(const YkWalk *w, double last, double b)
 {
     double way = b > last ? 1 : -1, stride = w->turn_max * yk_path_scale(&w->path) / fastest_turn(w),

@@ -51,10 +51,10 @@ bool yk_walk_was_flipped_near(const YkWalk *walk, size_t block, double at);
 // --- walk.c
 
 // Walks in verified sub-steps from a, where the state is, to b. Returns false if the motion ends on the way: the status
-// tells why, and a limit is noted as an event.
+// says why, and a limit is noted as an event.
 bool yk_walk_go(YkWalk *walk, double a, double b);
 // Returns whether the walk would take unreasonably many steps. The status is then YK_STOPPED, and the state's report
-// tells why. Call it before a walk; it takes account of the cost of the machine at each step.
+// says why. Call it before a walk; it takes account of the cost of the machine at each step.
 bool yk_walk_refuses(YkWalk *walk, double a, double b);
 // Flips blocks that are singular at `a`, which the motion has reached and passes: double zeros, passed with the other
 // sign.

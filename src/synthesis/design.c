@@ -186,7 +186,7 @@ static YkDefect inverted_signs(const YkDesign *design, double (*angle)[3], size_
     return YK_DEFECT_NONE;
 }
 
-// The joint whose sense tells the circuit: one that does not touch the shortest link, whose two links never line up.
+// The joint whose sense shows the circuit: one that does not touch the shortest link, whose two links never line up.
 static double circuit_sense(const YkDesign *design, const double angle[3])
 {
     size_t shortest = 0;

@@ -1,4 +1,4 @@
-// A machine that synthesis proposes: its dimensions, its model file, and what the engine says of it.
+// A machine that synthesis proposes: its dimensions, its model file, and the engine's judgement of it.
 #ifndef SYNTHESIS_DESIGN_H
 #define SYNTHESIS_DESIGN_H
 #include "synthesis/tasks/task.h"
@@ -38,7 +38,7 @@ typedef struct YkDesign {
 typedef struct YkJourney {
     const YkTask *task;        // NULL for a machine that no task asked for, which then has:
     const YkModel *sheet;      // its units
-    const char *name, *origin; // its name, and a comment that tells where it comes from
+    const char *name, *origin; // its name, and a comment on where it comes from
     double *input;             // [count] absolute angles, each reached from the one before by moving straight, rad
     size_t count;
     bool turns;                // goes round as a whole

@@ -1,4 +1,4 @@
-// Writes the link and the arm of a machine with a dyad, and what gears the cranks of a five-bar.
+// Writes the link and the arm of a machine with a dyad, and the gears between the cranks of a five-bar.
 #include "synthesis/design_writer.h"
 #include "synthesis/paths/path_chain.h"
 

@@ -3,8 +3,8 @@
 #define SYNTHESIS_EVEN_H
 #include "synthesis/tasks/task.h"
 
-// A four-bar on a ground of 1: its links, and the angles of input and output where the range begins. Of a slider-crank
-// `output` is the offset of the slider's line, with a sign, and psi how far along it the slider is.
+// A four-bar on a ground of 1: its links, and the angles of input and output where the range begins. For a slider-crank
+// `output` is the offset of the slider's line, with a sign, and psi the place of the slider along it.
 typedef struct YkGenerator {
     double input, coupler, output, phi, psi;
 } YkGenerator;

@@ -11,7 +11,7 @@ typedef struct Step {
     double column[MAX]; // lengths of the columns
 } Step;
 
-// Holds what is given, and what stands at a bound that the misses push against.
+// Holds unknowns that are given, and those at a bound against which the misses push.
 static void hold(const YkLinear *l, Step *step)
 {
     for (size_t j = 0; j < l->n; j++) {

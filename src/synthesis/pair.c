@@ -1,4 +1,4 @@
-// Judges a pair of dyads through positions of their coupler, driven from the side that serves better.
+// Judges a pair of dyads through positions of their coupler, driven from the better side.
 #include <math.h>
 #include <string.h>
 #include "synthesis/synthesis.h"

@@ -57,7 +57,7 @@ bool yk_synthesis_fetch(YkSynthesis *s, size_t piece, double *numbers);
 // Writes a design, judges it, and returns what became of it; its file's text is in `text`.
 YkDefect yk_synthesis_try(YkSynthesis *s, const YkDesign *design, const YkJourney *journey, YkText *text,
                           YkVerdict *verdict);
-// Keeps a machine that passed, with its text and verdict. Returns it, or NULL where nothing is kept any more.
+// Keeps a machine that passed, with its text and verdict. Returns it, or NULL if nothing is kept any more.
 YkFound *yk_synthesis_keep(YkSynthesis *s, const YkDesign *design, const YkText *text, const YkVerdict *verdict,
                            double merit);
 // Counts one that did not.

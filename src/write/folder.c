@@ -1,4 +1,4 @@
-// Looks whether a folder is free.
+// Checks whether a folder is free.
 #include "write/folder.h"
 #include <dirent.h>
 #include <errno.h>
@@ -12,7 +12,7 @@ bool yk_folder_is_free(const char *path, YkProblems *problems)
     bool is_empty = true;
     if (!folder && errno == ENOENT) return true;
     if (!folder && errno == ENOTDIR) {
-        yk_problem(problems, YK_CODE_TASK_FOLDER, (YkPlace){0}, "%q is a file, where a folder is wanted", path);
+        yk_problem(problems, YK_CODE_TASK_FOLDER, (YkPlace){0}, "%q is a file; a folder is needed here", path);
         return false;
     }
     if (!folder) return yk_file_fail(path, errno, problems);

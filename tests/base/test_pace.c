@@ -1,4 +1,4 @@
-// The pace of long work: when it asks, what it tells, and that a stop is for good.
+// The pace of long work: when it asks, what it reports, and that a stop is final.
 #include "check.h"
 #include "base/pace.h"
 

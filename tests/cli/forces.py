@@ -1,4 +1,4 @@
-"""What the tests of forces and motion share: documents of expected answers, published cases, channels of an answer, sweeps of a simulation."""
+"""Shared by the tests of forces and motion: documents of expected answers, published cases, channels of an answer, sweeps of a simulation."""
 import json
 import os
 import re

@@ -1,4 +1,4 @@
-"""What the command's tests share: running the binary, and reading its answers strictly."""
+"""Shared by the tests of the command: running the binary, and reading its answers strictly."""
 import csv
 import io
 import json

@@ -1,4 +1,4 @@
-"""What the tests of reports share: a page taken apart into tables, findings, formulas and pictures, and its units."""
+"""Shared by the tests of reports: a page taken apart into tables, findings, formulas and pictures, and its units."""
 import html.parser
 import json
 import math

@@ -1,4 +1,4 @@
-"""yoke code: the printed C compiles clean, agrees with the engine at other poses and parameters, and says what it is not.
+"""yoke code: the printed C compiles clean, agrees with the engine at other poses and parameters, and says what it leaves out.
 
 CC is the compiler; with YOKE_FEW only some of the examples are compiled."""
 import ctypes

@@ -1,4 +1,4 @@
-"""yoke code: dry friction in printed C, against the engine, closed forms and what `yoke solve` tells."""
+"""yoke code: dry friction in printed C, against the engine, closed forms and the answers of `yoke solve`."""
 import math
 import os
 import re

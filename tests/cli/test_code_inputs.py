@@ -1,4 +1,4 @@
-"""yoke code: what the printed C says of inputs that are no numbers, or too large, in every place where they can stand."""
+"""yoke code: the status of the printed C for inputs that are not numbers, or too large, in every place."""
 import os
 import random
 import re

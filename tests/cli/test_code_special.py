@@ -1,4 +1,4 @@
-"""yoke code: what the printed C says at poses and for parameters that are special, and what makes coordinates follow laws."""
+"""yoke code: the status of the printed C at special poses and parameters, and the efforts by which coordinates follow laws."""
 import math
 import os
 import re

@@ -1,4 +1,4 @@
-"""`yoke solve --all`: every configuration, whether there are others, and what is told where that is not known."""
+"""`yoke solve --all`: every configuration, whether there are others, and the answer if that is not known."""
 import os
 import re
 import unittest

@@ -1,4 +1,4 @@
-"""Forces at a pose, as `solve` and `sweep` tell them: against an independent oracle, published figures, closed forms and laws."""
+"""Forces at a pose, as `solve` and `sweep` give them: against an independent oracle, published figures, closed forms and laws."""
 import math
 import unittest
 

@@ -1,4 +1,4 @@
-"""Events: those of a sweep beyond what it keeps are counted, and told; what is none is not."""
+"""Events: those of a sweep beyond the number that it keeps are counted and reported; nothing else is reported as one."""
 import math
 import os
 import re

@@ -1,4 +1,4 @@
-"""What a file says and a pose does not heed is told: stops outside of `simulate`, values of `start:` under a drive."""
+"""Entries of a file that a pose ignores are reported: stops outside of `simulate`, values of `start:` under a drive."""
 import math
 import unittest
 

@@ -1,4 +1,4 @@
-"""Rounding noise is 0 in the tables for people and exact in JSON; what is small and true is told."""
+"""Rounding noise is 0 in the tables for people and exact in JSON; true values are shown, however small."""
 import csv
 import math
 import re

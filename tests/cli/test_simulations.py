@@ -1,4 +1,4 @@
-"""Motion in time, as `simulate` tells it: against an independent integration, published references, closed forms."""
+"""Motion in time, as `simulate` gives it: against an independent integration, published references, closed forms."""
 import math
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""yoke check --sketch: what a machine lacks to move, whose mends mend it. Run: YOKE=path/of/yoke python3 tests/cli/test_sketch.py"""
+"""yoke check --sketch: the parts that a machine lacks to move, and the changes that supply them. Run: YOKE=path/of/yoke python3 tests/cli/test_sketch.py"""
 import glob
 import os
 import unittest

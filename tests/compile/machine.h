@@ -1,4 +1,4 @@
-// What the tests of compile and design share: a machine from text or from the gallery, and where its bodies are,
+// Shared by the tests of compile and design: a machine from text or from the gallery, and where its bodies are,
 // computed without orientations, sums or plans: joint after joint along the tree, in complex numbers with a complex
 // step.
 #ifndef TESTS_COMPILE_MACHINE_H

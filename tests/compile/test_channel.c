@@ -1,4 +1,4 @@
-// Channels: what is parsed prints back as a name that parses to the same; what is unknown gets a hint.
+// Channels: a parsed name prints back as a name that parses to the same; an unknown one gets a hint.
 #include "machine.h"
 #include "table.h"
 

@@ -1,4 +1,4 @@
-// What a file says in another order is the same machine: freedoms, poses, and the signs of its branches.
+// A file in another order is the same machine: freedoms, poses, and the signs of its branches.
 #include <yoke/yoke.h>
 #include "check.h"
 

@@ -1,4 +1,4 @@
-// Sums of turned vectors: like terms merge, what cancels vanishes, and a walk along the tree is the way between two
+// Sums of turned vectors: like terms merge, terms that cancel vanish, and a walk along the tree is the way between two
 // bodies.
 #include "compile/terms.h"
 #include "machine.h"

@@ -2,8 +2,6 @@
 #include <yoke/configurations.h>
 #include "configurations/geared_chain.h"
 
-
-
 typedef struct Seen {
     const Chain *chain;
     const YkMechanism *mech;
@@ -60,7 +58,7 @@ static void test_all_poses_of_geared_five_bars_are_found(void **unused)
     assert_true(most >= 8);
 }
 
-// Where two poses are one, nothing tells them apart, and it is said.
+// Two poses that coincide cannot be separated, and the answer says so.
 static void test_a_double_pose_is_not_claimed(void **unused)
 {
     (void)unused;

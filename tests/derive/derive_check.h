@@ -1,4 +1,4 @@
-// What the tests of derivations share: a machine from text or from the examples, its symbols, its numbers at random
+// Shared by the tests of derivations: a machine from text or from the examples, its symbols, its numbers at random
 // poses.
 #ifndef TESTS_DERIVE_CHECK_H
 #define TESTS_DERIVE_CHECK_H

@@ -1,4 +1,4 @@
-// What the tests of forces in symbols share: a machine with the numeric engine's accelerations and reactions at random
+// Shared by the tests of forces in symbols: a machine with the numeric engine's accelerations and reactions at random
 // poses.
 #ifndef TESTS_DERIVE_FORCES_CHECK_H
 #define TESTS_DERIVE_FORCES_CHECK_H

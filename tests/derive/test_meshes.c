@@ -1,5 +1,5 @@
-// What gears, racks, belts, cams and laws transmit, in symbols: true with the engine's forces, proved to do the
-// relation's work, readable.
+// The forces that gears, racks, belts, cams and laws transmit, in symbols: true with the engine's forces, proved to do
+// the relation's work, readable.
 #include "dynamics/meshes.h"
 #include "dynamics/random_geared.h"
 #include "derive/forces/lagrange.h"

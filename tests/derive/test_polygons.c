@@ -153,7 +153,7 @@ static void the_steps_read_as_a_construction(void **state)
     expect(text, "v^{a} = v^{a'} + v^{a/a'}");
     expect(text, "perpendicular to the line on lever (Coriolis):  a_Coriolis^{a/a'} = [ -2 sin(theta2) theta2' d3' ]");
     expect(text, "along the line on lever:  a_sliding^{a/a'} = [ cos(theta2) d3'' ]");
-    expect(text, "Force polygons\n  What is known of a body is drawn first");
+    expect(text, "Force polygons\n  A body's known forces are drawn first");
     expect(text, "Two forces alone act on coupler, at B and at C");
     expect(text, "the polygon closes:  F_24 - F_45 = 0");
     check_formats(&m, "polygons", NULL);

@@ -1,4 +1,4 @@
-// What the tests of cams share: models of cams, and the roller's centre found by plain trigonometry.
+// Shared by the tests of cams: models of cams, and the roller's centre found by plain trigonometry.
 #ifndef TESTS_DESIGN_CAM_CHECK_H
 #define TESTS_DESIGN_CAM_CHECK_H
 #include "model/fixture.h"

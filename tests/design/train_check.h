@@ -1,4 +1,4 @@
-// What the tests of gear trains share: a train from text, and its answers by name.
+// Shared by the tests of gear trains: a train from text, and its answers by name.
 #ifndef TESTS_DESIGN_TRAIN_CHECK_H
 #define TESTS_DESIGN_TRAIN_CHECK_H
 #include <yoke/train.h>

@@ -1,4 +1,4 @@
-// What the tests of documents share: a fixture that parses a text, and a tree written as text.
+// Shared by the tests of documents: a fixture that parses a text, and a tree written as text.
 #ifndef TESTS_DOC_CHECK_H
 #define TESTS_DOC_CHECK_H
 #include "check.h"

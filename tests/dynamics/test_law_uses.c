@@ -209,7 +209,7 @@ static void a_range_may_lie_on_either_side_of_zero(void **unused)
     }
 }
 
-// A simulation tells the end at which it left a range: the use of that name remembers it, once.
+// A simulation reports the end at which it left a range: the use of that name remembers it, once.
 static void what_a_simulation_left_is_remembered(void **unused)
 {
     (void)unused;

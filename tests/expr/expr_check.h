@@ -1,4 +1,4 @@
-// What the tests of expressions share: a fixture with arena and problems, and a tree written as text.
+// Shared by the tests of expressions: a fixture with arena and problems, and a tree written as text.
 #ifndef TESTS_EXPR_CHECK_H
 #define TESTS_EXPR_CHECK_H
 #include "check.h"

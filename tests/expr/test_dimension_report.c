@@ -1,4 +1,4 @@
-// What is said of dimensions that do not fit: the words, the hints and the places, of uses and of parameters, and the
+// Messages about dimensions that do not fit: the words, the hints and the places, of uses and of parameters, and the
 // warning about units of force that a file does not name.
 #include "expr_check.h"
 #include "expr/dimension.h"

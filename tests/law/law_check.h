@@ -1,4 +1,4 @@
-// What the tests of laws share: a law under construction with its arena, and derivatives by differences.
+// Shared by the tests of laws: a law under construction with its arena, and derivatives by differences.
 #ifndef TESTS_LAW_CHECK_H
 #define TESTS_LAW_CHECK_H
 #include "check.h"

@@ -1,4 +1,4 @@
-// The linear system of conditions: solutions of ill-conditioned systems that are known exactly, and what is said of
+// The linear system of conditions: solutions of ill-conditioned systems that are known exactly, and messages about
 // systems that have none or many, in whatever unit.
 #include "law/inside.h"
 #include "law/law_check.h"

@@ -113,7 +113,7 @@ static void ends_that_meet_have_no_rate(void **unused)
     rig_free(&rig);
 }
 
-// Springs tell the arguments of their laws at the pose that stands, whatever forces were computed before.
+// Springs tell the arguments of their laws at the present pose, whatever forces were computed before.
 static void laws_of_springs_are_asked_at_the_pose(void **unused)
 {
     (void)unused;

@@ -1,4 +1,4 @@
-// Gaps of dyads: their sign tells how many solutions there are, and their slope is that of differences.
+// Gaps of dyads: their sign shows how many solutions there are, and their slope is that of differences.
 #include "map/workspace/dyad.h"
 #include "check.h"
 

@@ -1,4 +1,4 @@
-// What the tests of the model share: loads a text with its problems, and finds its parts.
+// Shared by the tests of the model: loads a text with its problems, and finds its parts.
 #ifndef TESTS_MODEL_FIXTURE_H
 #define TESTS_MODEL_FIXTURE_H
 #include "check.h"

@@ -1,4 +1,4 @@
-// The builder: machines made by calls are the machines of files, and what is wrong is told by name.
+// The builder: machines made by calls are the machines of files, and problems name what is wrong.
 #include <stdlib.h>
 #include "check.h"
 #include <yoke/yoke.h>

@@ -1,4 +1,4 @@
-// What is refused of a cam of arcs, with its place and what does not fit, by how much; and that what just fits is
+// Cams of arcs that are refused, with the place, the part that does not fit and by how much; those that just fit are
 // accepted.
 #include "fixture.h"
 

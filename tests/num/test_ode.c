@@ -1,4 +1,4 @@
-// What every stepper must do, whatever its method: known answers, both directions, moving ends, dense output,
+// Requirements of every stepper, whatever its method: known answers, both directions, moving ends, dense output,
 // quadratures, a right-hand side that fails.
 #include "ode_problems.h"
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// What `yoke code` prints, as values: for every example they are the engine's, at the file's parameters and at others.
+// The values that `yoke code` prints: for every example they are the engine's, at the file's parameters and at others.
 //
 // The calls among the values are worked out here: linear equations, Newton's method on a group, laws, dry friction.
 #include <stdlib.h>
@@ -491,7 +491,7 @@ static bool find_forces(Printed *m, Engine *e, YkRoutineKind kind)
         if (!m->file.forces.is_free[i]) continue;
         double effort = check_uniform(&e->seed, -1, 1);
         set(m, effort, "in->%s_effort", m->file.program.names.coordinate[coordinate]);
-        bool has_law = yk_law_relation(e->mech, coordinate) != YK_NONE; // then the engine tells what the law exerts
+        bool has_law = yk_law_relation(e->mech, coordinate) != YK_NONE; // then the engine gives what the law exerts
         double given = has_law ? 0 : yk_dynamics_effort(e->dynamics, coordinate);
         yk_dynamics_set_effort(e->dynamics, coordinate, given + effort);
     }

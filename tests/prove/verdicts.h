@@ -1,4 +1,4 @@
-// What the tests of --check share: the verdict on an equation at the machine's start, with forces, and lists of
+// Shared by the tests of --check: the verdict on an equation at the machine's start, with forces, and lists of
 // equations with the verdicts that they must get.
 #ifndef TESTS_DERIVE_VERDICTS_H
 #define TESTS_DERIVE_VERDICTS_H

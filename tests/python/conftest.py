@@ -1,4 +1,4 @@
-"""What the tests of the Python package share: a machine, the examples, and the command beside it."""
+"""Shared by the tests of the Python package: a machine, the examples, and the command beside it."""
 from __future__ import annotations
 
 import json

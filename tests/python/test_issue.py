@@ -1,4 +1,4 @@
-"""What the package was asked for, as it was written down first."""
+"""The requests for the package, as they were first written down."""
 import math
 
 import numpy as np

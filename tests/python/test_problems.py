@@ -1,4 +1,4 @@
-"""What the command refuses is an exception with place and hint; what is wrong in Python is told as clearly."""
+"""What the command refuses is an exception with place and hint; mistakes in Python are reported as clearly."""
 import math
 
 import numpy as np

@@ -1,4 +1,4 @@
-// What the tests of the ring share: a ring with symbols of every kind, random elements, and elements as text.
+// Shared by the tests of the ring: a ring with symbols of every kind, random elements, and elements as text.
 #ifndef TESTS_RING_CHECK_H
 #define TESTS_RING_CHECK_H
 #include "check.h"

@@ -1,4 +1,4 @@
-// What a host does to a machine while it moves, against closed forms and against files that say the same.
+// Acts of a host on a machine while it moves, against closed forms and against files that say the same.
 #include "run.h"
 
 #define BLOCK                                                                                                          \

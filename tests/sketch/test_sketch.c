@@ -1,4 +1,4 @@
-// What a machine lacks to move, and that adding it mends it.
+// The parts that a machine lacks to move; adding them supplies what is missing.
 #include "check.h"
 #include <yoke/yoke.h>
 

@@ -1,4 +1,4 @@
-// What the tests of the kernels share: motions in long double, built by the product rule from chosen solutions, so that
+// Shared by the tests of the kernels: motions in long double, built by the product rule from chosen solutions, so that
 // every kernel has an answer that is known beforehand; and lanes to put them in.
 #ifndef TESTS_LANES_CHECK_H
 #define TESTS_LANES_CHECK_H

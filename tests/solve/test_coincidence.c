@@ -351,7 +351,7 @@ static int branch_at_start(const Machine *m, const Family *f)
     return 0;
 }
 
-// A batch that begins at the start tells the same of the pose as the state does that comes from there.
+// A batch that begins at the start gives the same pose as the state that comes from there.
 static void check_batch(Machine *m, const Family *f, double input)
 {
     double value = 0, rate = 1, acceleration = 0.25, *outputs[] = {&value};

@@ -1,6 +1,6 @@
-// What a list of configurations shows and what it leaves: each is the pose that a state standing there solves again,
-// with the same rates and the same word on whether they exist; and afterwards the state goes on, to the last bit, as
-// one that was never asked for the list.
+// Lists of configurations, and the state that they leave behind: each is the pose that a state standing there solves
+// again, with the same rates and the same word on whether they exist; and afterwards the state goes on, to the last
+// bit, as one that was never asked for the list.
 #include "machine.h"
 
 enum { SHOWN_MAX = 6 };

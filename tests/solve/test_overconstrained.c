@@ -1,5 +1,5 @@
-// Machines whose constraints repeat each other are solved as well as any: random ones, assembled by construction, are
-// told their freedom, close where they were put together, move as their bodies' own equations say, and are never told a
+// Machines whose constraints repeat each other are solved as well as any: random ones, assembled by construction,
+// report their freedom, close where they were put together, move as their bodies' own equations say, and never report a
 // dead point that they do not have. YOKE_FULL=1 in the environment runs 1e5 of them; YOKE_TEST_RANDOM=N that many,
 // YOKE_TEST_FIRST=N from the N-th.
 #include "body_equations.h"

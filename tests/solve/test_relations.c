@@ -1,4 +1,4 @@
-// Gears, belts, racks, cams and laws: closed forms, rates against differences, residuals that tell a miss; poses
+// Gears, belts, racks, cams and laws: closed forms, rates against differences, residuals that show a miss; poses
 // adopted.
 #include "machine.h"
 #include "solve/gap.h"

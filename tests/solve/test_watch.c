@@ -1,5 +1,5 @@
 // The watch over branches, on margins and turns made up for it: a zero between two poses is never passed over, poses
-// well away from one are clear, a swing is told at its pose, and all of it wherever the lanes are divided.
+// well away from one are clear, a swing is reported at its pose, and all of it wherever the lanes are divided.
 #include "machine.h"
 #include "solve/watch.h"
 

@@ -1,4 +1,4 @@
-// What tests of studies share: a machine with the channels and parameters of a study.
+// Shared by the tests of studies: a machine with the channels and parameters of a study.
 #ifndef TESTS_STUDY_CHECK_H
 #define TESTS_STUDY_CHECK_H
 #include "../solve/machine.h"

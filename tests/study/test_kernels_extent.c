@@ -21,7 +21,7 @@ static void rows_of_any_length_are_reduced(void **unused)
     }
 }
 
-// The parts, as the header tells them: number k goes to part k modulo 8, and the halves are added to each other.
+// The parts, as the header describes them: number k goes to part k modulo 8, and the halves are added to each other.
 static void the_order_of_the_sum_is_always_the_same(void **unused)
 {
     (void)unused;

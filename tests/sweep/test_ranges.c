@@ -195,7 +195,7 @@ static const char five_bar_with_rocker[] =
     "  D: {pin: [rod, rocker]}\n"
     "start: {theta1: 120 deg, theta2: 100 deg, phi1: -70 deg, phi2: 70 deg, phi3: 60 deg}\n";
 
-// The inputs asked for do not fit the pose that stands: the ranges are those of the inputs asked for.
+// The inputs asked for do not fit the present pose: the ranges are those of the inputs asked for.
 static void test_the_range_of_a_pose_that_does_not_fit_the_inputs_is_not_made_up(void **unused)
 {
     (void)unused;

@@ -109,7 +109,7 @@ static bool refuse(void *context, double part)
     return false;
 }
 
-// A search that is stopped tells nothing of what it has found so far.
+// A search that is stopped reports nothing that it has found so far.
 static void nothing_is_reached_by_a_search_that_is_stopped(void **unused)
 {
     (void)unused;

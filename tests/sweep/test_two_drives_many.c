@@ -1,4 +1,4 @@
-// Many linkages that two drives bring to their change points at once: each tells its side by itself, yet the cost must
+// Many linkages that two drives bring to their change points at once: each finds its side by itself, yet the cost must
 // not multiply from one to the next.
 #include "../solve/machine.h"
 #include <yoke/move.h>

@@ -1,4 +1,4 @@
-// What the tests of synthesis share: tasks as text, and candidates read again by the engine.
+// Shared by the tests of synthesis: tasks as text, and candidates read again by the engine.
 #ifndef TESTS_SYNTHESIS_TASK_H
 #define TESTS_SYNTHESIS_TASK_H
 #include "check.h"

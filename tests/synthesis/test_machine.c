@@ -1,4 +1,4 @@
-// Parameters of a machine that is there: goals met, claims kept, every answer measured on its own file.
+// Parameters of an existing machine: goals met, claims kept, every answer measured on its own file.
 #include "synthesis/answer.h"
 #include "base/codes.h"
 #include "base/vec.h"

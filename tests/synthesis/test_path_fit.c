@@ -1,4 +1,4 @@
-// What a path's fit takes for the derivatives of its cost, with limits and with angles that follow the ground, against
+// The derivatives of its cost that a path's fit uses, with limits and with angles that follow the ground, against
 // differences of the cost itself.
 #include "synthesis/answer.h"
 #include "synthesis/paths/path_search.h"

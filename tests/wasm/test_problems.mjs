@@ -1,4 +1,4 @@
-// Files that are wrong: the page is told the same problems as the command tells, at the same places.
+// Files that are wrong: the page gets the same problems as the command prints, at the same places.
 // node test_problems.mjs NODE.mjs CORE.wasm YOKE.wasm FOLDER
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";

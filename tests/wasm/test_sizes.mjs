@@ -1,5 +1,5 @@
-// What a page fetches stays small, as gzip makes it; core.wasm imports nothing, the others only the system of wasi.ts.
-// node test_sizes.mjs CORE.wasm PANELS.wasm YOKE.wasm
+// The files that a page fetches stay small, as gzip makes it; core.wasm imports nothing, the others only the system of
+// wasi.ts. node test_sizes.mjs CORE.wasm PANELS.wasm YOKE.wasm
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";

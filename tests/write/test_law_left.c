@@ -1,4 +1,4 @@
-// What is said of a law whose range is left: whose law it is, its range and the place in the file's units.
+// The message about a law whose range is left: whose law it is, its range and the place in the file's units.
 #include "check.h"
 #include <yoke/yoke.h>
 #include "write/law_left.h"

@@ -4,7 +4,7 @@ import type { Answer, Core, Opened, Reply, Request, Source } from "./door";
 
 export * from "./door";
 
-// What a Worker of the browser is; tests give one of Node.
+// The interface of a browser's Worker; tests give one of Node.
 export interface WorkerLike {
   postMessage(request: Request): void;
   terminate(): void;

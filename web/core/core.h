@@ -68,6 +68,6 @@ bool yk_core_make(YkCore *made, const YkCore *from, YkArchive *drawn, YkProblems
 void yk_core_walk_state(YkArchive *archive, YkState *state);
 void yk_core_take(const YkCore *made);                        // puts it in the place of the present machine
 void yk_core_release(YkCore *core);                           // frees what yk_core_make made
-void yk_core_write(const YkCore *core, YkProblems *problems); // all that opening tells, as JSON
+void yk_core_write(const YkCore *core, YkProblems *problems); // the results of opening, as JSON
 
 #endif

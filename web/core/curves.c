@@ -80,7 +80,7 @@ static YkStatus read_channels(Curves *c, const char *names, const char *end)
     return YK_OK;
 }
 
-// Begins with the name in the input: the state stands at `from`. What follows the name are channels.
+// Begins with the name in the input: the state stands at `from`. Channels follow the name.
 static YkStatus begin(Curves *c, double from, double to, size_t steps)
 {
     const char *over = yk_text_get(&yk_core.input), *end = over + yk_core.input.length;

@@ -14,9 +14,9 @@ export interface Opened { problems: Problem[]; lacks: Lack[]; machine: Machine |
 export interface Pose { status: string; message: string; time: number; bodies: Float64Array /* x, y, angle for each body */; coordinates: Float64Array; parts: string }
 // Velocities and accelerations: vx, vy, ax, ay of every point, body by body, in the ground's axes; the rate and the acceleration of every coordinate.
 export interface Rates { status: string; points: Float64Array; coordinates: Float64Array }
-// Of every joint: x, y, the force fx, fy of its first body on its second, N, and 1 where it is determinate. Empty where it cannot be computed; the message says why.
+// For every joint: x, y, the force fx, fy of its first body on its second, N, and 1 if it is determinate. Empty if it cannot be computed; the message says why.
 export interface Forces { status: string; message: string; joints: Float64Array }
-// complete: false: the command was stopped; `out` is what it had told until then, and there is no exit status.
+// complete: false: the command was stopped; `out` is its output until then, and there is no exit status.
 export interface Reply { exit: number; out: string; err: string; files: Record<string, Uint8Array>; complete: boolean }
 export interface Core {
   open(text: string, name: string): Promise<Opened>;                      // reads as a sketch; never rejects because of the text

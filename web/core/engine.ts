@@ -51,7 +51,7 @@ export class Engine {
   private readonly call: Exports;
   private names: string[] = []; // of the bodies
   private points = 0;
-  private ghostCount = 0; // other assemblies that the page was told of
+  private ghostCount = 0; // other assemblies that the page knows
 
   // Of core.wasm, or of panels.wasm, which imports a system (wasi.ts) that these functions do not use.
   constructor(module: WebAssembly.Module) {
@@ -59,7 +59,7 @@ export class Engine {
     this.call._initialize();
   }
 
-  // Takes over from another engine, which ends: the machine as it stands, and the ghosts that were shown.
+  // Takes over from another engine, which ends: the machine in its present state, and the ghosts that were shown.
   adopt(from: Engine): void {
     if (from.call.ys_save() < 0) throw new OutOfMemory("out of memory");
     const bytes = new Uint8Array(from.call.memory.buffer, from.call.ys_text(), from.call.ys_text_length()), at = this.call.ys_input(bytes.length);

@@ -1,4 +1,4 @@
-// The flat functions that a page calls (engine.ts); each is told of where it is defined.
+// The flat functions that a page calls (engine.ts); each is described where it is defined.
 #ifndef CORE_EXPORTS_H
 #define CORE_EXPORTS_H
 #include <stddef.h>

@@ -26,7 +26,7 @@ static bool keep(void *context, YkState *state)
     return true;
 }
 
-// Finds the other assemblies, the first 16 of them. Returns how many; each is told by ys_ghost.
+// Finds the other assemblies, the first 16 of them. Returns how many; ys_ghost gives each.
 YK_DOOR(ys_ghosts) int ys_ghosts(void)
 {
     if (!yk_core.state || !yk_state_has_pose(yk_core.state)) return 0;

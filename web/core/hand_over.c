@@ -1,5 +1,5 @@
-// Hands the machine as it stands over to another module: its text, sliders, inputs and states as bytes. The other
-// module goes on with the same bits.
+// Hands the machine in its present state over to another module: its text, sliders, inputs and states as bytes. The
+// other module goes on with the same bits.
 #include <stdlib.h>
 #include <string.h>
 #include "core.h"
@@ -113,8 +113,8 @@ static void walk(YkArchive *a)
     walk_states(a);
 }
 
-// Writes the machine as it stands as the text. A drag, ghosts and a simulation are not part of it. Returns 1, or -1
-// when out of memory.
+// Writes the machine in its present state as the text. A drag, ghosts and a simulation are not part of it. Returns 1,
+// or -1 when out of memory.
 YK_DOOR(ys_save) int ys_save(void)
 {
     YkArchive count = {0};

@@ -3,7 +3,7 @@
 #include "core.h"
 #include "exports.h"
 
-enum { STEPS_AT_ONCE = 3000 }; // of the integrator, a call: then it tells how far it came
+enum { STEPS_AT_ONCE = 3000 }; // of the integrator, a call: then it says how far it came
 
 static size_t steps_left;
 
@@ -61,7 +61,7 @@ YK_DOOR(ys_pull) int ys_pull(size_t body, double x, double y, double to_x, doubl
     return yk_simulation_act_pull(yk_core.simulation, 0, stiffness > 0 ? &pull : NULL);
 }
 
-// Goes on by a span of time, s. A motion that needs very many steps stops on the way: ys_time tells where.
+// Goes on by a span of time, s. A motion that needs very many steps stops on the way: ys_time says where.
 YK_DOOR(ys_step) int ys_step(double seconds)
 {
     if (!yk_core.simulation) return yk_core_tell(yk_core.state, YK_BAD_ARGUMENT, "the machine was not let go");

@@ -18,7 +18,7 @@ const compile = async (source: Source): Promise<WebAssembly.Module> => WebAssemb
 const PANELS = new Set(["check", "solve", "sweep", "simulate", "draw", "cam", "derive", "gears"]);
 const BEHIND = new Set(["curves", "forces", "trace", "release", "step", "hold"]);
 const LEAVES = /^yoke: error: this module does not /m; // what panels.wasm says of what it leaves to yoke.wasm
-const SO_FAR = "--so-far"; // the command tells what it has found while it runs
+const SO_FAR = "--so-far"; // the command reports what it has found while it runs
 const PAUSE = 400; // ms after the first machine, before the module behind is fetched
 
 export function serve(port: Port): void {
@@ -39,7 +39,7 @@ export function serve(port: Port): void {
     return engine.version();
   }
 
-  // Lets the engine of panels.wasm take over the machine as it stands.
+  // Lets the engine of panels.wasm take over the machine in its present state.
   async function grow(): Promise<void> {
     const larger = new Engine(await module("panels"));
     larger.adopt(engine!);

@@ -1,4 +1,4 @@
-// Writes what opening tells: problems, what is missing, the machine.
+// Writes the results of opening: problems, missing parts, the machine.
 #include "base/problems.h"
 #include "core.h"
 #include "exports.h"

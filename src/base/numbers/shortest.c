@@ -21,7 +21,7 @@ static YkWide power_rounded_up(int exponent)
 }
 
 // Returns whether exactly one of the neighbours s and s + 1 (in units of 4 in `v`, `low` and `high`) is inside; *up
-// tells which.
+// says which.
 static bool only_one_inside(uint64_t s, uint64_t unit, uint64_t low, uint64_t high, bool *up)
 {
     bool lower_inside = low <= unit * s, upper_inside = unit * (s + 1) <= high;

@@ -14,7 +14,7 @@ typedef struct Unit {
     YkDimension dimension; // length, mass, time, angle
 } Unit;
 
-// The angle in a dimension tells which bare numbers to convert: `N*m/rad` differs from `N*m` in nothing else.
+// The angle in a dimension says which bare numbers to convert: `N*m/rad` and `N*m` differ in nothing else.
 static const Unit units[] = {
     {"m", 1, 0, {1, 0, 0, 0}},
     {"mm", 1, -3, {1, 0, 0, 0}},

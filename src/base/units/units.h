@@ -34,7 +34,7 @@ YkUnits yk_units_si(void); // m, kg, s, rad, force derived (N)
 // both nonzero) counts as force^b: a stiffness in mm, N is N/mm, a torque N*mm; an inertia stays kg*mm^2, a mass kg.
 double yk_units_size(const YkUnits *units, YkDimension dimension);
 // Adds the unit of a bare number of this dimension, as a file would write it: "N*mm", "kg*mm^2/s^2", "deg/s"; adds
-// nothing for a plain number. Where no unit of force is declared and the others make a newton, it is used: "N/m".
+// nothing for a plain number. If no unit of force is declared and the others make a newton, N is used: "N/m".
 void yk_units_name(const YkUnits *units, YkDimension dimension, YkText *text);
 
 #endif

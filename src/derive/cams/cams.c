@@ -1,4 +1,4 @@
-// What the parts of the section on cams share: symbols made once, a segment's own variable, lines that hold in it.
+// Shared by the parts of the section on cams: symbols made once, a segment's own variable, lines that hold in it.
 #include "derive/cams/cams.h"
 #include <math.h>
 #include <stdlib.h>

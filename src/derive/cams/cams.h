@@ -27,7 +27,7 @@ typedef struct YkDeriveSpan {
     const YkPoisson *length;               // what beta is
 } YkDeriveSpan;
 
-// Returns a symbol of the section, made once under `key`; other pages find it again. *is_new tells (cams.c).
+// Returns a symbol of the section, made once under `key`; other pages find it again. *is_new: just made (cams.c).
 int32_t yk_derive_once(YkDerivation *d, const char *key, const char *name, YkRingClass kind, bool is_angle,
                        bool *is_new);
 // Does the same for a positive root whose square is `square`.

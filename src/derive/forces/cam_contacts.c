@@ -8,7 +8,7 @@
 #include "elementary/elementary.h"
 #include "model/transmissions/cam_place.h"
 
-// What all kinds of followers share.
+// Shared by all kinds of followers.
 typedef struct Cam {
     const YkCam *cam;
     int32_t body[2];      // cam, follower

@@ -1,5 +1,5 @@
-// Roots and quotients that forces of gears and cams need: exact where they are polynomials, otherwise symbols whose
-// meaning is told. What they are is put back before anything is proved.
+// Roots and quotients that forces of gears and cams need: exact if they are polynomials, otherwise symbols whose
+// meaning the page states. Their values are put back before anything is proved.
 #include "derive/forces/free_bodies.h"
 #include "derive/relations.h"
 

@@ -1,4 +1,4 @@
-// Names of contacts: the two bodies, and what tells contacts of the same two bodies apart.
+// Names of contacts: the two bodies, and a suffix that distinguishes contacts of the same two bodies.
 #include <stdlib.h>
 #include "derive/forces/free_bodies.h"
 

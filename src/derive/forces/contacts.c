@@ -78,8 +78,8 @@ static void mark_side(const YkDeriveForces *f, int32_t joint, int32_t body, bool
     }
 }
 
-// What a pin of a junction carries: the forces on all bodies beyond it, seen from the junction's place. Where pins form
-// a ring among themselves this is one possible share.
+// Returns the force that a pin of a junction carries: the forces on all bodies beyond it, seen from the junction's
+// place. If pins form a ring among themselves, this is one possible share.
 // marked: per body, none at the beginning and at the end.
 static const YkPoisson *share_of_pin(YkDeriveForces *f, int32_t joint, bool *marked)
 {

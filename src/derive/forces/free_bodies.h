@@ -84,7 +84,7 @@ typedef struct YkDeriveOpaque {
     size_t variable_count;
 } YkDeriveOpaque;
 
-// What a relation transmits: one unknown; all its contacts are multiples of it.
+// The unknown that a relation transmits; all its contacts are multiples of it.
 typedef struct YkDeriveMesh {
     int32_t symbol;
     const char *word;        // what it is

@@ -110,7 +110,7 @@ void yk_derive_put_projection(const YkDeriveForces *f, YkPage *page)
         page, "Forces of joints do no work on motions that the joints allow: multiplied by the partial velocities and "
               "summed over the bodies, Newton's and Euler's equations lose them and are Lagrange's.");
     if (d->tree_count > PROVED_MAX) {
-        yk_page_words(page, "Not proved here: that takes time that grows with the square of the %z coordinates.",
+        yk_page_words(page, "Not proved here: the time for it grows with the square of the %z coordinates.",
                       d->tree_count);
         return;
     }

@@ -8,7 +8,8 @@
 // - belts: couples T r, T the pull of one span less that of the other
 // - cams: N along the common normal, at phi from the line of motion of a follower that slides (the pressure angle,
 //   tan phi = (v - e) / h), otherwise from the carrier's x axis; a flat face is pushed along its normal. Couples, if a
-//   follower turns about the cam's own pin. Of two rollers it is the one that bears: symbols tell where that is.
+//   follower turns about the cam's own pin. With two rollers it is the one that bears, for whose place there are
+//   symbols.
 // - laws: an effort along the coordinate that follows, and minus the law's slope times it along the other
 // This is the model of free_bodies/meshes.c, derived anew.
 #include "derive/forces/meshes.h"

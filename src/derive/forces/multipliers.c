@@ -15,9 +15,9 @@ static void add_row(const YkDeriveForces *f, int32_t joint, const YkPoisson *row
     m->symbols[k] = yk_derive_symbol(f->d, yk_derive_numbered(f->d, "lambda", k + 1), YK_RING_FORCE);
 }
 
-// What else acts across a joint that closes a loop. A spring along the joint's own distance also pulls: its energy is
-// part of the equations, its force part of the multiplier. And relations assume that the joint holds its bodies
-// together: what they exert on one of them counts as if it came over the joint.
+// Notes what else acts across a joint that closes a loop. A spring along the joint's own distance also pulls: its
+// energy is part of the equations, its force part of the multiplier. And relations assume that the joint holds its
+// bodies together: what they exert on one of them counts as if it came over the joint.
 typedef struct Across {
     const YkPoisson *force, *moment; // on the second body
 } Across;

@@ -1,4 +1,4 @@
-// Force polygons in symbols: all that acts on a body head to tail, what is known first, closed by its inertia force.
+// Force polygons in symbols: all forces on a body head to tail, the known ones first, closed by its inertia force.
 #include "derive/forces/free_bodies.h"
 #include "derive/sections.h"
 
@@ -85,7 +85,7 @@ bool yk_derive_put_force_polygons(YkDerivation *d, YkPage *page)
     if (!f) return false;
     yk_page_heading(page, 2, "Force polygons");
     yk_page_words(page,
-                  "What is known of a body is drawn first, head to tail: loads, and its inertia force. The forces "
+                  "A body's known forces are drawn first, head to tail: loads, and its inertia force. The forces "
                   "of its joints close the polygon. Begin with bodies on which two forces alone act: the line of both "
                   "is known.");
     yk_derive_put_lengths(f, page);

@@ -1,4 +1,4 @@
-// Tells in words what the force polygon of a body says.
+// Writes the force polygon of a body in words.
 #include "design/polygons/force_polygon.h"
 #include "design/polygons/polygon.h"
 

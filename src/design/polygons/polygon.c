@@ -44,7 +44,7 @@ static YkVec end_at(const Walk *w, const YkPolygonEnd *end)
 
 // --- vectors
 
-// Returns a component, or 0 where it is what rounding leaves beside the largest motion.
+// Returns a component, or 0 if it is what rounding leaves beside the largest motion.
 static double shown(const Walk *w, double value)
 {
     return fabs(value) > w->none ? value + 0.0 : 0; // no -0

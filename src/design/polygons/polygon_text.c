@@ -1,4 +1,4 @@
-// Tells the steps of a polygon's construction in words.
+// Writes the steps of a polygon's construction in words.
 #include <string.h>
 #include "design/polygons/polygon.h"
 

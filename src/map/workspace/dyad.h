@@ -4,7 +4,7 @@
 #include "map/piece.h"
 
 // Returns how many real solutions a system of one loop has for all coefficients within the discs: 0, 1 or 2; -1 if they
-// do not all have the same number, or if the discs are too wide to tell.
+// do not all have the same number, or if the discs are too wide to decide.
 int yk_dyad_count(const YkShape *shape, const YkDiscCoefficients *c);
 // Returns a smooth function of the coefficients that is positive where a dyad has two real solutions and negative where
 // it has none, with its derivative: the square of four times a triangle's area, or of a chord; infinite for two slides.

@@ -28,7 +28,7 @@ typedef struct YkField {
     bool is_angle[2];
     double low[2], high[2], step[2];
     size_t n;        // cells a side, a power of two
-    uint16_t *count; // [n][n], the first input fastest: configurations at the centre. NULL where tiles are all that is
+    uint16_t *count; // [n][n], the first input fastest: configurations at the centre. NULL if tiles are all that is
     unsigned char *state; // [n][n] asked for
     YkCrossings crossings;
     size_t proved, lost; // cells

@@ -33,7 +33,7 @@ static bool is_mappable(const YkState *start, const size_t *coordinate, double t
     const YkMechanism *mech = start->mech;
     for (int k = 0; k < 2; k++)
         if (coordinate[k] >= mech->coordinate_count || mech->coordinates[coordinate[k]].input == YK_NONE)
-            return yk_map_refuse(problems, "what it is mapped over is not an input", NULL);
+            return yk_map_refuse(problems, "the mapped coordinate is not an input", NULL);
     if (coordinate[0] == coordinate[1])
         return yk_map_refuse(problems, "it is to be mapped over the same coordinate twice", NULL);
     if (!(tolerance >= 1e-4 && tolerance <= 0.1))

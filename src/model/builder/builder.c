@@ -28,7 +28,7 @@ void yk_builder_free(YkBuilder *builder)
     free(builder);
 }
 
-// The map in which the last name of the path stands, and that name; NULL where a map on the way is missing and `makes`
+// The map in which the last name of the path stands, and that name; NULL if a map on the way is missing and `makes`
 // is false.
 static YkBranch *walk(YkBuilder *builder, const char *path, bool makes, const char **last)
 {

@@ -28,9 +28,9 @@ struct YkBuilder {
 // builder_tree.c. A NULL branch is one for which there was no memory.
 YkBranch *yk_branch_new(YkBuilder *builder, YkNodeKind kind);
 YkBranch *yk_branch_scalar(YkBuilder *builder, const char *text);
-YkBranch *yk_branch_number(YkBuilder *builder, double value); // NULL (told) where it is not finite
+YkBranch *yk_branch_number(YkBuilder *builder, double value); // NULL (reported) if it is not finite
 YkBranch *yk_branch_copy(YkBuilder *builder, const YkNode *node);
-YkBranch *yk_branch_get(const YkBranch *map, const char *key); // NULL where there is none
+YkBranch *yk_branch_get(const YkBranch *map, const char *key); // NULL if there is none
 void yk_branch_put(YkBuilder *builder, YkBranch *map, const char *key, YkBranch *value);
 void yk_branch_add(YkBuilder *builder, YkBranch *list, YkBranch *value);
 void yk_branch_take_away(YkBuilder *builder, YkBranch *map, const char *key);

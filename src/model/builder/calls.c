@@ -1,4 +1,4 @@
-// The builder's calls: each adds what a file would say.
+// The builder's calls: each adds an entry of a file.
 #include <string.h>
 #include "model/builder/builder.h"
 
@@ -47,7 +47,7 @@ static bool is_new(YkBuilder *builder, const YkBranch *map, const char *noun, co
     return false;
 }
 
-// A new entry of a section; NULL where it is there already (told).
+// A new entry of a section; NULL if it exists already (reported).
 static YkBranch *entry(YkBuilder *builder, const char *section_name, const char *noun, const char *name)
 {
     YkBranch *map = section(builder, section_name);

@@ -61,7 +61,7 @@ YkLawFault yk_cam_arcs_add(const YkCam *cam, const YkCamSurface *surface, size_t
                            YkLawBuilder *builder);
 
 // cam_arcs_lift.c: where the follower stands that touches the base circle, in the terms of YkCamShape.start; and the
-// lift at an angle of the cam while the follower touches an element. Returns false where it cannot touch it.
+// lift at an angle of the cam while the follower touches an element. Returns false if it cannot touch it.
 typedef struct YkCamContact {
     const YkCam *cam;
     const YkCamSurface *surface;

@@ -37,7 +37,7 @@ bool yk_cam_pair_holds(const YkCam *cam)
     double reach = cam->base + cam->roller, aside = cam->offset;
     YkVec arm;
     if (!cam->oscillates) return cam->other_span > sqrt(fmax(reach * reach - aside * aside, 0));
-    if (!yk_cam_touch(cam, &arm)) return true; // nothing tells
+    if (!yk_cam_touch(cam, &arm)) return true; // nothing decides
     return cam->away * yk_cross(yk_mul(yk_unit(cam->other_angle), arm), cam->pivot) < 0;
 }
 

@@ -25,7 +25,7 @@ double yk_cam_lowest_lift(const YkLaw *law); // from samples
 
 // Return where a follower that turns touches the cam at lift 0, in the carrier's axes: the angle of the arm, whose end
 // is at `distance` from the cam's centre, and of the normal of a flat face at `distance`, seen from the pivot. Of two
-// places it is the one that it leaves by turning in the sense `away`. NAN: there is none.
+// such places it is the one that the follower leaves by turning in the sense `away`. NAN: there is none.
 double yk_cam_arm_angle(YkVec pivot, double arm, double distance, double away);
 double yk_cam_face_angle(YkVec pivot, double distance, double away);
 // The follower's axes are the carrier's at lift 0. Returns the arm, from the follower's pin to its roller or edge; of a

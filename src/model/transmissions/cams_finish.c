@@ -85,7 +85,7 @@ static void warn_of_couple(YkLoader *loader, const YkCam *cam)
     const YkBody *bodies = loader->model->bodies;
     if (cam->is_apart || (!bodies[cam->follower].mass_expr && !bodies[cam->cam].mass_expr)) return;
     yk_problem(loader->problems, YK_CODE_CAM_TURNED, cam->place,
-               "cam %q: its pin and its follower's lie on one point, so that nothing tells where they touch: the "
+               "cam %q: its pin and its follower's lie on one point, so nothing says where they touch: the "
                "reactions of `solve` and `simulate` lack the contact force",
                cam->name);
     yk_problem_hint(loader->problems, "give the pins points in the carrier, `centers` apart");

@@ -6,7 +6,7 @@
 // - The N - 1 other masses m become a body of their own, welded to the carrier. With the planet at the distance r from
 //   the axis, their common centre is at -r/(N - 1), and their inertia about it is m r^2 (N - 1 - 1/(N - 1)).
 // - Teeth push the planet as before. On the wheel about the axis the pushes of all planets add up to a couple; their
-//   sum bears on the carrier's axis instead. `copies` at gears and joints tells the rooms that find forces.
+//   sum bears on the carrier's axis instead. `copies` at gears and joints is for the rooms that find forces.
 // Each planet is taken to carry an equal share.
 #include <math.h>
 #include "model/transmissions/planets.h"

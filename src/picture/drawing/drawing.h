@@ -49,7 +49,7 @@ struct YkDrawing {
     double fixed_scale;                // px per metre, for whoever shows it; 0: as large as the page allows
 };
 
-// Tells whether a joint is not drawn: a free joint, which holds nothing, and what holds a sketch's loose bodies.
+// Returns whether a joint is not drawn: a free joint, which holds nothing, or one that holds a sketch's loose bodies.
 static inline bool yk_drawing_omits(const YkModel *model, const YkJoint *joint)
 {
     return joint->is_free || (size_t)(joint - model->joints) >= model->joint_count - model->held_joints;
@@ -90,7 +90,7 @@ typedef struct YkShift {
 YkShift yk_drawing_shift(const YkDrawing *drawing, size_t body, size_t pose);
 
 // Returns a drawing of which only the bodies move from pose to pose, made with options.moving, in the last of its
-// poses; all poses together say how large it is. What belongs to a body stands in groups <g data-body="NAME"> in the
+// poses; all poses together decide its size. The parts of a body are groups <g data-body="NAME"> in the
 // body's own axes, m, y up, whose transform "translate(X Y) rotate(DEGREES)" is the body's pose. Names are left out.
 // NULL when out of memory.
 const char *yk_drawing_scene(YkDrawing *drawing);
@@ -147,7 +147,7 @@ YkStretch yk_drawing_stretch(const YkDrawing *drawing, const YkJoint *joint);
 void yk_drawing_rods(YkDrawing *drawing, const YkFrame *frames);
 // Draws pitch circles with marks, pulleys and belts, base circles of cams.
 void yk_drawing_wheels(YkDrawing *drawing, const YkFrame *frames);
-double yk_drawing_pitch_radius(const YkGear *gear, int side); // m; 0 where neither centres nor module are given
+double yk_drawing_pitch_radius(const YkGear *gear, int side); // m; 0 if neither centres nor module are given
 // Raises `reach` to the largest radius of the body's wheels about its origin, m.
 void yk_drawing_wheel_reach(const YkDrawing *drawing, int32_t body, double *reach);
 // Visits all wheels of one body; `see` gets the centre (m), the radius (m) and whether it is a cam's base circle.

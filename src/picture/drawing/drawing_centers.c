@@ -119,7 +119,7 @@ static void add_note(YkDrawing *drawing, const YkCenter *c, YkVec at)
 
 void yk_drawing_mark_centers(YkDrawing *drawing)
 {
-    static const double foot = 34; // of the bar that tells the scale, px
+    static const double foot = 34; // of the bar that shows the scale, px
     double y = drawing->height - foot - yk_drawing_notes(drawing);
     for (size_t k = 0; k < drawing->center_count; k++) {
         const YkCenter *c = &drawing->centers[k];

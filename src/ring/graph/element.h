@@ -22,7 +22,7 @@ typedef struct YkRingGraph {
 bool yk_ring_graph_start(YkRingGraph *values, YkRing *ring, YkArena *arena); // false when out of memory; end it as well
 void yk_ring_graph_end(YkRingGraph *values);
 
-// Failure shows in values->graph.failed: no memory, or an element that is not real (the ring's status tells).
+// Failure shows in values->graph.failed: no memory, or an element that is not real (see the ring's status).
 YkRef yk_ring_graph_symbol(YkRingGraph *values, int32_t symbol); // or the value that defines it
 // Adds a real element: sums of (constants * sine or cosine), grouped by their products of coordinates and rates. Cost
 // O(terms log terms).

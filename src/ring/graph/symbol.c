@@ -1,4 +1,4 @@
-// Symbols of the ring as values of a graph, and what they stand for.
+// Symbols of the ring as values of a graph, and their meanings.
 #include <stdlib.h>
 #include "ring/graph/element.h"
 #include "ring/inside.h"

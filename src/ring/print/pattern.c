@@ -1,4 +1,4 @@
-// Signs elements, keeps patterns by their signs, and fills them.
+// Finds the signs of elements (signatures), keeps patterns by their signs, and fills them.
 #include "ring/print/pattern.h"
 #include <stdlib.h>
 #include <string.h>
@@ -9,8 +9,8 @@
 enum { RING_SYMBOLS_MIN = 128, IN_VAIN_MAX = 100 };
 enum { WORDS_MAX = 128, SYMBOLS_MAX = 16, PLACES = 1024, PATTERNS_MAX = PLACES / 2, PADDING = 16 };
 
-// All that decides how an element is written but for names: its terms, its symbols numbered as they occur, their
-// classes and order, and what replaces them.
+// A signature: all that decides how an element is written but for names: its terms, its symbols numbered as they occur,
+// their classes and order, and their replacements.
 typedef struct Sign {
     uint64_t words[WORDS_MAX], hash;
     size_t word_count, symbol_count;

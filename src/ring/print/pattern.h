@@ -1,6 +1,6 @@
 // Patterns: elements that are alike are worked out and typeset once. Two are alike if the second is the first with
-// other symbols of the same classes in the same order, and if what replaces these is alike as well. What is written
-// then differs in names alone. For use inside ring/ only.
+// other symbols of the same classes in the same order, and if the replacements of these are alike as well. Their texts
+// then differ in names alone. For use inside ring/ only.
 #ifndef RING_PRINT_PATTERN_H
 #define RING_PRINT_PATTERN_H
 #include "ring/print/shown.h"

@@ -132,7 +132,7 @@ static inline const YkShow *yk_show_next(const YkShow *whole, const YkShow *part
 {
     return whole->kind == YK_SHOW_TERM ? NULL : part->next;
 }
-// Returns how many powers stand below the line; *high tells whether one exceeds the first power.
+// Returns how many powers stand below the line; *high: whether one exceeds the first power.
 size_t yk_show_below(const YkShow *product, bool *high);
 
 // --- grouping

@@ -36,7 +36,7 @@ static inline YkRingView yk_ring_as_is(const YkPoisson *a)
 const YkPoisson *yk_ring_view(YkRing *ring, const YkRingView *view);
 
 // Adds the element to text and returns whether it did. If not (no memory, YK_RING_NOT_REAL for C), the ring's status
-// tells. Every term is written with its exact coefficient: what is written reads back as the identical element. The
+// says why. Every term is written with its exact coefficient: what is written reads back as the identical element. The
 // order depends only on the order of the symbols.
 bool yk_ring_write(YkRing *ring, const YkPoisson *a, YkRingFormat format, YkRingStyle style, YkText *text);
 // Does the same without making the element, if one that is alike - that differs in its symbols' names alone - was

@@ -1,4 +1,4 @@
-// What the files that read expressions share. For use inside ring/ only.
+// Shared by the files that read expressions. For use inside ring/ only.
 #ifndef RING_READ_READER_H
 #define RING_READ_READER_H
 #include "ring/inside.h"
@@ -29,7 +29,7 @@ const YkPoisson *yk_reader_expected(YkRingReader *reader, const char *wanted);
 const YkPoisson *yk_reader_number(YkRingReader *reader);
 // Reads a name in the reader's format: the symbol, or pi, or i; in LaTeX with accents and subscript.
 const YkPoisson *yk_reader_name(YkRingReader *reader);
-// Reads cos(...), sin(...), exp(...), sqrt(...), pow(...): *found tells whether one of them stands here.
+// Reads cos(...), sin(...), exp(...), sqrt(...), pow(...): *found: whether one of them stands here.
 const YkPoisson *yk_reader_function(YkRingReader *reader, bool *found);
 
 const YkPoisson *yk_reader_sum(YkRingReader *reader);

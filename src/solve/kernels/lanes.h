@@ -78,7 +78,7 @@ YK_INLINE bool arm_is_short(YkArm arm)
     return yk_arm_share(yk_dot(arm.constant, arm.constant), arm.per_enough2) < 1;
 }
 
-// What a loop over lanes is compiled for: what it computes, and what varies from lane to lane.
+// The cases for which a loop over lanes is compiled: what it computes, and what varies from lane to lane.
 typedef struct Form {
     bool places, rates; // finds positions; velocities and accelerations
     bool varies;        // an arm has lanes

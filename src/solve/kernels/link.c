@@ -1,4 +1,4 @@
-// Loops with one unknown, or none: they repeat constraints. The unknown takes its best value, and the gap tells how far
+// Loops with one unknown, or none: they repeat constraints. The unknown takes its best value, and the gap is how far
 // it misses. Rare; plain loops.
 #include "solve/kernels/lanes.h"
 

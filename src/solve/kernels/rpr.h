@@ -6,7 +6,7 @@
 // with H likewise.
 //
 // The determinant is r. K is known up to the rounding of the machine's lengths, and so is the direction, up to that
-// rounding over K. Where the point comes to the pin (h = 0, K -> 0) r / K therefore tells nothing, but r over the
+// rounding over K. If the point comes to the pin (h = 0, K -> 0), r / K therefore says nothing, but r over the
 // machine's size does. The margin is the lesser of the two, squared: r^2 / max(K^2, size^2).
 #ifndef SOLVE_KERNELS_RPR_H
 #define SOLVE_KERNELS_RPR_H

@@ -9,7 +9,7 @@ YK_INLINE void turn_lane(YkTurn out, YkTurn parent, bool has_parent, YkVec e, si
     lane_set_unit(out, i, has_parent ? yk_mul(lane_unit(parent, i), e) : e);
 }
 
-// Returns the bits that tell whether any angle is beyond the range of the quick reduction.
+// Returns bits that are set if any angle is beyond the range of the quick reduction.
 YK_INLINE uint64_t turn_near(YkTurn out, YkTurn parent, bool has_parent, const double *theta, double offset,
                              double sign, size_t n)
 {

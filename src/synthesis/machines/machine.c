@@ -1,4 +1,4 @@
-// Parameters of a machine that is there, varied so that it meets goals; each answer is judged on its file.
+// Parameters of an existing machine, varied so that it meets goals; each answer is judged on its file.
 #include <math.h>
 #include <string.h>
 #include "base/number.h"

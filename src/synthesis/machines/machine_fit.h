@@ -79,10 +79,10 @@ void yk_machine_share(const YkMachineFit *fit, double *const *value, YkShares *s
 // Prepares derivatives. Returns false when out of memory. machine_slopes.c
 bool yk_machine_slopes_new(YkMachineFit *fit, YkArena *arena);
 // Fills the derivatives of all misses, fit->row, at a try that was the last one measured: one motion, and for each miss
-// transposed solutions of the loops and a run backwards through the forces, whatever the number of parameters. What has
-// no derivative so - forces with dry friction, of redundant machines and of laws, some angles of transmission - takes
-// differences of two poses a parameter at each row on which a miss depends. Returns false if the machine comes apart
-// beside the try, or an expression has no derivative.
+// transposed solutions of the loops and a run backwards through the forces, whatever the number of parameters. Misses
+// without such a derivative - forces with dry friction, of redundant machines and of laws, some angles of transmission
+// - take differences of two poses per parameter at each row on which they depend. Returns false if the machine comes
+// apart beside the try, or an expression has no derivative.
 bool yk_machine_differentiate(YkMachineFit *fit, const YkMachineTry *try);
 // Improves a try by at most `steps` steps of Levenberg and Marquardt within the ranges.
 bool yk_machine_improve(YkMachineFit *fit, YkMachineTry *try, size_t steps);

@@ -66,8 +66,8 @@ size_t yk_four_poses_ray(const YkFourPoses *four, double angle, YkDyad dyad[2]);
 // The dyad whose moving pivot goes along a line of the ground through two or three positions; `along` as for a pivot.
 bool yk_pose_slide(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad);
 // The dyad whose line, fixed in the body at a direction in its axes, always goes through the same point of the ground,
-// through two or three positions: the one above, seen from the body. `along` tells a point of the ground on a line
-// where two positions leave one.
+// through two or three positions: the one above, seen from the body. `along` chooses the point of the ground on the
+// line that two positions leave.
 bool yk_pose_block(const YkPose *pose, size_t count, double direction, double along, YkDyad *dyad);
 // The dyads with a slide through four positions: at most one PR and one RP. Returns how many.
 size_t yk_four_poses_slides(const YkPose pose[4], YkDyad dyad[2]);

@@ -33,7 +33,7 @@ enum { YK_ALT_X, YK_ALT_A, YK_ALT_X_HAT, YK_ALT_A_HAT, YK_ALT_DYAD };
 void yk_alt_evaluate(const YkVec *places, const YkVec *x, YkVec *F, YkVec *J, const YkVec *rate, YkVec *by_rate);
 // alt_disc.c: evaluates F[8] with twice the precision. Large linkages nearly cancel in the equations.
 void yk_alt_residual(const YkVec *places, const YkVec *x, YkVec *F);
-// Finds t = e^(i angle) of the coupler at place j (0 to 7). Returns false where it is not determined.
+// Finds t = e^(i angle) of the coupler at place j (0 to 7). Returns false if it is not determined.
 bool yk_alt_turn(const YkVec *places, const YkVec *x, size_t j, YkVec *turn);
 
 // alt_follow.c: a path from the places `from` along the straight line to the places `to`.

@@ -160,7 +160,7 @@ bool yk_bar_point(const YkBar *bar, double input, YkBarPoint *point)
     return true;
 }
 
-// The dyad of a design whose first loop is there. Returns false where it does not close.
+// The dyad of a design whose first loop is there. Returns false if it does not close.
 static bool add_dyad(const YkBar *bar, double input, YkDesign *design)
 {
     const double *v = bar->v;

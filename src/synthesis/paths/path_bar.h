@@ -55,11 +55,11 @@ static inline YkVec yk_bar_pivot(const YkBar *bar)
     if (!bar->hangs_at_end) return at;
     return yk_sub(at, yk_scale(bar->v[YK_BAR_GROUND], yk_unit(bar->v[YK_BAR_TURN])));
 }
-// Finds the point at the input's absolute angle, rad. Returns false where the bar does not close. Cost: some 100 ns.
+// Finds the point at the input's absolute angle, rad. Returns false if the bar does not close. Cost: some 100 ns.
 bool yk_bar_point(const YkBar *bar, double input, YkBarPoint *point);
 // Finds the axes in which the coupler point is fixed: their origin as seen from the input pivot, and their direction.
 bool yk_bar_frame(const YkBar *bar, double input, YkVec *origin, YkVec *along);
-// Puts the bar as a design, with its angles at an input angle. Returns false where it does not close.
+// Puts the bar as a design, with its angles at an input angle. Returns false if it does not close.
 bool yk_bar_design(const YkBar *bar, double input, YkDesign *design);
 
 #endif

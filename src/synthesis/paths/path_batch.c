@@ -53,7 +53,7 @@ static void fill_angles(const YkPathBatches *batches, const YkPathTry *part, YkP
 }
 
 // Makes the part of the points a problem whose angles turn together alone: a bar then does not fold the curve into a
-// part of it. `step` is 0 where the angles are found otherwise.
+// part of it. `step` is 0 if the angles are found otherwise.
 static YkPathProblem tie_angles(YkPathProblem p, double step)
 {
     p.is_timed = p.shifts = true;

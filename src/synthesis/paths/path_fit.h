@@ -44,7 +44,7 @@ typedef struct YkPathWork {
 void yk_path_turn_angles(const YkPathProblem *problem, YkPathTry *try);
 // Makes the scratch space in an arena. Returns false when out of memory.
 bool yk_path_work(YkArena *arena, size_t count, YkPathWork *work);
-// Finds error and cost. Returns false where the bar does not close at some point.
+// Finds error and cost. Returns false if the bar does not close at some point.
 bool yk_path_measure(const YkPathProblem *problem, YkPathWork *work, YkPathTry *try);
 // Improves a try by at most `steps` steps of Levenberg and Marquardt within the bounds. Angles that are free follow the
 // dimensions: each is eliminated from its own point's two equations. Returns false if the try does not close.

@@ -13,7 +13,7 @@ static void fix_value(YkPathProblem *p, int index, double value)
     p->low[index] = p->high[index] = value;
 }
 
-// What `fix` gives. A bar whose output pivot alone is given hangs there.
+// Fixes the dimensions that `fix` gives. A bar whose output pivot alone is given hangs there.
 static void fix_given(YkPathProblem *p, const YkPathTask *path)
 {
     p->hangs_at_end = path->pivot[1].is_given && !path->pivot[0].is_given;

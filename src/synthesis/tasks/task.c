@@ -191,7 +191,7 @@ static void read_mechanisms(YkTaskReader *reader)
     task->has_slider = task->kinds >> YK_DESIGN_SLIDER_CRANK & 1;
 }
 
-// Reports keys about dimensions that synthesis chooses: those of a machine that is there are its parameters.
+// Reports keys about dimensions that synthesis chooses: those of an existing machine are its parameters.
 static void check_no_dimensions(YkTaskReader *reader)
 {
     static const char *const others[] = {"mechanisms", "fix", "bounds"};

@@ -62,7 +62,7 @@ typedef struct YkStrokeTask {
     YkPlace place;
 } YkStrokeTask;
 
-// How the input's angles at the points of a path are told.
+// How the input's angles at the points of a path are given.
 typedef enum YkPathTiming { YK_TIMING_ANY, YK_TIMING_STEP, YK_TIMING_ANGLES } YkPathTiming;
 
 enum { YK_PATH_POINTS_MAX = 1000 };

@@ -1,4 +1,4 @@
-// Reads what a machine task says of channels: measures over the motion, and claims about them.
+// Reads the channels of a machine task: measures over the motion, and claims about them.
 #include <math.h>
 #include <string.h>
 #include "synthesis/tasks/task.h"

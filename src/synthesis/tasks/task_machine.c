@@ -11,7 +11,7 @@ static void place_beside(const YkLoader *loader, const char *file, YkText *path)
     yk_text_puts(path, file);
 }
 
-// Tells the first mistake of the machine's own file at the place where the task names it.
+// Reports the first mistake of the machine's own file at the place where the task names it.
 static void tell_machine(YkTaskReader *reader, const YkNode *node, const YkProblems *own)
 {
     const YkProblem *why = NULL;
@@ -20,7 +20,7 @@ static void tell_machine(YkTaskReader *reader, const YkNode *node, const YkProbl
         if (yk_problems_get(own, k)->severity == YK_SEVERITY_ERROR) why = yk_problems_get(own, k);
     yk_problem(reader->loader->problems, YK_CODE_TASK_MACHINE, node->place, "machine %q: line %z: %s", node->text,
                (size_t)(why ? why->place.line : 0), why ? why->message : "it cannot be read");
-    yk_problem_hint(reader->loader->problems, "`yoke check` tells all about that file; its path begins at the task's");
+    yk_problem_hint(reader->loader->problems, "`yoke check` shows all about that file; its path begins at the task's");
 }
 
 static void load_machine(YkTaskReader *reader, const char *coordinate)

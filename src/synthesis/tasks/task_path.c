@@ -16,7 +16,7 @@ static void read_points(YkTaskReader *reader)
                    (int)YK_PATH_POINTS_MAX, list->count);
         yk_problem_hint(loader->problems, list->count < 2 ? "a single point leaves everything free: give the points "
                                                             "between which the path runs"
-                                                          : "every tenth point tells the same curve");
+                                                          : "every tenth point gives the same curve");
         return;
     }
     path->point = YK_NEW(loader->arena, YkVec, list->count);

@@ -1,4 +1,4 @@
-// What the tests of the page share: a server for it, a browser, and how to look at the machine.
+// Shared by the tests of the page: a server for it, a browser, and how to look at the machine.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -71,7 +71,7 @@ export const moves = async (page, body, from) => until(page, ([name, before]) =>
   return found && Math.abs((Math.atan2(found.b, found.a) * 180) / Math.PI - before) > 1;
 }, body, from);
 
-// Runs tests one after the other (those whose name contains `only`, if it is given), tells how each went, and ends the process.
+// Runs tests one after the other (those whose name contains `only`, if it is given), reports how each went, and ends the process.
 export async function runTests(world, tests, only) {
   let failed = 0;
   for (const [name, test] of Object.entries(tests)) {

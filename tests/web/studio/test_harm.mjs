@@ -1,4 +1,4 @@
-// What must not lose work: a core that dies, full storage, a reload amid a drag, links that are far too large. And fingers on a phone,
+// Events that must not lose work: a core that dies, full storage, a reload amid a drag, links that are far too large. And fingers on a phone,
 // and what the newer tools draw. node test_harm.mjs BUNDLED PAGE [PART OF A NAME]
 import assert from "node:assert/strict";
 import { deflateRawSync } from "node:zlib";

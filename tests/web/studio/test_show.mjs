@@ -20,7 +20,7 @@ const chooseExample = async (page, id) => {
 const FOUR_BAR = "bodies:\n  ground: {points: {O: [0, 0], D: [0.1, 0]}}\n  crank: {points: {O: [0, 0], A: [0.04, 0]}}\n  coupler: {points: {A: [0, 0], B: [0.12, 0]}}\n  rocker: {points: {D: [0, 0], B: [0.08, 0]}}\n" +
   "joints:\n  O: {pin: [ground, crank], angle: theta}\n  A: {pin: [crank, coupler], angle: gamma}\n  B: {pin: [coupler, rocker]}\n  D: {pin: [ground, rocker], angle: phi}\ndrives: {theta: 60 rpm * t}\nstart: {gamma: 0, phi: 1}\n";
 const linkTo = (body) => `#m=1.${deflateRawSync(JSON.stringify(["bar", body])).toString("base64url")}`;
-// What is painted on the sheet: how many of some of its pixels have ink, and a number that stands for where.
+// The paint on the sheet: how many of some of its pixels have ink, and a number for their places.
 const look = () => {
   const sheet = document.querySelector("#sheet"), { data } = sheet.getContext("2d").getImageData(0, 0, sheet.width, sheet.height);
   let [ink, sum] = [0, 0];

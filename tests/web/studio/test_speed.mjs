@@ -22,7 +22,7 @@ async function traced(page, work) {
   return events;
 }
 
-// Sums the outermost events of some kinds, ms: processor time where the browser tells it.
+// Sums the outermost events of some kinds, ms: processor time if the browser reports it.
 function sumOf(events, names) {
   let end = -Infinity, sum = 0;
   for (const one of events.filter((event) => names.includes(event.name) && event.ph === "X").sort((a, b) => a.ts - b.ts)) {

@@ -1,11 +1,11 @@
-// What the command takes from printf's formats, without the rest of them, which would be a hundredth of panels.wasm.
+// The formats of printf that the command uses; the others would be a hundredth of panels.wasm.
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-// Progress goes to a terminal, and here is none.
+// Progress goes to a terminal, and there is none here.
 int fprintf(FILE *file, const char *format, ...)
 {
     (void)file, (void)format;

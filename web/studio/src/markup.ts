@@ -37,7 +37,7 @@ function append(into: Element | DocumentFragment, from: Element): void {
   }
 }
 
-// Returns the <svg> of a document, or null where it is none.
+// Returns the <svg> of a document, or null if it is not one.
 export function picture(text: string): SVGSVGElement | null {
   const root = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
   return root.localName === "svg" ? (copy(root) as SVGSVGElement | null) : null;

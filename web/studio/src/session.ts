@@ -7,7 +7,7 @@ import { Draft } from "./document/gestures";
 import { words } from "./words";
 
 export type Selection = { kind: "body"; body: string } | { kind: "point"; body: string; point: string } | { kind: "joint"; joint: string } | null;
-// Where the machine was last moved to, so that it stands there again after an edit.
+// The pose to which the machine was last moved, so that it stands there again after an edit.
 export type Stand = { kind: "start" } | { kind: "time"; time: number } | { kind: "inputs"; inputs: Record<string, number> };
 
 export interface Trial { text: string; machine: Machine; start: Pose; last: string /* shown last */ }
@@ -115,12 +115,12 @@ export class Session {
     if (this.stand.kind !== "start") await this.standAgain(this.edition);
   }
 
-  // What an edit is tried on: the machine as it is before the hand takes hold of a point.
+  // The machine on which an edit is tried: as it is before the hand takes hold of a point.
   get trial(): Trial | null {
     return this.isCurrent && this.machine && this.start ? { text: this.text, machine: this.machine, start: this.start, last: this.text } : null;
   }
 
-  // Shows what a gesture would make of the machine, before it is written; one that makes none is told, and shows nothing.
+  // Shows the machine that a gesture would make, before it is written; one that makes none is reported, and shows nothing.
   async tryOut(trial: Trial, gesture: (draft: Draft) => void, resolution: number): Promise<void> {
     const draft = new Draft(trial.text, trial.machine, trial.start, resolution);
     gesture(draft);
@@ -207,7 +207,7 @@ export class Session {
     this.emit("selection", selection);
   }
 
-  // Makes one edit of the text by gestures, on the machine as it stands at the start. False: it could not be made.
+  // Makes one edit of the text by gestures, on the machine at its start. False: it could not be made.
   async edit(gesture: (draft: Draft) => void, resolution = 1e-4): Promise<boolean> {
     await this.settled;
     const empty: Machine = { name: "", bodies: [], joints: [], coordinates: [], parameters: [], freedom: 0, moves: false };

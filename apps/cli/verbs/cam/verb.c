@@ -99,7 +99,7 @@ static bool read_length(YkSession *session, const char *option, const char *text
     if (!text) return true;
     if (!yk_session_value(session, option, "", text, YK_QUANTITY_LENGTH, value)) return false;
     return *value > 0 ||
-           yk_session_refuse(session, YK_CODE_OPTION_VALUE, "a length greater than zero is wanted, not %q", text);
+           yk_session_refuse(session, YK_CODE_OPTION_VALUE, "the length must be greater than zero, not %q", text);
 }
 
 static bool has_ending(const char *path, const char *ending)

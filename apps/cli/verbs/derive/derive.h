@@ -1,4 +1,4 @@
-// What the files of `yoke derive` share.
+// Shared by the files of `yoke derive`.
 #ifndef CLI_DERIVE_H
 #define CLI_DERIVE_H
 #include <yoke/derive.h>

@@ -9,7 +9,7 @@
 
 enum { SECTIONS_MAX = 32 };
 
-// YK_NOT_FOUND where there is none of this name.
+// YK_NOT_FOUND if there is none of this name.
 static size_t find_section(const char *name, size_t length)
 {
     for (size_t k = 0; k < yk_derivation_section_count(); k++) {
@@ -87,8 +87,8 @@ static int find_pose(YkSession *session, bool *has_forces)
     return yk_status_exit(status);
 }
 
-// The page as it comes. A short one stays in session->out; of a longer one what stands there goes on at once, so that a
-// large machine needs no memory for the whole. A file appears whole or not at all.
+// The page as it comes. A short one stays in session->out; the contents of a longer one are passed on at once, so that
+// a large machine needs no memory for the whole. A file appears whole or not at all.
 typedef struct Output {
     YkSession *session;
     YkStream stream;

@@ -91,7 +91,7 @@ static void tell_clipped(Drawer *drawer, double from, double to)
 }
 
 // Walks the range once from the present state, verified as in a sweep; adds the traced points' positions and, at equal
-// distances, faint poses. What is beyond a limit is left out, and reported.
+// distances, faint poses. Parts beyond a limit are left out, and reported.
 static YkStatus walk_range(Drawer *drawer, YkState *state)
 {
     YkSweepOptions options = yk_default_sweep_options();

@@ -1,4 +1,4 @@
-// What the formats of `yoke gears` call bodies and meshes.
+// Names of bodies and meshes in the formats of `yoke gears`.
 #include "verbs/gears/gears.h"
 
 const char *yk_gears_body(const YkGearsAnswer *answer, size_t body)

@@ -1,4 +1,4 @@
-// Hints at a coordinate that tells the configurations of --pose apart.
+// Hints at a coordinate that distinguishes the configurations of --pose.
 #include <math.h>
 #include <stdlib.h>
 #include "verbs/map/map.h"
@@ -17,7 +17,8 @@ static double least_gap(const double *rows, size_t count, size_t n, size_t coord
     return most > 0 ? least / most : 0;
 }
 
-// Writes "theta3 is 20 deg or 60 deg" of the coordinate that tells the poses apart best. Returns false if none does.
+// Writes "theta3 is 20 deg or 60 deg" for the coordinate that differs most between the poses. Returns false if none
+// does.
 static bool add_values(const YkMapAnswer *answer, const double *given, const double *rows, size_t count, YkText *text)
 {
     const YkMechanism *mech = answer->session->mech;

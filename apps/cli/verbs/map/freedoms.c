@@ -1,4 +1,4 @@
-// Whether the machine has as many freedoms as a map is made over.
+// Checks that the machine has as many freedoms as the map has coordinates.
 #include "session.h"
 #include "verbs/map/map.h"
 

@@ -53,8 +53,8 @@ void yk_map_serve(const YkRegionsAnswer *answer); // what ranks other than 0 do,
 
 // Answers --reach. Returns the exit code: 0 if there is a way, 1 if there is none.
 int yk_map_reach(YkMapAnswer *answer);
-// Hints at a coordinate that tells configurations apart, with its values in them. given: [yk_coordinate_count], NaN for
-// those that they were not sought by.
+// Hints at a coordinate that distinguishes configurations, with its values in them. given: [yk_coordinate_count], NaN
+// for those that they were not sought by.
 void yk_map_hint_apart(const YkMapAnswer *answer, const double *given, const YkMapPlace *places, size_t count);
 
 #endif

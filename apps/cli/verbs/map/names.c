@@ -1,4 +1,4 @@
-// What the events of a map are called after.
+// Names of the joint or coordinate to which an event of a map belongs.
 #include "verbs/map/map.h"
 
 const char *yk_map_event_of(const YkMapAnswer *answer, YkMapEvent event)

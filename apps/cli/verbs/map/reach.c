@@ -7,7 +7,7 @@
 
 enum { PLACES_MAX = 4096 };
 
-// What --pose or --reach gives: values of coordinates, NaN for those not named.
+// The place that --pose or --reach gives: values of coordinates, NaN for those not named.
 typedef struct Wanted {
     const char *option;
     double *values;

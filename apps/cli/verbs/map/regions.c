@@ -1,4 +1,4 @@
-// `yoke map --over A,B`: the regions of equally many configurations over two freedoms.
+// `yoke map --over A,B`: the regions of two freedoms in which the number of configurations is constant.
 #include <stdlib.h>
 #include <string.h>
 #include "picture/convert.h"

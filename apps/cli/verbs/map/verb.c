@@ -136,7 +136,7 @@ static int answer_on_ranks(YkSession *session)
 {
     const YkHandOutOptions nothing = {.session = session};
     if (!yk_ranks_begin(session)) {
-        if (yk_ranks_is_first_here()) yk_ranks_speak(); // what is missing on a computer is told once there
+        if (yk_ranks_is_first_here()) yk_ranks_speak(); // a computer reports once what it lacks
         return YK_EXIT_WRONG;
     }
     int exit_code = answer(session);

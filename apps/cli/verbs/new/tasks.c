@@ -44,7 +44,7 @@ const YkTaskExample yk_task_examples[] = {
                "time_ratio: 1.2\n"
                "fix: {output: 80 mm}                      # one length settles the size of a crank-rocker\n"
                "units: {length: mm, angle: deg}\n"},
-    {"machine", "# Parameters of a machine that is there: write `yoke new four-bar > four-bar.yaml` beside this file.\n"
+    {"machine", "# Parameters of an existing machine: write `yoke new four-bar > four-bar.yaml` beside this file.\n"
                 "name: my machine\n"
                 "synthesis: machine\n"
                 "machine: four-bar.yaml\n"

@@ -1,4 +1,4 @@
-// Looks where an equilibrium leaves the range of a law: the end value that holds there is rarely what was meant.
+// Finds equilibria outside the range of a law: the end value that it keeps there is rarely what was meant.
 #include "verbs/rest/rest.h"
 
 bool yk_rest_watch_laws(YkRestAnswer *answer)

@@ -155,7 +155,7 @@ void yk_rest_text(const YkRestAnswer *answer)
     yk_text_format(&answer->session->out, "%s: %z equilibri%s found%s\n", yk_model_name(session->model), count,
                    count == 1 ? "um" : "a",
                    yk_rest_is_complete(answer->rest) ? " on all circuits"
-                   : yk_rest_is_wound(answer->rest)  ? " in one turn; its loads are others in other turns"
+                   : yk_rest_is_wound(answer->rest)  ? " in one turn; its loads differ in other turns"
                                                      : "; there may be others");
     for (size_t i = 0; i < count; i++) add_equilibrium(answer, i);
 }

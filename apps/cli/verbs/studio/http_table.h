@@ -1,4 +1,5 @@
-// What the plugin yoke-http gives the command: whole requests of a browser on this computer, and answers to them.
+// The functions that the plugin yoke-http gives the command: whole requests of a browser on this computer, and answers
+// to them.
 #ifndef CLI_HTTP_TABLE_H
 #define CLI_HTTP_TABLE_H
 #include <stdbool.h>

@@ -72,7 +72,7 @@ static void add_data(YkText *html, const YkAssets *assets, const YkServed *serve
     yk_text_free(&data);
 }
 
-// What stands in the page as it is, for the page's script.
+// Files that the page contains unchanged, for its script.
 static const char *const inside[] = {"core.wasm", "yoke.wasm", "worker.js", "report.js"};
 
 // Writes a file of the page that no browser reads by itself.

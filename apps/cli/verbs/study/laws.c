@@ -1,4 +1,4 @@
-// Looks where the file's own design leaves the range of a law: other designs pass nearly the same poses.
+// Finds where the file's own design leaves the range of a law: other designs pass nearly the same poses.
 #include <stdlib.h>
 #include "laws_left.h"
 #include "model/model.h"

@@ -1,4 +1,4 @@
-// What the writers of a study share: names of its answers, moments, tolerances.
+// Shared by the writers of a study: names of its answers, moments, tolerances.
 #include <math.h>
 #include "verbs/study/study.h"
 

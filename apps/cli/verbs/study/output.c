@@ -1,7 +1,7 @@
-// Hands on what was written, so that a long table needs little memory.
+// Passes on each piece of output as it is written, so that a long table needs little memory.
 #include "verbs/study/study.h"
 
-// After a piece that did not fit, which is told, the rest goes nowhere.
+// After a piece that did not fit, which is reported, the rest is dropped.
 void yk_study_flush(YkStudyAnswer *a, size_t most)
 {
     YkText *out = &a->session->out;

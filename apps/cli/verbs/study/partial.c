@@ -1,4 +1,4 @@
-// Keeps what an interrupted study has done: OUTPUT.partial, a file of blocks (yoke/blocks.h). The same study continues
+// Keeps the results of an interrupted study: OUTPUT.partial, a file of blocks (yoke/blocks.h). The same study continues
 // after the last whole block; from a damaged block on, it computes its designs again.
 #include <stdio.h>
 #include <string.h>
@@ -47,7 +47,7 @@ bool yk_partial_open(YkStudyAnswer *answer)
     if (answer->session->ran_out) return false;
     snprintf(answer->partial, sizeof answer->partial, "%s.partial", request->output);
     answer->blocks = yk_blocks_open(answer->partial, &options, answer->session->problems);
-    if (!answer->blocks) answer->partial[0] = '\0'; // what stands there is not told: it is not ours
+    if (!answer->blocks) answer->partial[0] = '\0'; // the file there is not ours: do not mention it
     answer->done = (size_t)yk_blocks_done(answer->blocks);
     return answer->blocks != NULL;
 }

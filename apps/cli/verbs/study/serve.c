@@ -1,11 +1,11 @@
-// A rank other than 0: computes the blocks that it is given, and tells nothing itself.
+// A rank other than 0: computes the blocks that it is given, and prints nothing itself.
 #include <stdlib.h>
 #include <string.h>
 #include "spread.h"
 #include "stop.h"
 #include "verbs/study/study.h"
 
-// Computes a block and sends it. Returns false if it could not, which it has told rank 0.
+// Computes a block and sends it. Returns false if it could not, after telling rank 0.
 static bool compute(void *context, YkSpreadWork work)
 {
     YkStudyAnswer *a = context;

@@ -2,7 +2,7 @@
 //
 // The size of a block follows the speed of the rank that gets it, and shrinks towards the end, so that all finish
 // together (guided self-scheduling: Polychronopoulos & Kuck 1987). Few blocks are out at a time: rows that came too
-// early wait in memory, and a slow rank holds the others up before these are many.
+// early wait in memory, and a slow rank holds up the others before they are many.
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>

@@ -18,7 +18,7 @@ typedef struct YkMoments {
     double mean, deviation, least, largest;
 } YkMoments;
 
-// What is known of all rows so far: it is gathered as they come, since they need not stay in memory.
+// Figures of all rows so far, gathered as they come, since they need not stay in memory.
 typedef struct YkStudySum {
     YkMoments *moments;                              // [answer]; the deviation is a sum of squares
     size_t statuses[YK_SINGULAR - YK_NO_MEMORY + 1]; // designs with this status
@@ -43,9 +43,9 @@ typedef struct YkStudyAnswer {
     YkAnswerColumn *columns;  // --of
     size_t column_count;
     bool has_forces; // among them
-    double *times;  // [pose]; over a coordinate: NULL
-    YkState *timed; // the session's state at the time that is asked
-    YkState *start; // if other inputs gave the assembly: its pose with these; otherwise NULL
+    double *times;   // [pose]; over a coordinate: NULL
+    YkState *timed;  // the session's state at the time that is asked
+    YkState *start;  // if other inputs gave the assembly: its pose with these; otherwise NULL
     YkStudy *study;
     double *rows;     // [design][width]; NULL: they are in the blocks
     YkBlocks *blocks; // OUTPUT.partial, if the output is a file; otherwise NULL
@@ -73,7 +73,7 @@ bool yk_partial_add(YkStudyAnswer *answer, const double *rows, size_t count);
 void yk_partial_close(YkStudyAnswer *answer, bool is_finished); // finished: removes it
 void yk_partial_tell(const YkStudyAnswer *answer);              // where it is, if it is: a hint to the last problem
 bool yk_partial_is_kept(const YkRequest *request);              // whether the output is a file that can have one
-// Returns a number that tells the study from others: of the version, the files and all options that decide its rows.
+// Returns a number that identifies the study: of the version, the files and all options that decide its rows.
 uint64_t yk_study_signature(const YkStudyAnswer *answer);
 
 // run.c: computes the designs that are missing, in order. Returns false with a problem added.
@@ -87,7 +87,7 @@ void yk_study_show(YkStudyAnswer *answer, bool is_last);
 
 // spread.c: computes them on all ranks of mpirun (ranks.h). Returns false with a problem added.
 bool yk_study_spread(YkStudyAnswer *answer);
-// What ranks other than 0 do, whether the study could be read or not. Returns the exit code.
+// Does the work of a rank other than 0, whether the study could be read or not. Returns the exit code.
 int yk_study_serve(YkStudyAnswer *answer, bool is_read);
 
 // why.c: if designs make no machine, says why the first of them does not, as a hint to the last problem.

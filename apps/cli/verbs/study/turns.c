@@ -32,7 +32,7 @@ static bool follow(YkStudyAnswer *answer, YkState *state, double from, double to
     options.coordinate = -1;
     options.from = from, options.to = to, options.steps = 1;
     if (from == to) return true;
-    YkProblems *quiet = yk_problems_new(); // whatever else is wrong, the study tells
+    YkProblems *quiet = yk_problems_new(); // the study reports whatever else is wrong
     YkSweep *sweep = quiet ? yk_sweep_run(state, &options, NULL, 0, quiet) : NULL;
     bool ran_out = !sweep && (!quiet || yk_problems_error_count(quiet) == 0);
     bool good = !ran_out || yk_session_refuse_for_memory(session);

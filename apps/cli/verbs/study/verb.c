@@ -116,7 +116,7 @@ static void end(YkStudyAnswer *a)
 static int answer_on_ranks(YkStudyAnswer *a)
 {
     if (!yk_ranks_begin(a->session)) {
-        if (yk_ranks_is_first_here()) yk_ranks_speak(); // what is missing on a computer is told once there
+        if (yk_ranks_is_first_here()) yk_ranks_speak(); // a computer reports once what it lacks
         return YK_EXIT_WRONG;
     }
     bool is_read = yk_study_read(a);

@@ -1,4 +1,4 @@
-// What the writers of a sweep share.
+// Shared by the writers of a sweep.
 #include <math.h>
 #include "verbs/sweep/sweep.h"
 

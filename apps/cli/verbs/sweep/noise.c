@@ -1,5 +1,6 @@
-// Measures the rounding noise of every cell of a sweep: what the machine's largest value lets pass for noise may be a
-// true value of a body that takes no part in it, or of a row far from the pose where rates grow without bound.
+// Measures the rounding noise of every cell of a sweep. A value that looks like noise beside the machine's largest may
+// be true: that of a body which takes no part in the large motion, or of a row far from the pose where rates grow
+// without bound.
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// Synthesis in a browser: the search runs in the page's own thread, and pictures are refused for want of a folder.
+// Synthesis in a browser: the search runs in the page's own thread, and pictures are refused, since there is no folder.
 #include "verbs/synthesize/synthesize.h"
 
 YkSynthesisThreads *yk_synthesis_threads(YkSynthesisAnswer *answer, YkSynthesisOptions *options, YkProblems *problems)

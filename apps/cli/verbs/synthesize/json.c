@@ -80,7 +80,7 @@ static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t ind
         if (is_reversed[1]) yk_json_string(json, NULL, "output");
         yk_json_end(json);
     }
-    bool has_dimensions = c.circuits > 0; // a machine that is there has parameters alone
+    bool has_dimensions = c.circuits > 0; // an existing machine has parameters alone
     if (has_dimensions) {
         add_two(json, "transmission", c.transmission);
         yk_json_number(json, "size", c.size);

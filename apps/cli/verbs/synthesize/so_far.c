@@ -1,4 +1,4 @@
-// `yoke synthesize --so-far`: what a search has found by now, a line of JSON at a time, to be shown while it runs.
+// `yoke synthesize --so-far`: what a search has found so far, one line of JSON at a time, to be shown while it runs.
 #include <stdio.h>
 #include "verbs/synthesize/synthesize.h"
 #include "write/json.h"

@@ -1,5 +1,5 @@
 // A search on all ranks of mpirun. Rank 0 gives out its pieces by demand, computes some itself and takes them in their
-// order: what follows from a piece - which machine is kept, when the search ends - is decided as it is alone.
+// order: the consequences of a piece - which machine is kept, when the search ends - are decided as in one process.
 #include <stdlib.h>
 #include <string.h>
 #include "hand_out.h"

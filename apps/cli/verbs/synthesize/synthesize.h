@@ -12,7 +12,7 @@ typedef struct YkSynthesisAnswer {
     bool is_late;    // the deadline ended the search
     uint64_t seed;
     size_t threads;
-    int percent; // of the search, told last by --so-far
+    int percent; // of the search, printed last by --so-far
 } YkSynthesisAnswer;
 
 // "ok", "none", "interrupted" or "time".

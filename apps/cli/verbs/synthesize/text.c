@@ -109,7 +109,7 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
     yk_text_free(&both);
 }
 
-// Tells which links begin half a turn from the angles that the task fixes.
+// Names the links that begin half a turn from the angles that the task fixes.
 static void add_reversed(YkText *out, const YkSynthesis *synthesis)
 {
     for (size_t k = 0; k < yk_synthesis_count(synthesis); k++) {

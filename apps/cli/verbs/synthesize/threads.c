@@ -1,6 +1,6 @@
-// A search on several threads: they compute its pieces ahead, and the search takes them in their order. What follows
-// from a piece - which machine is kept, when the search ends - is decided as it is alone, so the answer has the same
-// bits.
+// A search on several threads: they compute its pieces ahead, and the search takes them in their order. The
+// consequences of a piece - which machine is kept, when the search ends - are decided as on one thread, so the answer
+// has the same bits.
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ struct YkSynthesisThreads {
     size_t count, started, slots, width, pieces;
     pthread_mutex_t lock;
     pthread_cond_t sign; // a piece is there, or there is room for others
-    size_t base, next;   // the piece that the search waits for; the next that nobody has begun
+    size_t base, next;   // the piece that the search waits for; the next that no thread has begun
     YkStatus status;     // a worker's failure
     atomic_bool is_stopped;
 };

@@ -139,7 +139,7 @@ int yk_run_synthesize(YkSession *session)
     const YkRequest *request = session->request;
     session->keeps_what_is_done = true;
     if (yk_ranks_count() > 1 && !yk_ranks_begin(session)) {
-        if (yk_ranks_is_first_here()) yk_ranks_speak(); // what is missing on a computer is told once there
+        if (yk_ranks_is_first_here()) yk_ranks_speak(); // a computer reports once what it lacks
         return YK_EXIT_WRONG;
     }
     int exit_code = find(&answer);

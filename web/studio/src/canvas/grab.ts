@@ -6,7 +6,7 @@ import type { Spot } from "./snap";
 
 export type Drag = { kind: "pan" } | { kind: "body"; body: string; point: [number, number] } | { kind: "shape"; spot: Spot; trial: Trial } | { kind: "pose"; grip: Grip } | { kind: "tool" } | { kind: "pinch"; span: number };
 
-// Takes hold of the body under the pointer; of the plane where there is none.
+// Takes hold of the body under the pointer; of the plane if there is none.
 export function grab({ machine, pose }: Session, spot: Spot): Drag {
   const held = spot.all.find((one) => one.body !== "ground") ?? spot.all[0], body = held?.body ?? spot.onBody;
   if (!machine || !pose || !body || body === "ground") return { kind: "pan" };

@@ -1,4 +1,4 @@
-// The grid: fine and strong lines, with their unit told in the corner.
+// The grid: fine and strong lines, with their unit in the corner.
 import { svg } from "../dom";
 import type { View } from "./view";
 

@@ -99,7 +99,7 @@ export class Painter {
     this.still = gather(isMany ? reader.marks.filter((mark) => mark.body === machine.bodies.length) : [], isMany);
   }
 
-  // Paints the pose whose axes are given (axesOf), over what is there. Of many marks those of the ground are painted apart, once a view.
+  // Paints the pose whose axes are given (axesOf), over the present picture. Of many marks those of the ground are painted apart, once a view.
   paint(context: CanvasRenderingContext2D, shot: Shot, axes: Float64Array, isStill = false): void {
     for (const batch of isStill ? this.still : this.batches) {
       const { style } = batch;

@@ -21,7 +21,7 @@ export class Hand {
   tool: Tool = TOOLS[0];
   spots: Spot[] = [];
   onTool: (tool: Tool) => void = () => {};
-  // Is told of a pull on the machine while it is let go; true: the pull is taken.
+  // Receives a pull on the machine while it is let go; true: the pull is taken.
   onPull: (pull: { body: string; point: [number, number]; to: [number, number] } | null) => boolean = () => false;
   onGrab: () => void = () => {};
   readonly shape: Shape;

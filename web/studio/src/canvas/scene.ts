@@ -27,7 +27,7 @@ export class Scene {
   private axes = new Float64Array();
   private told = ""; // the machine of which it was said that it has very many parts
   private painted = ""; // the view that the sheet shows
-  private probe = svg("circle", { visibility: "hidden" }); // tells which colour the page gives to one of the core's
+  private probe = svg("circle", { visibility: "hidden" }); // shows which colour the page gives to one of the core's
   private perMetre = 1; // px of the drawing
   private origin = [0, 0];
   private size = [0, 0];

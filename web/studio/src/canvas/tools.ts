@@ -46,7 +46,7 @@ function centre(spot: Spot): Place {
   return at ? { world: spot.world, ...at } : place({ ...spot, onBody: undefined });
 }
 
-// Tells whether something on the ground can be driven from a wheel's centre: its body turns on the ground, or there is none yet.
+// Returns whether something on the ground can be driven from a wheel's centre: its body turns on the ground, or there is none yet.
 const turnsOnGround = (session: Session, { body }: Place): boolean => !body || body === "ground" || joined(session, "ground", body);
 
 // Runs a gesture; returns what it returns.

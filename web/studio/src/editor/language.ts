@@ -1,5 +1,5 @@
 // YAML as the editor colours it. The parser recurses, so a text nested thousands deep can run out of stack in it; such a text
-// stays without colours, and the core tells what is wrong with it.
+// stays without colours, and the core says what is wrong with it.
 import { yamlLanguage } from "@codemirror/lang-yaml";
 import { Language, LanguageSupport } from "@codemirror/language";
 import { NodeType, Parser, Tree } from "@lezer/common";

@@ -1,4 +1,4 @@
-// The machine in the address: #m=1. + base64url of the deflated text. Whatever stands there is a stranger's.
+// The machine in the address: #m=1. + base64url of the deflated text. Treat it as a stranger's.
 const VERSION = "1.";
 const LONGEST = 64 << 10; // characters of a link
 const LARGEST = 4 << 20; // bytes of the text in it

@@ -1,4 +1,4 @@
-// The command itself: forces, tables, gears, cams and all else that `yoke` answers, about the machine as it stands.
+// The command itself: forces, tables, gears, cams and all else that `yoke` answers, about the machine in its present state.
 import { byId, el, fill } from "../dom";
 import { download } from "../keep/files";
 import type { Session } from "../session";

@@ -1,5 +1,5 @@
 // Design: a curve drawn by hand, and the linkages that the core finds for it, each as a small moving picture. They appear while
-// the search runs. It has a core of its own, so that the drawing stays quick; stopping ends that core, and keeps what it told.
+// the search runs. It has a core of its own, so that the drawing stays quick; stopping ends that core, and keeps its results so far.
 import type { Core } from "../../../core/door";
 import type { Canvas } from "../canvas/canvas";
 import { FILE, inUnits, placesTask, taskOf } from "../document/task";
@@ -72,7 +72,7 @@ export class Design {
     if (session.poses !== poses) void this.follow();
   }
 
-  // Writes the task of the curve, or of the places; without one the task that stands there stays.
+  // Writes the task of the curve, or of the places; without one the present task stays.
   private write(): void {
     const { wanted, poses } = this.session, { units, resolution } = this.canvas;
     if (poses.length > 1) this.task.value = placesTask(poses, this.mechanism.value, units, resolution);
@@ -106,7 +106,7 @@ export class Design {
       if (!reply.complete) this.tell(words.design.stopped(this.finds.count));
       else if (answer < 0) this.tell(reply.err.trim() || words.say.noAnswer);
       else this.show(JSON.parse(reply.out.slice(answer)) as Found);
-    } catch { /* a newer search took its place, or the core was lost, which is told */ }
+    } catch { /* a newer search took its place, or the core was lost, which is reported */ }
     if (this.finder !== finder) return;
     this.stop();
     this.busy(false);
@@ -124,7 +124,7 @@ export class Design {
     this.note.textContent = text;
   }
 
-  // Takes a line that the search told: how far it is, or a linkage and its place among the best so far.
+  // Takes a line of the search's output: how far it is, or a linkage and its place among the best so far.
   private hear(line: string): void {
     const told = JSON.parse(line) as Candidate & { part?: number; rank: number; best: number };
     if (told.part !== undefined) {

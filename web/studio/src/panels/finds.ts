@@ -45,7 +45,7 @@ export class Finds {
     for (const { card: last } of this.now.splice(most)) last?.remove();
   }
 
-  // Takes the answer of the search in place of what it told before. Returns how many are new.
+  // Takes the final answer of the search in place of its earlier lines. Returns how many are new.
   settle(candidates: Candidate[]): number {
     const told = new Map(this.now.filter(({ card }) => card).map(({ key, card }) => [key, card]));
     this.now.forEach(({ card }) => card?.remove());

@@ -1,4 +1,4 @@
-// What the machine lacks, in the core's words; what can be mended without a choice is mended by a click.
+// The parts that the machine lacks, in the core's words; a click supplies those that leave no choice.
 import type { Lack } from "../../../core/door";
 import { byId, el, fill } from "../dom";
 import type { Session } from "../session";
