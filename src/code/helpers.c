@@ -117,6 +117,44 @@ static const char equations[] =
     "    return determinant;\n"
     "}\n\n";
 
+static const char motion[] =
+    "/* Equations of motion: a[n][n + 1], symmetric, the right side behind the matrix, are solved in their place by "
+    "L D L^T.\n"
+    "   Returns the least pivot over the terms of the energy that it is the sum of, 0 where one is not positive. a has "
+    "n\n"
+    "   + 1 places more to work with. */\n"
+    "static $ @_motion(int n, $ *a)\n"
+    "{\n"
+    "    const int w = n + 1;\n"
+    "    $ *whole = a + n * w + 1, least = 1;\n"
+    "    for (int k = 0; k < n; k++) {\n"
+    "        $ pivot = a[k * w + k], terms = pivot;\n"
+    "        whole[k] = pivot;\n"
+    "        for (int i = 0; i < k; i++) { /* above the diagonal L D, below it L */\n"
+    "            $ rest = a[k * w + i];\n"
+    "            for (int j = 0; j < i; j++) rest -= a[i * w + j] * a[j * w + k];\n"
+    "            a[i * w + k] = rest;\n"
+    "            a[k * w + i] = rest / a[i * w + i];\n"
+    "            pivot -= rest * a[k * w + i];\n"
+    "            a[k * w + n] -= a[k * w + i] * a[i * w + n];\n"
+    "        }\n"
+    "        for (int i = k - 1; i >= 0; i--) { /* how coordinate i answers a unit of k */\n"
+    "            $ answer = -a[k * w + i];\n"
+    "            for (int j = i + 1; j < k; j++) answer -= a[j * w + i] * a[j * w + k];\n"
+    "            a[i * w + k] = answer;\n"
+    "            terms += answer * answer * whole[i];\n"
+    "        }\n"
+    "        if (!(pivot > 0)) return 0;\n"
+    "        a[k * w + k] = pivot;\n"
+    "        if (pivot < least * terms) least = pivot / terms;\n"
+    "    }\n"
+    "    for (int k = n - 1; k >= 0; k--) {\n"
+    "        a[k * w + n] /= a[k * w + k];\n"
+    "        for (int i = k + 1; i < n; i++) a[k * w + n] -= a[i * w + k] * a[i * w + n];\n"
+    "    }\n"
+    "    return least;\n"
+    "}\n\n";
+
 static const char friction[] =
     "/* Dry friction: x_k = a_k |V_k + W_k x|, from n rows a_k, V_k, W_k of plane vectors; the first m are forces of "
     "teeth, "
@@ -240,6 +278,7 @@ void yk_file_write_helpers(YkFile *file, const char *body)
                   "    const double turns = ((a - to) * 0.15915494309189535 + to_integer) - to_integer;\n"
                   "    return a - turns * 6.283185307179586;\n}\n\n");
     if (uses[YK_HELPER_SOLVE]) yk_file_template(file, equations);
+    if (uses[YK_HELPER_MOTION]) yk_file_template(file, motion);
     if (uses[YK_HELPER_FRICTION]) write_friction(file);
     if (uses[YK_HELPER_LAW]) {
         yk_file_template(file, piece);

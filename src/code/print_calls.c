@@ -8,14 +8,13 @@ static const char *real(const YkPrinter *pr)
 
 static const char *call_array(YkPrinter *pr, const YkCall *call)
 {
-    static const char *const endings[] = {"system", "solution", "law", "friction"};
+    static const char *const endings[] = {"system", "solution", "law", "friction", "system"};
     return yk_printer_unique(pr, yk_graph_text(pr->graph, "%s_%s", call->name, endings[call->kind]));
 }
 
-// Equations: the entries that are not zero, then the solution in their place.
-static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
+// Writes the entries of equations that are not zero.
+static void write_system(YkPrinter *pr, const YkCall *call, const char *name)
 {
-    pr->uses[YK_HELPER_SOLVE] = true;
     if (call->argument_count <= 24) {
         yk_printer_array(pr, name, call->arguments, call->argument_count, call->result_count);
     } else {
@@ -30,8 +29,22 @@ static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
             yk_text_puts(pr->out, "\n");
         }
     }
+}
+
+static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    pr->uses[YK_HELPER_SOLVE] = true;
+    write_system(pr, call, name);
     yk_text_format(pr->out, "    %s[%d] = %s_equations(%d, %d, %s);\n", name, (int)call->result_count - 1, pr->prefix,
                    (int)call->n, (int)call->m, name);
+}
+
+static void call_motion(YkPrinter *pr, const YkCall *call, const char *name)
+{
+    pr->uses[YK_HELPER_MOTION] = true;
+    write_system(pr, call, name);
+    yk_text_format(pr->out, "    %s[%d] = %s_motion(%d, %s);\n", name, (int)call->argument_count, pr->prefix,
+                   (int)call->n, name);
 }
 
 static void call_group(YkPrinter *pr, const YkCall *call, const char *name)
@@ -72,6 +85,8 @@ const char *yk_call_print(YkPrinter *pr, const YkCall *call)
     const char *name = call_array(pr, call);
     if (call->kind == YK_CALL_SOLVE)
         call_solve(pr, call, name);
+    else if (call->kind == YK_CALL_MOTION)
+        call_motion(pr, call, name);
     else if (call->kind == YK_CALL_GROUP)
         call_group(pr, call, name);
     else if (call->kind == YK_CALL_FRICTION)

@@ -206,8 +206,7 @@ static const char *about_reactions(YkFile *file)
     const YkProgram *p = &file->program;
     const char *contacts =
         yk_contact_count(p->mech) > 0 ? " Forces of gears, racks, belts and cams on their second body." : "";
-    const char *laws =
-        p->model->follow_count > 0 && !file->forces.is_least ? " Efforts of drives by laws." : "";
+    const char *laws = p->model->follow_count > 0 && !file->forces.is_least ? " Efforts of drives by laws." : "";
     return yk_graph_text(&file->program.graph, "%s%s%s",
                          "Reactions: the force of each joint's first body on its second, world axes; moment about its "
                          "point.",

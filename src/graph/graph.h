@@ -64,12 +64,14 @@ typedef enum YkLeafClass {
 
 // A piece of program that is not an expression: it takes several values and gives several.
 typedef enum YkCallKind {
-    YK_CALL_SOLVE,   // linear equations: arguments A[n][n + m], the right sides behind; results the same places solved,
-                     // then the determinant over the lengths of the columns
-    YK_CALL_GROUP,   // Newton's method on a group: arguments the guess; results the unknowns, then how far it misses
-    YK_CALL_LAW,     // a law of motion: the argument; results value, first and second derivative
-    YK_CALL_FRICTION // sizes of forces that depend on each other, x_k = a_k |V_k + W_k x|, the first m as they follow:
-                     // arguments a_k, V_k, W_k of all n; then x[n], n to work with, and 1 if they agree
+    YK_CALL_SOLVE, // linear equations: arguments A[n][n + m], the right sides behind; results the same places solved,
+                   // then the determinant over the lengths of the columns
+    YK_CALL_GROUP, // Newton's method on a group: arguments the guess; results the unknowns, then how far it misses
+    YK_CALL_LAW,   // a law of motion: the argument; results value, first and second derivative
+    YK_CALL_FRICTION, // sizes of forces that depend on each other, x_k = a_k |V_k + W_k x|, the first m as they follow:
+                      // arguments a_k, V_k, W_k of all n; then x[n], n to work with, and 1 if they agree
+    YK_CALL_MOTION    // equations of motion: arguments A[n][n + 1], symmetric; results the same places, the last column
+                      // solved, then the least pivot over the terms of its energy, and n to work with
 } YkCallKind;
 
 typedef struct YkCall {

@@ -1,14 +1,20 @@
 // Forward dynamics: solves M q'' = efforts - rest for the free inputs.
 #include "program/forces.h"
 
-enum { STRAIGHT_MAX = 6 }; // more free inputs are solved with pivots, in a loop
+enum { STRAIGHT_MAX = 6 }; // more free inputs are solved in a loop
+
+// Returns which part of the terms that a pivot is the sum of may be rounding alone.
+static YkRef rounding(YkProgram *p)
+{
+    return yk_graph_number(&p->graph, p->is_single ? 5e-6 : 1e-14);
+}
 
 // Records what must be above 0: a pivot less its rounding.
-static void keep_pivot(YkForces *f, YkRef pivot, YkRef whole)
+static void keep_pivot(YkForces *f, YkRef pivot, YkRef terms)
 {
     YkGraph *g = &f->program->graph;
-    YkRef rounding = yk_graph_multiply(g, yk_graph_number(g, 1e-14), whole);
-    YkRef above = pivot == whole ? pivot : yk_graph_subtract(g, pivot, rounding);
+    YkRef lost = yk_graph_multiply(g, rounding(f->program), terms);
+    YkRef above = pivot == terms ? pivot : yk_graph_subtract(g, pivot, lost);
     f->inertia = f->inertia < 0 ? above : yk_graph_binary(g, YK_VALUE_LEAST, f->inertia, above);
 }
 
@@ -31,7 +37,24 @@ static void solve_pair(YkForces *f, const size_t *free, YkRef *b)
     for (size_t k = 0; k < 2; k++) b[k] = yk_graph_multiply(g, b[k], over);
 }
 
-// Solves M x = b for the free inputs by L D L^T, written out; every pivot must be above the rounding of its diagonal.
+// Returns the terms of the energy that pivot k is the sum of, about: those of the diagonal, as the coordinates before
+// answer a unit of k. Where pivots before are small the answers are large, and so is what rounding makes of them.
+static YkRef terms_of(YkForces *f, const size_t *free, size_t k, YkRef L[STRAIGHT_MAX][STRAIGHT_MAX])
+{
+    YkGraph *g = &f->program->graph;
+    size_t n = f->program->mech->input_count;
+    YkRef answer[STRAIGHT_MAX], terms = f->mass[free[k] * n + free[k]];
+    for (size_t i = k; i-- > 0;) {
+        YkRef sum = L[k][i];
+        for (size_t j = i + 1; j < k; j++) sum = yk_graph_subtract(g, sum, yk_graph_multiply(g, L[j][i], answer[j]));
+        answer[i] = sum;
+        YkRef square = yk_graph_multiply(g, sum, sum);
+        terms = yk_graph_add(g, terms, yk_graph_multiply(g, square, f->mass[free[i] * n + free[i]]));
+    }
+    return terms;
+}
+
+// Solves M x = b for the free inputs by L D L^T, written out; every pivot must be above the rounding of its terms.
 static void solve_straight(YkForces *f, const size_t *free, YkRef *b)
 {
     YkProgram *p = f->program;
@@ -41,7 +64,7 @@ static void solve_straight(YkForces *f, const size_t *free, YkRef *b)
     for (size_t i = 0; i < m; i++)
         for (size_t j = 0; j < m; j++) A[i][j] = f->mass[free[i] * n + free[j]];
     for (size_t k = 0; k < m; k++) {
-        keep_pivot(f, A[k][k], f->mass[free[k] * n + free[k]]);
+        keep_pivot(f, A[k][k], terms_of(f, free, k, L));
         inverse[k] = yk_graph_inverse(g, A[k][k]);
         for (size_t i = k + 1; i < m; i++) {
             L[i][k] = yk_graph_multiply(g, A[i][k], inverse[k]);
@@ -59,7 +82,7 @@ static void solve_straight(YkForces *f, const size_t *free, YkRef *b)
     }
 }
 
-static void solve_pivoted(YkForces *f, const size_t *free, YkRef *b)
+static void solve_in_a_loop(YkForces *f, const size_t *free, YkRef *b)
 {
     YkProgram *p = f->program;
     size_t n = p->mech->input_count, m = f->free_count;
@@ -72,16 +95,15 @@ static void solve_pivoted(YkForces *f, const size_t *free, YkRef *b)
         for (size_t j = 0; j < m; j++) system[i * (m + 1) + j] = f->mass[free[i] * n + free[j]];
         system[i * (m + 1) + m] = b[i];
     }
-    int32_t call = yk_graph_call(&p->graph, (YkCall){.kind = YK_CALL_SOLVE,
+    int32_t call = yk_graph_call(&p->graph, (YkCall){.kind = YK_CALL_MOTION,
                                                      .n = (int32_t)m,
-                                                     .m = 1,
                                                      .arguments = system,
                                                      .argument_count = m * (m + 1),
-                                                     .result_count = m * (m + 1) + 1,
+                                                     .result_count = m * (m + 1) + 1 + m,
                                                      .name = "motion"});
     for (size_t i = 0; i < m; i++) b[i] = yk_graph_result(&p->graph, call, i * (m + 1) + m);
-    YkRef size = yk_graph_unary(&p->graph, YK_VALUE_SIZE, yk_graph_result(&p->graph, call, m * (m + 1)));
-    f->inertia = yk_graph_subtract(&p->graph, size, yk_graph_number(&p->graph, 1e-14));
+    YkRef least = yk_graph_result(&p->graph, call, m * (m + 1));
+    f->inertia = yk_graph_subtract(&p->graph, least, rounding(p));
 }
 
 static void solve(YkForces *f, const size_t *free, YkRef *b)
@@ -91,7 +113,7 @@ static void solve(YkForces *f, const size_t *free, YkRef *b)
     else if (f->free_count <= STRAIGHT_MAX)
         solve_straight(f, free, b);
     else
-        solve_pivoted(f, free, b);
+        solve_in_a_loop(f, free, b);
 }
 
 YkRef *yk_forces_response(YkForces *f, const YkRef *along)

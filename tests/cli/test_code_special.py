@@ -1,6 +1,7 @@
 """yoke code: the status of the printed C at special poses and parameters, and the efforts by which coordinates follow laws."""
 import math
 import os
+import random
 import re
 import subprocess
 import unittest
@@ -244,6 +245,57 @@ drives: {v: {law: lift, of: theta}, """)
         self.assertIn("The efforts of drives that follow laws are not part of it", text)
         self.assertNotIn("v_effort", members(text, "reactions"))
         self.assertNotIn("The efforts of drives", self.print(self.write("lift.yaml", LIFT % "")))
+
+
+def chain(count, light=()):
+    """Rods of 1 kg and 1 m, one hanging on the other; those in `light` weigh nothing, and the last one is then a point mass at its end."""
+    bodies, joints = "  ground: {points: {J1: [0, 0]}}\n", ""
+    for k in range(1, count + 1):
+        mass = "" if k in light else ", mass: 1, center: [1, 0]" if light and k == count else ", mass: 1, center: [0.5, 0], inertia: 1/12"
+        bodies += "  b%d: {points: {J%d: [0, 0], J%d: [1, 0]}%s}\n" % (k, k, k + 1, mass)
+        joints += "  J%d: {pin: [%s, b%d], angle: q%d}\n" % (k, "b%d" % (k - 1) if k > 1 else "ground", k, k)
+    return "gravity: [0, -9.81]\nbodies:\n%sjoints:\n%s" % (bodies, joints)
+
+
+def fall(count, q, rate):
+    """Accelerations of the rods' relative angles, from the equations of motion in absolute angles."""
+    angle, spin = ([sum(of[:k + 1]) for k in range(count)] for of in (q, rate))
+    weight = [[count - 1 - max(i, j) + (1 / 3 if i == j else 1 / 2) for j in range(count)] for i in range(count)]
+    A = [[weight[i][j] * math.cos(angle[i] - angle[j]) for j in range(count)] for i in range(count)]
+    b = [-sum(weight[i][j] * math.sin(angle[i] - angle[j]) * spin[j] ** 2 for j in range(count)) - 9.81 * (count - i - 0.5) * math.cos(angle[i])
+         for i in range(count)]
+    for k in range(count):
+        for i in range(k + 1, count):
+            share = A[i][k] / A[k][k]
+            A[i] = [x - share * y for x, y in zip(A[i], A[k])]
+            b[i] -= share * b[k]
+    for k in reversed(range(count)):
+        b[k] = (b[k] - sum(A[k][i] * b[i] for i in range(k + 1, count))) / A[k][k]
+    return [b[k] - (b[k - 1] if k else 0) for k in range(count)]
+
+
+class Chains(Special):
+    def poses(self, count, poses):
+        numbers = random.Random(count)
+        return [{"q%d%s" % (k, end): numbers.uniform(-3, 3) for k in range(1, count + 1) for end in ("", "_rate")} for _ in range(poses)]
+
+    def test_long_chains_fall_as_their_equations_say(self):
+        for count in (5, 10):  # up to six are written out
+            poses = self.poses(count, 10)
+            rows = self.find(self.print(self.write("chain.yaml", chain(count))), "accelerations", poses)
+            for pose, (status, found) in zip(poses, rows):
+                wanted = fall(count, *([pose["q%d%s" % (k, end)] for k in range(1, count + 1)] for end in ("", "_rate")))
+                self.assertEqual(status, OK, count)
+                for k, one in enumerate(wanted):
+                    self.assertAlmostEqual(found["q%d_accel" % (k + 1)], one, delta=1e-9 * (1 + max(map(abs, wanted))))
+
+    def test_a_freedom_that_no_mass_shows_has_no_acceleration(self):
+        """Two weightless links carry a link with a point mass: three freedoms, of which a point shows two."""
+        for count, light in ((4, (2, 3)), (7, (5, 6))):
+            rows = self.find(self.print(self.write("light.yaml", chain(count, light))), "accelerations", self.poses(count, 200))
+            self.assertEqual({status for status, _ in rows}, {SINGULAR}, count)
+        rows = self.find(self.print(self.write("light.yaml", chain(7, (6,)))), "accelerations", self.poses(7, 20))
+        self.assertEqual({status for status, _ in rows}, {OK})
 
 
 if __name__ == "__main__":

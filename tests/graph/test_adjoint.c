@@ -14,7 +14,7 @@ static void cubic(const void *context, int32_t law, double x, double result[3])
 }
 
 // Computes the roots at the leaves' values.
-static void compute(const YkGraph *g, const YkRef *leaves, size_t count, const double *at, const YkRef *roots,
+static void compute(YkGraph *g, const YkRef *leaves, size_t count, const double *at, const YkRef *roots,
                     size_t root_count, double *value)
 {
     YkTape *tape = yk_tape_new(g, leaves, count, roots, root_count, 1, (YkTapeLaws){NULL, cubic});

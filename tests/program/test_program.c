@@ -345,6 +345,9 @@ static void run_call(Printed *m, int32_t index, size_t to)
     for (size_t k = 0; k < call->argument_count; k++) x[k] = m->numbers[call->arguments[k]];
     if (call->kind == YK_CALL_SOLVE) {
         call_solve(call, x);
+    } else if (call->kind == YK_CALL_MOTION) {
+        eliminate(x, (size_t)call->n, 1);
+        x[call->argument_count] = 1;
     } else if (call->kind == YK_CALL_GROUP) {
         call_group(m, call, x, to);
     } else if (call->kind == YK_CALL_FRICTION) {
