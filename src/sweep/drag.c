@@ -207,6 +207,7 @@ YkStatus yk_state_drag(YkDrag *d, const double target[2], YkDragged *dragged)
     if (!d->state->has_pose || !isfinite(target[0]) || !isfinite(target[1])) return YK_BAD_ARGUMENT;
     d->target = yk_vec(target[0], target[1]);
     yk_drag_widen_stops(d);
+    memcpy(d->walk.path.others, d->state->valid_input, 3 * d->state->mech->input_count * sizeof *d->goal); // its rates
     bool is_own = yk_state_begin(d->state);
     if (d->active_count == 1) drag_single(d, e);
     if (d->active_count > 1) yk_drag_many(d, e);

@@ -258,5 +258,7 @@ void yk_drag_many(YkDrag *d, YkDragged *e)
     }
     e->end = is_settled && held.count == 0 ? YK_DRAG_NEAREST : YK_DRAG_SPENT;
     if (held.count > 0 && is_at(d, &last)) tell(d, &last, e);
+    for (size_t i = 0; i < d->state->mech->input_count; i++) // the motion's own
+        memcpy(d->goal + 3 * i + 1, d->walk.path.others + 3 * i + 1, 2 * sizeof *d->goal);
     yk_path_probe(&d->walk.path, d->walk.path.last, false);
 }

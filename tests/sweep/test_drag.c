@@ -82,6 +82,25 @@ static void check_end(Machine *m, size_t body, const double place[2], const doub
     if (end->end == YK_DRAG_LIMIT) assert_int_equal(closed, 1);
 }
 
+// The inputs keep the rates that they had, 0.7 and -0.3, and so everything moves as if it were solved there.
+static void check_own_rates(Machine *m, size_t inputs)
+{
+    YkState *s = yk_state_new(m->mech);
+    yk_state_copy(s, m->state);
+    for (size_t i = 0; i < inputs; i++) {
+        YkMotion q = yk_state_input(m->state, i);
+        CHECK_NEAR(q.velocity, 0.7, 0);
+        CHECK_NEAR(q.acceleration, -0.3, 0);
+        yk_state_set_input(s, i, q);
+    }
+    bool is_there = yk_state_solve(s) == YK_OK && yk_state_has_rates(m->state);
+    for (size_t c = 0; is_there && c < yk_coordinate_count(m->mech); c++) {
+        double rate = yk_state_coordinate(s, c).velocity;
+        CHECK_NEAR(yk_state_coordinate(m->state, c).velocity, rate, 1e-9 * (1 + fabs(rate)));
+    }
+    yk_state_free(s);
+}
+
 static void check_single(Machine *m, size_t body, uint64_t *seed, size_t *limits, size_t *inner)
 {
     double place[2], target[2], step = 2 * YK_PI / 20000;
@@ -94,7 +113,9 @@ static void check_single(Machine *m, size_t body, uint64_t *seed, size_t *limits
     double up = by_sweep(m, body, place, target, 1, &ends_up), down = by_sweep(m, body, place, target, -1, &ends_down);
     YkDrag *drag = yk_drag_new(m->state, body, place, NULL);
     YkDragged end;
+    machine_solve(m, from, 0.7, -0.3);
     assert_int_equal(yk_state_drag(drag, target, &end), YK_OK);
+    check_own_rates(m, 1);
     double here = yk_state_input(m->state, 0).position, now = distance_of(m->state, body, place, target);
     double want = up != from ? up : down;
     CHECK_NEAR(now, end.distance, 1e-12);
@@ -227,11 +248,15 @@ static void check_many(Machine *m, size_t body, const double place[2], const dou
     YkDrag *drag = yk_drag_new(m->state, body, place, NULL);
     YkDragged end;
     double before = distance_of(m->state, body, place, target);
+    for (size_t i = 0; i < 2; i++)
+        yk_state_set_input(m->state, i, (YkMotion){yk_state_input(m->state, i).position, 0.7, -0.3});
+    yk_state_solve(m->state);
     for (int k = 0; k == 0 || (end.end == YK_DRAG_SPENT && k < 4); k++) {
         assert_int_equal(yk_state_drag(drag, target, &end), YK_OK);
         assert_true(end.distance <= before + 1e-3); // it stands a hair inside of a limit
         before = end.distance;
     }
+    check_own_rates(m, 2);
     ends[end.end]++;
     CHECK_NEAR(distance_of(m->state, body, place, target), end.distance, 1e-9);
     if (end.end == YK_DRAG_LIMIT) assert_true(yk_state_transmission(m->state, (size_t)end.block) < 0.3);
