@@ -42,7 +42,18 @@ static double angle_at(double ground, double crank, double distance)
     return fabs(c) <= 1 ? acos(c) : NAN;
 }
 
-// Checks circuits, ranges and limits of a four-bar against the triangle of crank and ground.
+// Checks how far the angle between links p and q turns, which the others, r and s, close: over a circuit it goes
+// through the angles at which their ends are no nearer and no farther than r and s let them.
+static void check_turn(YkMapTurn turn, double p, double q, double r, double s, bool is_grashof)
+{
+    double near = angle_at(p, q, fabs(r - s)), far = angle_at(p, q, r + s);
+    double width = isnan(near) ? 2 * far : 2 * (YK_PI - near); // through 0, or through a half turn
+    if (is_grashof) width = far - near;                        // on one side
+    assert_int_equal(turn.is_full, isnan(near) && isnan(far));
+    CHECK_NEAR(turn.range.to - turn.range.from, turn.is_full ? 2 * YK_PI : width, 1e-7);
+}
+
+// Checks circuits, ranges, turns and limits of a four-bar against the triangles that its diagonals make of it.
 static void check_four_bar(uint64_t *seed)
 {
     double g = check_uniform(seed, 0.5, 3), a = check_uniform(seed, 0.5, 3), b = check_uniform(seed, 0.5, 3),
@@ -77,6 +88,10 @@ static void check_four_bar(uint64_t *seed)
         bool turns = yk_map_turn(map, k, 0).is_full;
         assert_int_equal(turns, is_grashof && (least == a || least == g));
         assert_int_equal(yk_map_turn(map, k, 3).is_full, is_grashof && (least == b || least == c));
+        check_turn(yk_map_turn(map, k, 0), g, a, b, c, is_grashof);
+        check_turn(yk_map_turn(map, k, 1), a, b, c, g, is_grashof);
+        check_turn(yk_map_turn(map, k, 2), g, c, a, b, is_grashof);
+        check_turn(yk_map_turn(map, k, 3), b, c, g, a, is_grashof);
         for (size_t e = 0; e < circuit.events; e++) {
             YkMapEvent event = yk_map_event(map, k, e);
             double off = 10;
