@@ -453,6 +453,30 @@ static void test_parts_of_a_way_over_time(void **unused)
     }
 }
 
+// Over time, from a time that is not 0: a parallelogram passes its change points where its crank does.
+static void test_passes_over_time_are_told_by_their_parts(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n"
+                              "  crank: {points: {O: [0, 0], A: [2, 0]}}\n  rod: {points: {A: [0, 0], B: [4, 0]}}\n"
+                              "  rocker: {points: {Q: [0, 0], B: [2, 0]}}\njoints:\n"
+                              "  O: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, rod], angle: u}\n"
+                              "  Q: {pin: [ground, rocker], angle: v}\n  B: {pin: [rod, rocker]}\n"
+                              "drives: {th: '1 rad + 0.1 rad * (t/(1 s))^2'}\nstart: {u: -1, v: 1}\n",
+                              true);
+    for (double from = 1; from < 3; from += 0.5) {
+        YkMove move;
+        const double to = 8;
+        assert_int_equal(yk_state_move_time(m.state, from, NULL, NULL, m.problems), YK_OK);
+        assert_int_equal(yk_state_move_time(m.state, to, NULL, &move, m.problems), YK_OK);
+        assert_int_equal(move.pass_count, 2);
+        for (int k = 1; k <= 2; k++)
+            CHECK_NEAR(move.passes[k - 1].part, (sqrt((k * YK_PI - 1) / 0.1) - from) / (to - from), 1e-8);
+        CHECK_NEAR(machine_ask(&m, "v"), 1 + 0.1 * to * to, 1e-6);
+    }
+    machine_free(&m);
+}
+
 static bool stop_half_way(void *context, double part)
 {
     (void)context;
@@ -507,6 +531,12 @@ static void test_a_move_can_be_stopped(void **unused)
     assert_int_equal(yk_state_move_to(m.state, &goal, NULL, NULL), YK_BAD_ARGUMENT);
     YkState *none = yk_state_new(m.mech);
     assert_int_equal(move_one(none, 0, 1, NULL), YK_BAD_ARGUMENT); // it has no pose
+    assert_int_equal(yk_state_move_time(none, 1, NULL, NULL, m.problems), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_state_move_time(m.state, NAN, NULL, NULL, m.problems), YK_BAD_ARGUMENT);
+    options.turn_max = 0;
+    goal.position = from;
+    assert_int_equal(yk_state_move_to(m.state, &goal, &options, NULL), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_state_move_time(m.state, 1, &options, NULL, m.problems), YK_BAD_ARGUMENT);
     yk_state_free(none);
     machine_free(&m);
 }
@@ -592,6 +622,7 @@ int main(void)
         cmocka_unit_test(test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure),
         cmocka_unit_test(test_parts_of_a_way_over_time),
         cmocka_unit_test(test_a_move_can_be_stopped),
+        cmocka_unit_test(test_passes_over_time_are_told_by_their_parts),
         cmocka_unit_test(test_no_example_jumps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
