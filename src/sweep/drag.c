@@ -134,7 +134,7 @@ static void stand_nearest(YkDrag *d, double a, double b, double way)
     double fa = -1, fb = 1, scale = yk_path_scale(path);
     bool known_a = false, known_b = false;
     for (int k = 0; k < 120 && fabs(b - a) > 1e-15 * fmax(scale, fabs(b)); k++) {
-        double x = k % 3 < 2 && known_a && known_b ? b - fb * (b - a) / (fb - fa) : 0.5 * (a + b);
+        double x = k % 3 < 2 && known_a && known_b ? b - fb * (b - a) / (fb - fa) : a;
         if (!((x - a) * (b - x) > 0)) x = 0.5 * (a + b);
         if (x == a || x == b) break;
         bool closes = yk_path_probe(path, x, true) >= 0, is_known = closes && d->state->has_rates;
@@ -215,5 +215,7 @@ YkStatus yk_state_drag(YkDrag *d, const double target[2], YkDragged *dragged)
     e->distance = yk_drag_distance(d);
     if (status == YK_STOPPED) e->end = YK_DRAG_SPENT;
     if (e->distance <= REACHED * d->state->mech->size) e->end = YK_DRAG_REACHED;
+    if (e->end != YK_DRAG_STOP) e->coordinate = -1;
+    if (e->end != YK_DRAG_LIMIT) e->block = -1;
     return status;
 }

@@ -211,9 +211,10 @@ static bool is_at(const YkDrag *d, const Blocked *b)
 
 static void tell(const YkDrag *d, const Blocked *blocked, YkDragged *e)
 {
-    e->end = blocked->stop != SIZE_MAX ? YK_DRAG_STOP : YK_DRAG_LIMIT;
-    e->coordinate = blocked->stop != SIZE_MAX ? (int)d->stops[blocked->stop].coordinate : -1;
-    e->block = blocked->stop != SIZE_MAX ? -1 : blocked->block;
+    bool is_stop = blocked->stop != SIZE_MAX;
+    e->end = is_stop ? YK_DRAG_STOP : YK_DRAG_LIMIT;
+    if (is_stop) e->coordinate = (int)d->stops[blocked->stop].coordinate;
+    e->block = blocked->block;
 }
 
 void yk_drag_many(YkDrag *d, YkDragged *e)

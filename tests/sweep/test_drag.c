@@ -125,7 +125,8 @@ static void check_single(Machine *m, size_t body, uint64_t *seed, size_t *limits
     if (end.end != YK_DRAG_REACHED) check_end(m, body, place, target, &end);
     *limits += end.end == YK_DRAG_LIMIT;
     *inner += end.end == YK_DRAG_NEAREST;
-    if (end.end == YK_DRAG_LIMIT) assert_int_equal(end.block, 0);
+    assert_int_equal(end.block, end.end == YK_DRAG_LIMIT ? 0 : -1);
+    assert_int_equal(end.coordinate, -1);
     // On from there, again: it stays. Back to where it was: it goes, as far as there is no other minimum on the way.
     assert_int_equal(yk_state_drag(drag, target, NULL), YK_OK);
     CHECK_NEAR(distance_of(m->state, body, place, target), now, 1e-9);
@@ -207,6 +208,7 @@ static void a_stop_ends_the_drag(void **unused)
         assert_int_equal(yk_state_drag(drag, far, &end), YK_OK);
         assert_int_equal(end.end, YK_DRAG_STOP);
         assert_int_equal(end.coordinate, yk_coordinate_find(m.mech, "d"));
+        assert_int_equal(end.block, -1);
         CHECK_NEAR(machine_ask(&m, "d"), 0.28, 1e-10);
         if (k == 0) continue;
         assert_int_equal(yk_state_drag(drag, near, &end), YK_OK); // and back

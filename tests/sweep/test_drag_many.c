@@ -79,6 +79,13 @@ static void check_table(size_t count, double size, uint64_t *seed, size_t *reach
         CHECK_NEAR(end.distance, least, 1e-7 * size);
         assert_int_equal(end.end, least > 1e-9 * size ? YK_DRAG_STOP : YK_DRAG_REACHED);
         *reached += end.end == YK_DRAG_REACHED;
+        assert_int_equal(end.block, -1);
+        assert_true((end.coordinate >= 0) == (end.end == YK_DRAG_STOP));
+        if (end.end != YK_DRAG_STOP) continue;
+        double d = yk_state_coordinate(m.state, (size_t)end.coordinate).position;
+        const char *name = yk_coordinate_info(m.mech, (size_t)end.coordinate).name;
+        size_t slide = (size_t)(name[1] - '0');
+        assert_true(fmin(fabs(d - t.low[slide]), fabs(d - t.high[slide])) < 1e-3 * size);
     }
     yk_drag_free(drag);
     machine_free(&m);
