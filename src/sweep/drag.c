@@ -176,7 +176,7 @@ static void drag_single(YkDrag *d, YkDragged *e)
     yk_path_probe(&w->path, a, true);
     double way = find_way(d, a, &is_end);
     e->end = is_end ? YK_DRAG_LIMIT : YK_DRAG_NEAREST;
-    if (is_end) e->block = d->block;
+    e->block = d->block; // if it is
     for (int k = 0; k < STEPS_MAX && way != 0 && !yk_state_is_stopped(d->state); k++) {
         yk_drag_begin_walk(d);
         bool arrives = yk_walk_go(w, a, a + way * stride(d));
@@ -184,7 +184,6 @@ static void drag_single(YkDrag *d, YkDragged *e)
         e->pass_count += w->event_count - !arrives;
         size_t stop = yk_drag_meet_stop(d, a, &b);
         e->end = YK_DRAG_NEAREST;
-        e->block = -1;
         if (is_uphill(d, b, way)) {
             size_t passes = w->event_count - !arrives;
             w->event_count = passes;
@@ -193,7 +192,7 @@ static void drag_single(YkDrag *d, YkDragged *e)
         }
         e->end = stop != SIZE_MAX ? YK_DRAG_STOP : !arrives ? YK_DRAG_LIMIT : YK_DRAG_SPENT;
         if (stop != SIZE_MAX) e->coordinate = d->stops[stop].coordinate;
-        if (e->end == YK_DRAG_LIMIT) e->block = w->limit_block;
+        e->block = w->limit_block;
         if (e->end != YK_DRAG_SPENT) break;
         a = b;
     }
