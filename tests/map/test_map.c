@@ -459,6 +459,20 @@ static void test_dead_points_are_limits_of_the_drive(void **unused)
         CHECK_NEAR(fabs(value), fabs(yk_map_event(drive, 0, 0).at), 1e-9);
     }
     assert_int_equal(dead, 2);
+    YkMap *other = map_of(&m); // the drive of the file is theta2
+    assert_int_equal(yk_map_add_drives(other, m.state, m.problems), YK_OK);
+    assert_true(yk_map_is_complete(other));
+    assert_int_equal(yk_map_circuit(other, 0).events, yk_map_circuit(map, 0).events);
+    for (size_t e = 0; e < yk_map_circuit(map, 0).events; e++) {
+        YkMapEvent event = yk_map_event(map, 0, e), same = yk_map_event(other, 0, e);
+        assert_int_equal(same.kind, event.kind);
+        assert_true(same.coordinate == event.coordinate);
+        CHECK_NEAR(same.at, event.at, 1e-9);
+    }
+    assert_int_equal(yk_map_add_drives(other, d.state, m.problems), YK_BAD_ARGUMENT); // of another mechanism
+    assert_int_equal(yk_map_add_drives(other, NULL, m.problems), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_map_add_drives(NULL, m.state, m.problems), YK_BAD_ARGUMENT);
+    yk_map_free(other);
     assert_int_equal(yk_map_add_dead_points(map, map), YK_BAD_ARGUMENT);
     assert_int_equal(yk_map_add_dead_points(NULL, map), YK_BAD_ARGUMENT);
     yk_map_free(map);
@@ -466,6 +480,23 @@ static void test_dead_points_are_limits_of_the_drive(void **unused)
     yk_state_free(d.state);
     yk_mechanism_free(d.mech);
     machine_free(&m);
+}
+
+// A machine that stands at a limit, on either side, is on its circuit there.
+static void test_a_start_at_a_limit_is_on_the_map(void **unused)
+{
+    (void)unused;
+    for (int side = -1; side <= 1; side += 2) {
+        Machine m = open_over("non-grashof", NULL);
+        YkSweep *sweep = machine_sweep(&m, "theta2", 0.5, side * 3, 5, NULL, 0);
+        assert_int_equal(yk_sweep_status(sweep), YK_LIMIT);
+        YkMap *map = map_of(&m);
+        assert_true(yk_map_is_complete(map) && yk_map_circuit(map, 0).contains_start);
+        CHECK_NEAR(yk_map_start(map).at, side * fmax(-yk_map_range(map, 0, 0).from, yk_map_range(map, 0, 0).to), 1e-8);
+        yk_sweep_free(sweep);
+        yk_map_free(map);
+        machine_free(&m);
+    }
 }
 
 static void test_what_cannot_be_mapped_is_refused(void **unused)
@@ -782,6 +813,7 @@ int main(void)
         cmocka_unit_test(test_a_slider_turns_back_at_its_dead_centres),
         cmocka_unit_test(test_a_slider_on_equal_links_has_both_limits),
         cmocka_unit_test(test_dead_points_are_limits_of_the_drive),
+        cmocka_unit_test(test_a_start_at_a_limit_is_on_the_map),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
         cmocka_unit_test(test_a_cam_limits_what_it_moves),
         cmocka_unit_test(test_a_cam_alone_has_one_circuit),
