@@ -70,7 +70,7 @@ static void test_each_failure_of_dead_points_is_told(void **unused)
     assert_true(state && yk_state_set_time(state, 0, problems) >= 0 && yk_state_assemble(state) >= 0);
     long blocks = live;
     bool is_done = false;
-    for (long allowed = 0; !is_done; allowed += 1 + allowed / 4) {
+    for (long allowed = 0; !is_done; allowed += 1 + allowed) {
         YkProblems *told = yk_problems_new();
         YkMap *map = yk_map_new(state, yk_input_coordinate(mech, 0), told);
         assert_non_null(map);
