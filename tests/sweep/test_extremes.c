@@ -30,11 +30,12 @@ static Machine tilted(double tilt, bool has_third)
     return machine_parse(text, true);
 }
 
-static void check_extremes(double tilt, bool has_third, double from, size_t steps)
+// turns: 1 or -1, the way of the sweep.
+static void check_extremes(double tilt, bool has_third, double from, double turns, size_t steps)
 {
     static const char *const of[] = {"rod.angle", "rod.A3.x", "rod.A2.y", "theta2"};
     Machine m = tilted(tilt, has_third);
-    YkSweep *sweep = machine_sweep(&m, "theta", from, from + 2 * YK_PI, steps, of, 4);
+    YkSweep *sweep = machine_sweep(&m, "theta", from, from + turns * 2 * YK_PI, steps, of, 4);
     assert_int_equal(yk_sweep_status(sweep), YK_OK);
     size_t found[4] = {0};
     for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
@@ -64,7 +65,7 @@ static void test_extremes_beside_change_points_are_those_of_the_motion(void **un
     for (uint64_t k = 0; k < check_cases(60); k++) {
         double tilt = check_uniform(&seed, -0.03, 0.03) + (k % 4 == 3 ? YK_PI / 2 : 0);
         double from = check_uniform(&seed, 1, 1.2);
-        check_extremes(tilt, k % 2, from, 1 + k % 3 * 60);
+        check_extremes(tilt, k % 2, from, k % 5 < 3 ? 1 : -1, 1 + k % 3 * 60);
     }
 }
 
@@ -74,8 +75,9 @@ static void test_a_channel_that_stays_has_no_extremes_beside_change_points(void 
     (void)unused;
     for (double off = 1e-2; off > 1e-6; off *= 0.3)
         for (int third = 0; third < 2; third++) {
-            check_extremes(0, third, YK_PI / 3 + off, 6);
-            check_extremes(0, third, YK_PI / 3 - off, 6);
+            check_extremes(0, third, YK_PI / 3 + off, 1, 6);
+            check_extremes(0, third, YK_PI / 3 - off, 1, 6);
+            check_extremes(0, third, YK_PI / 3 + off, -1, 6);
         }
 }
 
