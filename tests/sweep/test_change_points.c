@@ -2,11 +2,11 @@
 // fall on the change point.
 #include "solve/four_bar.h"
 
-static const char *const four_bar_names[] = {"coupler.angle",    "theta4",          "coupler.angle.rate",
-                                             "theta4.rate",      "theta4.accel",    "coupler.B.speed",
-                                             "coupler.B.x.rate", "coupler.B.y.rate"};
+static const char *const four_bar_names[] = {"coupler.angle",    "theta4",           "coupler.angle.rate",
+                                             "theta4.rate",      "theta4.accel",     "coupler.B.speed",
+                                             "coupler.B.x.rate", "coupler.B.y.rate", "theta2"};
 static const size_t step_counts[] = {1, 2, 3, 4, 5, 7, 8, 11, 12, 24, 36, 72, 100, 360, 720, 1001};
-enum { COUNTS = sizeof step_counts / sizeof step_counts[0], NAMES = 8 };
+enum { COUNTS = sizeof step_counts / sizeof step_counts[0], NAMES = 9 };
 
 static void check_no_nan(const YkSweep *sweep)
 {
@@ -88,6 +88,7 @@ static void check_motion(FourBar f, Motion motion, double start, double to, size
         CHECK_NEAR(off, 0, 1e-7);
         if (yk_sweep_row_status(sweep, row) != YK_SINGULAR)
             CHECK_NEAR(yk_sweep_value(sweep, row, 3), rocker_rate * rate, 1e-6);
+        CHECK_NEAR(yk_sweep_value(sweep, row, 8), yk_sweep_at(sweep, row), 0);
         double speed = hypot(yk_sweep_value(sweep, row, 6), yk_sweep_value(sweep, row, 7));
         CHECK_NEAR(yk_sweep_value(sweep, row, 5), speed, 1e-9);
     }
