@@ -217,7 +217,7 @@ static void test_a_drive_without_a_value_ends_a_sweep_over_time(void **unused)
                               true);
     static const char *const of[] = {"theta"};
     YkSweep *sweep = machine_sweep(&m, NULL, 0, 2, 10, of, 1);
-    assert_true(yk_sweep_status(sweep) < 0);
+    assert_int_equal(yk_sweep_status(sweep), YK_BAD_MODEL);
     assert_true(yk_sweep_row_count(sweep) >= 5 && yk_sweep_row_count(sweep) <= 6);
     for (size_t row = 0; row < yk_sweep_row_count(sweep); row++)
         CHECK_NEAR(yk_sweep_value(sweep, row, 0), sqrt(fmax(0, 1 - yk_sweep_at(sweep, row))), 1e-12);
