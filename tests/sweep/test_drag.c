@@ -178,6 +178,9 @@ static void a_point_on_a_circle_turns_towards_the_target(void **unused)
     double place[2] = {1, 0}, back[2] = {-2, 0}, on[2] = {0, 1};
     YkDrag *drag = yk_drag_new(m.state, 1, place, NULL);
     YkDragged end;
+    assert_int_equal(yk_state_drag(drag, (double[]){2, 0}, &end), YK_OK); // it is as near as it comes
+    assert_int_equal(end.end, YK_DRAG_NEAREST);
+    CHECK_NEAR(yk_state_coordinate(m.state, 0).position, 0, 0);
     assert_int_equal(yk_state_drag(drag, back, &end), YK_OK); // exactly behind: either way will do
     CHECK_NEAR(end.distance, 1, 1e-12);
     assert_int_equal(yk_state_drag(drag, on, &end), YK_OK);
