@@ -346,8 +346,8 @@ static void test_the_effort_of_a_parallelogram_in_line_is_that_of_one_crank(void
     machine_free(&m);
 }
 
-// A piston on the crank of a parallelogram comes to rest just where all links are in line: limits are found there all the
-// same, whatever the size of the machine.
+// A piston on the crank of a parallelogram comes to rest just where all links are in line: limits are found there all
+// the same, whatever the size of the machine.
 static void test_a_slide_may_rest_at_a_change_point(void **unused)
 {
     (void)unused;
