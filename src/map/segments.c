@@ -153,7 +153,7 @@ static void cover(Search *s, double low, double high, int depth)
     if (depth == DEPTH_MAX || (depth > 0 && t->steps_left == 0) || !enumerate(s, low, high, &at))
         return; // a gap, which who joins the segments judges
     const YkGroupSolutions *all = &t->solutions[s->below->level];
-    if (s->out->count == 0 && depth == 0) t->steps_left = YK_TRACE_STEPS * (all->proved_count + 1);
+    if (depth == 0) t->steps_left = YK_TRACE_STEPS * (all->proved_count + 1);
     YkSegment segment = {.from = low, .to = high};
     for (size_t k = 0; k < all->proved_count && !t->out_of_memory; k++) {
         bool is_real = all->proved[k].certificate.reality == YK_REAL;

@@ -23,23 +23,33 @@ static double angle_at(Walk *w, size_t leaf, double at, const double *near)
     return yk_map_read_row(w->map, w->map->leaves->items[leaf], at, near, w->row) ? w->row[w->column] : NAN;
 }
 
-// Returns the extreme value near a row that is larger (sign 1) or smaller (-1) than those beside it: the top of a
-// parabola through three poses, which then close in on it.
+// Returns the largest (sign 1) or smallest (-1) angle about a row, if it is there: the top of a parabola through three
+// poses, which then close in on it. About a row at an end of the strand these are the row, one all but there, and its
+// neighbour: the angle may turn round between them, and the strand goes on beyond its end.
 static double extreme(Walk *w, size_t leaf, size_t r, double sign)
 {
+    const double ASIDE = 1e-3;
     const YkMapRows *rows = &w->map->strand_rows[leaf];
-    double u[3], y[3], best = -INFINITY;
+    const double *row = yk_map_row_at(w->map, rows, r);
+    double u[3], y[3], own = row[w->column];
+    bool is_last = r + 1 == rows->count, is_end = r == 0 || is_last;
     for (size_t k = 0; k < 3; k++) {
-        const double *row = yk_map_row_at(w->map, rows, r + k - 1);
-        u[k] = row[0];
-        y[k] = sign * row[w->column];
-        best = fmax(best, y[k]);
+        size_t beside = is_end ? (is_last ? r - (k < 2) : k == 2) : r + k - 1;
+        u[k] = yk_map_row_at(w->map, rows, beside)[0];
+        y[k] = sign * yk_map_row_at(w->map, rows, beside)[w->column];
+        if (y[k] > sign * own) return own;
     }
+    if (is_end) {
+        u[1] = row[0] + ASIDE * (u[is_last ? 0 : 2] - row[0]);
+        y[1] = sign * angle_at(w, leaf, u[1], row);
+        if (!(y[1] > sign * own)) return own;
+    }
+    double best = y[1];
     for (int step = 0; step < 12; step++) {
         double p = (u[1] - u[0]) * (y[1] - y[2]), q = (u[1] - u[2]) * (y[1] - y[0]), under = 2 * (p - q);
         double at = u[1] - ((u[1] - u[0]) * p - (u[1] - u[2]) * q) / under;
         if (!(at > u[0]) || !(at < u[2]) || fabs(at - u[1]) < 1e-9 * w->map->tracer.scale) break;
-        double value = sign * angle_at(w, leaf, at, yk_map_row_at(w->map, rows, r));
+        double value = sign * angle_at(w, leaf, at, row);
         if (!isfinite(value)) break;
         best = fmax(best, value);
         size_t side = at > u[1] ? 2 : 0; // which of the outer ones is on the side of the new one
@@ -61,11 +71,9 @@ static void visit(Walk *w, size_t leaf, YkMapTurn *turn)
     const YkMapRows *rows = &w->map->strand_rows[leaf];
     for (size_t r = 0; r < rows->count; r++) {
         double value = yk_map_row_at(w->map, rows, r)[w->column], low = value, high = value;
-        if (r > 0 && r + 1 < rows->count) {
-            double before = yk_map_row_at(w->map, rows, r - 1)[w->column];
-            double after = yk_map_row_at(w->map, rows, r + 1)[w->column];
-            if (value >= before && value >= after) high = extreme(w, leaf, r, 1);
-            if (value <= before && value <= after) low = extreme(w, leaf, r, -1);
+        if (rows->count > 1) {
+            low = extreme(w, leaf, r, -1);
+            high = extreme(w, leaf, r, 1);
         }
         turn->range.from = fmin(turn->range.from, low + w->shift[leaf]);
         turn->range.to = fmax(turn->range.to, high + w->shift[leaf]);

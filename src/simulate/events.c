@@ -317,7 +317,7 @@ bool yk_simulation_look_dead(YkSimulation *sim)
     double end = yk_ode_time(sim->ode);
     e.way = now > 0 ? 1 : -1;
     double t = locate(&e, yk_ode_previous(sim->ode), e.way * last, end, e.way * now, &ok);
-    double kinetic = ok && visit(sim, t, false) ? yk_dynamics_energy_at(sim->dynamics, sim->state).kinetic : 0;
+    double kinetic = ok ? yk_dynamics_energy_at(sim->dynamics, sim->state).kinetic : 0;
     if (kinetic > 1e-9 * sim->kinetic_high && !is_driven(sim))
         yk_simulation_note(sim, YK_HAPPENING_DEAD_POINT, t, sim->mech->coordinates[sim->first].name, 0);
     return true;

@@ -134,7 +134,7 @@ static void stand_nearest(YkDrag *d, double a, double b, double way)
     double fa = -1, fb = 1, scale = yk_path_scale(path);
     bool known_a = false, known_b = false;
     for (int k = 0; k < 120 && fabs(b - a) > 1e-15 * fmax(scale, fabs(b)); k++) {
-        double x = k % 3 < 2 && known_a && known_b ? b - fb * (b - a) / (fb - fa) : 0.5 * (a + b);
+        double x = k % 3 < 2 && known_a && known_b ? b - fb * (b - a) / (fb - fa) : a;
         if (!((x - a) * (b - x) > 0)) x = 0.5 * (a + b);
         if (x == a || x == b) break;
         bool closes = yk_path_probe(path, x, true) >= 0, is_known = closes && d->state->has_rates;
@@ -176,7 +176,7 @@ static void drag_single(YkDrag *d, YkDragged *e)
     yk_path_probe(&w->path, a, true);
     double way = find_way(d, a, &is_end);
     e->end = is_end ? YK_DRAG_LIMIT : YK_DRAG_NEAREST;
-    if (is_end) e->block = d->block;
+    e->block = d->block; // if it is
     for (int k = 0; k < STEPS_MAX && way != 0 && !yk_state_is_stopped(d->state); k++) {
         yk_drag_begin_walk(d);
         bool arrives = yk_walk_go(w, a, a + way * stride(d));
@@ -184,7 +184,6 @@ static void drag_single(YkDrag *d, YkDragged *e)
         e->pass_count += w->event_count - !arrives;
         size_t stop = yk_drag_meet_stop(d, a, &b);
         e->end = YK_DRAG_NEAREST;
-        e->block = -1;
         if (is_uphill(d, b, way)) {
             size_t passes = w->event_count - !arrives;
             w->event_count = passes;
@@ -193,7 +192,7 @@ static void drag_single(YkDrag *d, YkDragged *e)
         }
         e->end = stop != SIZE_MAX ? YK_DRAG_STOP : !arrives ? YK_DRAG_LIMIT : YK_DRAG_SPENT;
         if (stop != SIZE_MAX) e->coordinate = d->stops[stop].coordinate;
-        if (e->end == YK_DRAG_LIMIT) e->block = w->limit_block;
+        e->block = w->limit_block;
         if (e->end != YK_DRAG_SPENT) break;
         a = b;
     }
@@ -207,6 +206,7 @@ YkStatus yk_state_drag(YkDrag *d, const double target[2], YkDragged *dragged)
     if (!d->state->has_pose || !isfinite(target[0]) || !isfinite(target[1])) return YK_BAD_ARGUMENT;
     d->target = yk_vec(target[0], target[1]);
     yk_drag_widen_stops(d);
+    memcpy(d->walk.path.others, d->state->valid_input, 3 * d->state->mech->input_count * sizeof *d->goal); // its rates
     bool is_own = yk_state_begin(d->state);
     if (d->active_count == 1) drag_single(d, e);
     if (d->active_count > 1) yk_drag_many(d, e);
@@ -214,5 +214,7 @@ YkStatus yk_state_drag(YkDrag *d, const double target[2], YkDragged *dragged)
     e->distance = yk_drag_distance(d);
     if (status == YK_STOPPED) e->end = YK_DRAG_SPENT;
     if (e->distance <= REACHED * d->state->mech->size) e->end = YK_DRAG_REACHED;
+    if (e->end != YK_DRAG_STOP) e->coordinate = -1;
+    if (e->end != YK_DRAG_LIMIT) e->block = -1;
     return status;
 }

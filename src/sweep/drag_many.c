@@ -211,9 +211,10 @@ static bool is_at(const YkDrag *d, const Blocked *b)
 
 static void tell(const YkDrag *d, const Blocked *blocked, YkDragged *e)
 {
-    e->end = blocked->stop != SIZE_MAX ? YK_DRAG_STOP : YK_DRAG_LIMIT;
-    e->coordinate = blocked->stop != SIZE_MAX ? (int)d->stops[blocked->stop].coordinate : -1;
-    e->block = blocked->stop != SIZE_MAX ? -1 : blocked->block;
+    bool is_stop = blocked->stop != SIZE_MAX;
+    e->end = is_stop ? YK_DRAG_STOP : YK_DRAG_LIMIT;
+    if (is_stop) e->coordinate = (int)d->stops[blocked->stop].coordinate;
+    e->block = blocked->block;
 }
 
 void yk_drag_many(YkDrag *d, YkDragged *e)
@@ -258,5 +259,7 @@ void yk_drag_many(YkDrag *d, YkDragged *e)
     }
     e->end = is_settled && held.count == 0 ? YK_DRAG_NEAREST : YK_DRAG_SPENT;
     if (held.count > 0 && is_at(d, &last)) tell(d, &last, e);
+    for (size_t i = 0; i < d->state->mech->input_count; i++) // the motion's own
+        memcpy(d->goal + 3 * i + 1, d->walk.path.others + 3 * i + 1, 2 * sizeof *d->goal);
     yk_path_probe(&d->walk.path, d->walk.path.last, false);
 }

@@ -1,6 +1,5 @@
 // The pose from which a drag goes on: its distance from the target, and the stops that it is beyond.
 #include <math.h>
-#include <string.h>
 #include "loads/point.h"
 #include "sweep/drag_walk.h"
 
@@ -70,7 +69,7 @@ void yk_drag_begin_walk(YkDrag *d)
     for (size_t k = 0; k < w->path.meeting_count; k++) w->path.meetings[k].is_known = false;
     w->has_begun = false;
     YkPath *path = &w->path;
-    memcpy(path->others, d->state->valid_input, 3 * d->state->mech->input_count * sizeof *path->others);
+    for (size_t i = 0; i < d->state->mech->input_count; i++) path->others[3 * i] = d->state->valid_input[3 * i];
     path->last = path->is_line ? 0 : d->state->valid_input[3 * path->input];
     path->way = 0;
     w->from = path->last;

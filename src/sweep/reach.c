@@ -145,10 +145,11 @@ static bool add_ways(YkReach *r)
         const YkTreeCoordinate *q = &own->coordinates[c];
         if (r->rest->freedom != 1 || own->block_count == 0 || q->input != YK_NONE) continue;
         YkProblems *quiet = yk_problems_new();
+        if (!quiet) return false;
         const char *name = q->name;
         YkMechanism *mech =
             yk_mechanism_compile(own->model, &(YkCompileOptions){.inputs = &name, .input_count = 1}, quiet);
-        bool is_told = quiet && yk_problems_error_count(quiet) > 0;
+        bool is_told = yk_problems_error_count(quiet) > 0;
         for (size_t k = 0; is_told && k < yk_problems_count(quiet); k++)
             is_told = yk_problems_get(quiet, k)->code != YK_CODE_OUT_OF_MEMORY;
         yk_problems_free(quiet);

@@ -96,7 +96,7 @@ static void test_solutions_lie_where_they_are_enclosed(void **unused)
         int most = shape->angles == 0 ? 1 : 2;
         size_t counted = 0, narrow = 0, hulls = 0, branches = shape->angles == 0 ? 1 : 2;
         for (size_t trial = 0; trial < check_cases(2000); trial++) {
-            double width = pow(10, check_uniform(&seed, -12, 0));
+            double width = pow(10, check_uniform(&seed, -17, 0));
             YkVec x[2];
             YkBall ball[2][2];
             YkDiscCoefficients c = discs_round(shape, &seed, width, x);

@@ -42,7 +42,18 @@ static double angle_at(double ground, double crank, double distance)
     return fabs(c) <= 1 ? acos(c) : NAN;
 }
 
-// Checks circuits, ranges and limits of a four-bar against the triangle of crank and ground.
+// Checks how far the angle between links p and q turns, which the others, r and s, close: over a circuit it goes
+// through the angles at which their ends are no nearer and no farther than r and s let them.
+static void check_turn(YkMapTurn turn, double p, double q, double r, double s, bool is_grashof)
+{
+    double near = angle_at(p, q, fabs(r - s)), far = angle_at(p, q, r + s);
+    double width = isnan(near) ? 2 * far : 2 * (YK_PI - near); // through 0, or through a half turn
+    if (is_grashof) width = far - near;                        // on one side
+    assert_int_equal(turn.is_full, isnan(near) && isnan(far));
+    CHECK_NEAR(turn.range.to - turn.range.from, turn.is_full ? 2 * YK_PI : width, 1e-7);
+}
+
+// Checks circuits, ranges, turns and limits of a four-bar against the triangles that its diagonals make of it.
 static void check_four_bar(uint64_t *seed)
 {
     double g = check_uniform(seed, 0.5, 3), a = check_uniform(seed, 0.5, 3), b = check_uniform(seed, 0.5, 3),
@@ -77,6 +88,10 @@ static void check_four_bar(uint64_t *seed)
         bool turns = yk_map_turn(map, k, 0).is_full;
         assert_int_equal(turns, is_grashof && (least == a || least == g));
         assert_int_equal(yk_map_turn(map, k, 3).is_full, is_grashof && (least == b || least == c));
+        check_turn(yk_map_turn(map, k, 0), g, a, b, c, is_grashof);
+        check_turn(yk_map_turn(map, k, 1), a, b, c, g, is_grashof);
+        check_turn(yk_map_turn(map, k, 2), g, c, a, b, is_grashof);
+        check_turn(yk_map_turn(map, k, 3), b, c, g, a, is_grashof);
         for (size_t e = 0; e < circuit.events; e++) {
             YkMapEvent event = yk_map_event(map, k, e);
             double off = 10;
@@ -444,6 +459,20 @@ static void test_dead_points_are_limits_of_the_drive(void **unused)
         CHECK_NEAR(fabs(value), fabs(yk_map_event(drive, 0, 0).at), 1e-9);
     }
     assert_int_equal(dead, 2);
+    YkMap *other = map_of(&m); // the drive of the file is theta2
+    assert_int_equal(yk_map_add_drives(other, m.state, m.problems), YK_OK);
+    assert_true(yk_map_is_complete(other));
+    assert_int_equal(yk_map_circuit(other, 0).events, yk_map_circuit(map, 0).events);
+    for (size_t e = 0; e < yk_map_circuit(map, 0).events; e++) {
+        YkMapEvent event = yk_map_event(map, 0, e), same = yk_map_event(other, 0, e);
+        assert_int_equal(same.kind, event.kind);
+        assert_true(same.coordinate == event.coordinate);
+        CHECK_NEAR(same.at, event.at, 1e-9);
+    }
+    assert_int_equal(yk_map_add_drives(other, d.state, m.problems), YK_BAD_ARGUMENT); // of another mechanism
+    assert_int_equal(yk_map_add_drives(other, NULL, m.problems), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_map_add_drives(NULL, m.state, m.problems), YK_BAD_ARGUMENT);
+    yk_map_free(other);
     assert_int_equal(yk_map_add_dead_points(map, map), YK_BAD_ARGUMENT);
     assert_int_equal(yk_map_add_dead_points(NULL, map), YK_BAD_ARGUMENT);
     yk_map_free(map);
@@ -451,6 +480,23 @@ static void test_dead_points_are_limits_of_the_drive(void **unused)
     yk_state_free(d.state);
     yk_mechanism_free(d.mech);
     machine_free(&m);
+}
+
+// A machine that stands at a limit, on either side, is on its circuit there.
+static void test_a_start_at_a_limit_is_on_the_map(void **unused)
+{
+    (void)unused;
+    for (int side = -1; side <= 1; side += 2) {
+        Machine m = open_over("non-grashof", NULL);
+        YkSweep *sweep = machine_sweep(&m, "theta2", 0.5, side * 3, 5, NULL, 0);
+        assert_int_equal(yk_sweep_status(sweep), YK_LIMIT);
+        YkMap *map = map_of(&m);
+        assert_true(yk_map_is_complete(map) && yk_map_circuit(map, 0).contains_start);
+        CHECK_NEAR(yk_map_start(map).at, side * fmax(-yk_map_range(map, 0, 0).from, yk_map_range(map, 0, 0).to), 1e-8);
+        yk_sweep_free(sweep);
+        yk_map_free(map);
+        machine_free(&m);
+    }
 }
 
 static void test_what_cannot_be_mapped_is_refused(void **unused)
@@ -767,6 +813,7 @@ int main(void)
         cmocka_unit_test(test_a_slider_turns_back_at_its_dead_centres),
         cmocka_unit_test(test_a_slider_on_equal_links_has_both_limits),
         cmocka_unit_test(test_dead_points_are_limits_of_the_drive),
+        cmocka_unit_test(test_a_start_at_a_limit_is_on_the_map),
         cmocka_unit_test(test_what_cannot_be_mapped_is_refused),
         cmocka_unit_test(test_a_cam_limits_what_it_moves),
         cmocka_unit_test(test_a_cam_alone_has_one_circuit),

@@ -3,6 +3,7 @@
 #include "interposed.h"
 #include <yoke/map.h>
 #include <yoke/yoke.h>
+#include "base/problems.h"
 
 static void check_each_failure(YkModel *model)
 {
@@ -54,6 +55,41 @@ static void test_each_failure_is_told(void **unused)
     check_each_failure(yk_model_load(YOKE_ROOT "/examples/non-grashof.yaml", NULL, NULL));
     check_each_failure(yk_model_load(YOKE_ROOT "/examples/doubled-guide.yaml", NULL, NULL));
     check_each_failure(yk_model_parse(geared, strlen(geared), "geared", NULL, NULL));
+}
+
+// The same while the dead points of a drive are added: what is told is the want of memory, and nothing else.
+static void test_each_failure_of_dead_points_is_told(void **unused)
+{
+    (void)unused;
+    skip_unless_interposed();
+    YkProblems *problems = yk_problems_new();
+    YkModel *model = yk_model_load(YOKE_ROOT "/examples/non-grashof.yaml", NULL, problems);
+    const char *input = "theta4";
+    YkMechanism *mech = yk_mechanism_compile(model, &(YkCompileOptions){.inputs = &input, .input_count = 1}, problems);
+    YkState *state = yk_state_new(mech);
+    assert_true(state && yk_state_set_time(state, 0, problems) >= 0 && yk_state_assemble(state) >= 0);
+    long blocks = live;
+    bool is_done = false;
+    for (long allowed = 0; !is_done; allowed += 1 + allowed) {
+        YkProblems *told = yk_problems_new();
+        YkMap *map = yk_map_new(state, yk_input_coordinate(mech, 0), told);
+        assert_non_null(map);
+        has_failed = false;
+        countdown = allowed;
+        YkStatus status = yk_map_add_drives(map, state, told);
+        countdown = -1;
+        is_done = !has_failed;
+        assert_true(is_done ? status == YK_OK : status < 0 && yk_problems_error_count(told) > 0);
+        for (size_t k = 0; k < yk_problems_count(told); k++)
+            assert_int_equal(yk_problems_get(told, k)->code, YK_CODE_OUT_OF_MEMORY);
+        yk_map_free(map);
+        yk_problems_free(told);
+        assert_int_equal(live, blocks);
+    }
+    yk_state_free(state);
+    yk_mechanism_free(mech);
+    yk_model_free(model);
+    yk_problems_free(problems);
 }
 
 // The same for a map over two freedoms, here of a machine whose point is carried, and for that machine.
@@ -133,6 +169,7 @@ static void test_every_allocation_of_a_certifier_may_fail(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_each_failure_is_told),
+                                       cmocka_unit_test(test_each_failure_of_dead_points_is_told),
                                        cmocka_unit_test(test_each_failure_of_regions_is_told),
                                        cmocka_unit_test(test_every_allocation_of_a_certifier_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,5 @@
 // Motion through positions where two branches meet, on the branch that momentum takes; and past dead points.
+#include "base/problems.h"
 #include "base/vec.h"
 #include "parallelogram.h"
 #include "run.h"
@@ -421,6 +422,82 @@ static const char *const FIRST = ALONE("1", "0", "2", "60", "2"), *const SECOND 
                                                    "start: {" FOUR_BAR_START("1", "60", "2") ", " FOUR_BAR_START(
                                                        "2", "65", "2.6") ", swing: 0.3}\n";
 
+// What a drive turns beside it, though it comes first in the file, does not change how a linkage moves.
+static void test_a_driven_body_beside_a_linkage_changes_nothing(void **unused)
+{
+    (void)unused;
+    char text[3000];
+    const char *rest = strstr(FIRST, "      O1"), *joints = strstr(FIRST, "joints:\n") + strlen("joints:\n");
+    snprintf(text, sizeof text,
+             "gravity: [0, -9.81]\nbodies:\n  ground:\n    points:\n      W: [5, 5]\n%.*s"
+             "  wheel: {points: {W: [0, 0]}, mass: 1, inertia: 1, center: [0, 0]}\n"
+             "joints:\n  W: {pin: [ground, wheel], angle: turn}\n%sdrives: {turn: 2 rad/s * t}\n",
+             (int)(joints - strlen("joints:\n") - rest), rest, joints);
+    Run beside = run_of_text(text, run_options(1e-11)), alone = run_of_text(FIRST, run_options(1e-11));
+    for (int k = 1; k <= 20; k++) {
+        assert_true(yk_simulation_advance(beside.sim, 0.1 * k) >= 0 && yk_simulation_advance(alone.sim, 0.1 * k) >= 0);
+        CHECK_NEAR(run_value(&beside, "theta1"), run_value(&alone, "theta1"), 1e-7);
+        CHECK_NEAR(run_value(&beside, "psi1"), run_value(&alone, "psi1"), 1e-7);
+        CHECK_NEAR(run_value(&beside, "turn"), 0.2 * k, 1e-12);
+    }
+    assert_true(yk_simulation_summary(beside.sim).recoordinations > 0);
+    run_free(&beside);
+    run_free(&alone);
+}
+
+static size_t projected_rates(const char *text)
+{
+    Run run = run_of_text(text, run_options(1e-9));
+    size_t count = 0;
+    for (size_t k = 0; k < yk_problems_count(run.problems); k++)
+        count += yk_problems_get(run.problems, k)->code == YK_CODE_RATES_PROJECTED;
+    run_free(&run);
+    return count;
+}
+
+// Two rates at the start that fit each other are taken as they are, however slow or fast, and others are not.
+static void test_rates_at_the_start_fit_or_are_told(void **unused)
+{
+    (void)unused;
+    for (double rate = 1e-9; rate < 1e10; rate *= 1e3) {
+        char text[2500], second[64];
+        size_t length = strlen(FIRST) - strlen("2}\n");
+        snprintf(text, sizeof text, "%.*s%.17g}\n", (int)length, FIRST, rate);
+        Run run = run_of_text(text, run_options(1e-9));
+        double psi = run_value(&run, "psi1.rate");
+        run_free(&run);
+        for (int k = 0; k < 2; k++) {
+            snprintf(second, sizeof second, ", psi1.rate: %.17g", (k ? 1.001 : 1) * psi);
+            snprintf(text, sizeof text, "%.*s%.17g%s}\n", (int)length, FIRST, rate, second);
+            assert_int_equal(projected_rates(text), k ? 2 : 0);
+        }
+    }
+}
+
+// A linkage that swings to and fro stands still as a whole at both ends, in no dead point; those that are told lie
+// where coupler and rocker are in line.
+static void test_a_swing_that_turns_back_has_no_dead_point(void **unused)
+{
+    (void)unused;
+    const char *text = ALONE("1", "0", "2", "60", "0");
+    Run run = run_of_text(text, run_options(1e-9)), again = run_of_text(text, run_options(1e-9));
+    size_t stops = 0, dead = 0;
+    for (int k = 1; k <= 400; k++) {
+        double before = run_value(&run, "psi1.rate");
+        assert_int_equal(yk_simulation_advance(run.sim, 0.01 * k), YK_OK);
+        stops += before * run_value(&run, "psi1.rate") < 0;
+    }
+    for (size_t k = 0; k < yk_simulation_happening_count(run.sim); k++) {
+        if (yk_simulation_happening(run.sim, k).kind != YK_HAPPENING_DEAD_POINT) continue;
+        assert_int_equal(yk_simulation_advance(again.sim, yk_simulation_happening(run.sim, k).time), YK_OK);
+        CHECK_NEAR(sin(run_value(&again, "theta1") + run_value(&again, "phi1") - run_value(&again, "psi1")), 0, 1e-6);
+        dead++;
+    }
+    assert_true(stops >= 2 && dead >= 1);
+    run_free(&run);
+    run_free(&again);
+}
+
 static void test_separate_loops_change_their_coordinates_as_each_alone(void **unused)
 {
     (void)unused;
@@ -449,6 +526,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_separate_loops_change_their_coordinates_as_each_alone),
+        cmocka_unit_test(test_a_driven_body_beside_a_linkage_changes_nothing),
+        cmocka_unit_test(test_a_swing_that_turns_back_has_no_dead_point),
+        cmocka_unit_test(test_rates_at_the_start_fit_or_are_told),
         cmocka_unit_test(parallelograms_stay_parallelograms),
         cmocka_unit_test(dead_points_of_a_coordinate_are_passed),
         cmocka_unit_test(change_points_are_told),

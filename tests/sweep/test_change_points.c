@@ -2,10 +2,11 @@
 // fall on the change point.
 #include "solve/four_bar.h"
 
-static const char *const four_bar_names[] = {"coupler.angle", "theta4", "coupler.angle.rate", "theta4.rate",
-                                             "theta4.accel"};
+static const char *const four_bar_names[] = {"coupler.angle",    "theta4",           "coupler.angle.rate",
+                                             "theta4.rate",      "theta4.accel",     "coupler.B.speed",
+                                             "coupler.B.x.rate", "coupler.B.y.rate", "theta2"};
 static const size_t step_counts[] = {1, 2, 3, 4, 5, 7, 8, 11, 12, 24, 36, 72, 100, 360, 720, 1001};
-enum { COUNTS = sizeof step_counts / sizeof step_counts[0], NAMES = 5 };
+enum { COUNTS = sizeof step_counts / sizeof step_counts[0], NAMES = 9 };
 
 static void check_no_nan(const YkSweep *sweep)
 {
@@ -87,6 +88,9 @@ static void check_motion(FourBar f, Motion motion, double start, double to, size
         CHECK_NEAR(off, 0, 1e-7);
         if (yk_sweep_row_status(sweep, row) != YK_SINGULAR)
             CHECK_NEAR(yk_sweep_value(sweep, row, 3), rocker_rate * rate, 1e-6);
+        CHECK_NEAR(yk_sweep_value(sweep, row, 8), yk_sweep_at(sweep, row), 0);
+        double speed = hypot(yk_sweep_value(sweep, row, 6), yk_sweep_value(sweep, row, 7));
+        CHECK_NEAR(yk_sweep_value(sweep, row, 5), speed, 1e-9);
     }
     check_events(sweep, motion, turns);
     // every multiple of pi strictly inside the sweep is told
@@ -325,13 +329,14 @@ static void test_the_effort_of_a_parallelogram_in_line_is_that_of_one_crank(void
     YkDynamics *dynamics = yk_dynamics_new(m.mech, m.problems);
     YkSweepOptions options = yk_default_sweep_options();
     options.coordinate = (int)yk_coordinate_find(m.mech, "th");
-    options.from = -1, options.to = 1, options.steps = 10, options.dynamics = dynamics; // the sixth row is in line
+    options.from = -YK_PI / 2, options.to = 1.5 * YK_PI, options.steps = 8; // the third and the seventh row are in line
+    options.dynamics = dynamics;
     const double rate = 1.5, accel = -2, inertia = 1 + 3 * 0.25 + 2 * 4 + 1 * 1.04;
     yk_state_set_input(m.state, 0, (YkMotion){1, rate, accel});
     YkSweep *sweep = yk_sweep_run(m.state, &options, channels, 2, m.problems);
     assert_true(sweep && yk_sweep_status(sweep) == YK_OK);
-    assert_int_equal(yk_sweep_row_status(sweep, 5), YK_CHANGE_POINT);
-    for (size_t row = 0; row <= 10; row++) {
+    for (size_t row = 2; row <= 6; row += 4) assert_int_equal(yk_sweep_row_status(sweep, row), YK_CHANGE_POINT);
+    for (size_t row = 0; row <= 8; row++) {
         double th = yk_sweep_at(sweep, row), weight = 10 * ((1.5 + 4 + 1) * cos(th) - 0.2 * sin(th));
         CHECK_NEAR(yk_sweep_value(sweep, row, 0), inertia * accel + weight, 1e-6);
         CHECK_NEAR(yk_sweep_value(sweep, row, 1), rate, 1e-8);
@@ -339,6 +344,45 @@ static void test_the_effort_of_a_parallelogram_in_line_is_that_of_one_crank(void
     yk_sweep_free(sweep);
     yk_dynamics_free(dynamics);
     machine_free(&m);
+}
+
+// A piston on the crank of a parallelogram comes to rest just where all links are in line: limits are found there all
+// the same, whatever the size of the machine.
+static void test_a_slide_may_rest_at_a_change_point(void **unused)
+{
+    (void)unused;
+    static const char *const of[] = {"th", "v", "x", "v.rate", "x.rate", "x.accel"};
+    const double tilt = 0.3, rate = 1.5, accel = -2;
+    for (double k = 1e-9; k < 1e10; k *= 1e3) {
+        char text[1600];
+        snprintf(
+            text, sizeof text,
+            "parameters: {k: %.17g, f: %.17g}\nbodies:\n  ground: {points: {O: [0, 0], Q: [4*k*cos(f), 4*k*sin(f)]}}\n"
+            "  crank: {points: {O: [0, 0], A: [2*k, 0]}}\n  coupler: {points: {A: [0, 0], B: [4*k, 0]}}\n"
+            "  rocker: {points: {Q: [0, 0], B: [2*k, 0]}}\n  rod: {points: {A: [0, 0], P: [5*k, 0]}}\n"
+            "  piston: {points: {P: [0, 0]}}\njoints:\n  O: {pin: [ground, crank], angle: th}\n"
+            "  A: {pin: [crank, coupler], angle: u}\n  Q: {pin: [ground, rocker], angle: v}\n"
+            "  B: {pin: [coupler, rocker]}\n  R: {slide: [ground, piston], along: f, from: O, to: P, distance: x}\n"
+            "  C: {pin: [crank, rod], at: A, angle: w}\n  P: {pin: [rod, piston]}\ndrives: {th: 1 + f}\n"
+            "start: {u: -1, v: 1 + f, x: 6*k, w: -1}\n",
+            k, tilt);
+        Machine m = machine_parse(text, true);
+        yk_state_set_input(m.state, 0, (YkMotion){tilt + 1, rate, accel});
+        YkSweep *sweep = machine_sweep(&m, "th", tilt + 1, tilt - 1, 10, of, 6); // the sixth row is in line
+        assert_int_equal(yk_sweep_status(sweep), YK_OK);
+        assert_int_equal(yk_sweep_row_status(sweep, 5), YK_CHANGE_POINT);
+        for (size_t row = 0; row <= 10; row++) {
+            double th = yk_sweep_at(sweep, row), c = 2 * k * cos(th - tilt), s = 2 * k * sin(th - tilt);
+            double r = sqrt(25 * k * k - s * s), bend = -c - (c * c - s * s) / r - s * s * c * c / (r * r * r);
+            CHECK_NEAR(yk_sweep_value(sweep, row, 1), th, 1e-7);
+            CHECK_NEAR(yk_sweep_value(sweep, row, 2), c + r, 1e-11 * k);
+            CHECK_NEAR(yk_sweep_value(sweep, row, 3), rate, 1e-7);
+            CHECK_NEAR(yk_sweep_value(sweep, row, 4), -s * (1 + c / r) * rate, 1e-7 * k);
+            CHECK_NEAR(yk_sweep_value(sweep, row, 5), bend * rate * rate - s * (1 + c / r) * accel, 1e-6 * k);
+        }
+        yk_sweep_free(sweep);
+        machine_free(&m);
+    }
 }
 
 int main(void)
@@ -355,6 +399,7 @@ int main(void)
         cmocka_unit_test(test_three_cranks_in_line_tell_where_they_pass),
         cmocka_unit_test(test_wheels_with_a_side_rod_start_in_line),
         cmocka_unit_test(test_a_creep_within_rounding_of_a_change_point_is_told),
+        cmocka_unit_test(test_a_slide_may_rest_at_a_change_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

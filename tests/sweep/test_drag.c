@@ -82,6 +82,25 @@ static void check_end(Machine *m, size_t body, const double place[2], const doub
     if (end->end == YK_DRAG_LIMIT) assert_int_equal(closed, 1);
 }
 
+// The inputs keep the rates that they had, 0.7 and -0.3, and so everything moves as if it were solved there.
+static void check_own_rates(Machine *m, size_t inputs)
+{
+    YkState *s = yk_state_new(m->mech);
+    yk_state_copy(s, m->state);
+    for (size_t i = 0; i < inputs; i++) {
+        YkMotion q = yk_state_input(m->state, i);
+        CHECK_NEAR(q.velocity, 0.7, 0);
+        CHECK_NEAR(q.acceleration, -0.3, 0);
+        yk_state_set_input(s, i, q);
+    }
+    bool is_there = yk_state_solve(s) == YK_OK && yk_state_has_rates(m->state);
+    for (size_t c = 0; is_there && c < yk_coordinate_count(m->mech); c++) {
+        double rate = yk_state_coordinate(s, c).velocity;
+        CHECK_NEAR(yk_state_coordinate(m->state, c).velocity, rate, 1e-9 * (1 + fabs(rate)));
+    }
+    yk_state_free(s);
+}
+
 static void check_single(Machine *m, size_t body, uint64_t *seed, size_t *limits, size_t *inner)
 {
     double place[2], target[2], step = 2 * YK_PI / 20000;
@@ -94,7 +113,9 @@ static void check_single(Machine *m, size_t body, uint64_t *seed, size_t *limits
     double up = by_sweep(m, body, place, target, 1, &ends_up), down = by_sweep(m, body, place, target, -1, &ends_down);
     YkDrag *drag = yk_drag_new(m->state, body, place, NULL);
     YkDragged end;
+    machine_solve(m, from, 0.7, -0.3);
     assert_int_equal(yk_state_drag(drag, target, &end), YK_OK);
+    check_own_rates(m, 1);
     double here = yk_state_input(m->state, 0).position, now = distance_of(m->state, body, place, target);
     double want = up != from ? up : down;
     CHECK_NEAR(now, end.distance, 1e-12);
@@ -104,7 +125,8 @@ static void check_single(Machine *m, size_t body, uint64_t *seed, size_t *limits
     if (end.end != YK_DRAG_REACHED) check_end(m, body, place, target, &end);
     *limits += end.end == YK_DRAG_LIMIT;
     *inner += end.end == YK_DRAG_NEAREST;
-    if (end.end == YK_DRAG_LIMIT) assert_int_equal(end.block, 0);
+    assert_int_equal(end.block, end.end == YK_DRAG_LIMIT ? 0 : -1);
+    assert_int_equal(end.coordinate, -1);
     // On from there, again: it stays. Back to where it was: it goes, as far as there is no other minimum on the way.
     assert_int_equal(yk_state_drag(drag, target, NULL), YK_OK);
     CHECK_NEAR(distance_of(m->state, body, place, target), now, 1e-9);
@@ -156,6 +178,9 @@ static void a_point_on_a_circle_turns_towards_the_target(void **unused)
     double place[2] = {1, 0}, back[2] = {-2, 0}, on[2] = {0, 1};
     YkDrag *drag = yk_drag_new(m.state, 1, place, NULL);
     YkDragged end;
+    assert_int_equal(yk_state_drag(drag, (double[]){2, 0}, &end), YK_OK); // it is as near as it comes
+    assert_int_equal(end.end, YK_DRAG_NEAREST);
+    CHECK_NEAR(yk_state_coordinate(m.state, 0).position, 0, 0);
     assert_int_equal(yk_state_drag(drag, back, &end), YK_OK); // exactly behind: either way will do
     CHECK_NEAR(end.distance, 1, 1e-12);
     assert_int_equal(yk_state_drag(drag, on, &end), YK_OK);
@@ -186,6 +211,7 @@ static void a_stop_ends_the_drag(void **unused)
         assert_int_equal(yk_state_drag(drag, far, &end), YK_OK);
         assert_int_equal(end.end, YK_DRAG_STOP);
         assert_int_equal(end.coordinate, yk_coordinate_find(m.mech, "d"));
+        assert_int_equal(end.block, -1);
         CHECK_NEAR(machine_ask(&m, "d"), 0.28, 1e-10);
         if (k == 0) continue;
         assert_int_equal(yk_state_drag(drag, near, &end), YK_OK); // and back
@@ -227,11 +253,15 @@ static void check_many(Machine *m, size_t body, const double place[2], const dou
     YkDrag *drag = yk_drag_new(m->state, body, place, NULL);
     YkDragged end;
     double before = distance_of(m->state, body, place, target);
+    for (size_t i = 0; i < 2; i++)
+        yk_state_set_input(m->state, i, (YkMotion){yk_state_input(m->state, i).position, 0.7, -0.3});
+    yk_state_solve(m->state);
     for (int k = 0; k == 0 || (end.end == YK_DRAG_SPENT && k < 4); k++) {
         assert_int_equal(yk_state_drag(drag, target, &end), YK_OK);
         assert_true(end.distance <= before + 1e-3); // it stands a hair inside of a limit
         before = end.distance;
     }
+    check_own_rates(m, 2);
     ends[end.end]++;
     CHECK_NEAR(distance_of(m->state, body, place, target), end.distance, 1e-9);
     if (end.end == YK_DRAG_LIMIT) assert_true(yk_state_transmission(m->state, (size_t)end.block) < 0.3);

@@ -79,6 +79,13 @@ static void check_table(size_t count, double size, uint64_t *seed, size_t *reach
         CHECK_NEAR(end.distance, least, 1e-7 * size);
         assert_int_equal(end.end, least > 1e-9 * size ? YK_DRAG_STOP : YK_DRAG_REACHED);
         *reached += end.end == YK_DRAG_REACHED;
+        assert_int_equal(end.block, -1);
+        assert_true((end.coordinate >= 0) == (end.end == YK_DRAG_STOP));
+        if (end.end != YK_DRAG_STOP) continue;
+        double d = yk_state_coordinate(m.state, (size_t)end.coordinate).position;
+        const char *name = yk_coordinate_info(m.mech, (size_t)end.coordinate).name;
+        size_t slide = (size_t)(name[1] - '0');
+        assert_true(fmin(fabs(d - t.low[slide]), fabs(d - t.high[slide])) < 1e-3 * size);
     }
     yk_drag_free(drag);
     machine_free(&m);
@@ -90,7 +97,8 @@ static void carriages_come_as_near_as_their_stops_let_them(void **unused)
     uint64_t seed = 41;
     size_t reached = 0;
     for (uint64_t k = 0; k < check_cases(100); k++)
-        for (size_t count = 2; count <= MOST; count++) check_table(count, k % 2 ? 1 : 1e-3, &seed, &reached);
+        for (size_t count = 2; count <= MOST; count++)
+            check_table(count, pow(1e-6, (double)(k % 3) - 1), &seed, &reached);
     assert_true(reached > check_cases(100));
 }
 

@@ -3,6 +3,7 @@
 #include <yoke/move.h>
 #include <yoke/sweep.h>
 #include "../survive.h"
+#include "rest/rest.h"
 #include "solve/machine.h"
 
 typedef struct Task {
@@ -84,9 +85,27 @@ static void moves_survive(void **unused)
     }
 }
 
+static bool reach(void *context)
+{
+    return yk_rest_reach(context) == YK_OK;
+}
+
+static void searches_for_what_is_reached_survive(void **unused)
+{
+    (void)unused;
+    skip_unless_interposed();
+    Machine m = machine_load("spring-slider-crank");
+    YkRest *rest = yk_rest_find(m.model, NULL, m.problems);
+    assert_non_null(rest);
+    survive(reach, rest, "reach");
+    yk_rest_free(rest);
+    machine_free(&m);
+}
+
 int main(void)
 {
     start_counting();
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sweeps_survive), cmocka_unit_test(moves_survive)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sweeps_survive), cmocka_unit_test(moves_survive),
+                                       cmocka_unit_test(searches_for_what_is_reached_survive)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -285,6 +285,44 @@ static void test_another_input_makes_room(void **unused)
     machine_free(&m);
 }
 
+// While one of two inputs is held, with rates of its own, time moves the other alone, as its drive says; and so it does
+// in a sweep.
+static void test_time_moves_what_is_not_held(void **unused)
+{
+    (void)unused;
+    char text[2000];
+    snprintf(text, sizeof text,
+             "%sdrives: {alpha: '90 deg + 10 deg * sin(2*t/(1 s))', delta: '90 deg + 20 deg * sin(3*t/(1 s))'}\n",
+             five_bar);
+    for (size_t input = 0; input < 2; input++) {
+        static const char *const of[] = {"alpha", "delta", "beta", "epsilon"};
+        Machine m = machine_parse(text, true), still = machine_parse(five_bar, true);
+        YkInputHold holds[] = {{input, 0, 1.65}, {input, 1, 0.4}, {input, 2, -0.3}};
+        assert_int_equal(yk_state_reach(m.state, holds, 3, 0, NULL, NULL, m.problems), YK_OK);
+        YkSweep *sweep = machine_sweep(&m, NULL, 0, 1.5, 7, of, 4);
+        assert_int_equal(yk_sweep_status(sweep), YK_OK);
+        for (int k = 0; k <= 7; k++) {
+            double t = 1.5 * k / 7, law = input ? 10 * sin(2 * t) : 20 * sin(3 * t), moved = (90 + law) * YK_PI / 180;
+            YkMotion goal[2] = {{1.65, 0, 0}, {1.65, 0, 0}};
+            goal[1 - input].position = moved;
+            assert_int_equal(yk_state_move_to(still.state, goal, NULL, NULL), YK_OK);
+            assert_int_equal(yk_state_move_time(m.state, t, NULL, NULL, m.problems), YK_OK);
+            for (size_t c = 0; c < 4; c++) {
+                CHECK_NEAR(machine_ask(&m, of[c]), machine_ask(&still, of[c]), 1e-12);
+                CHECK_NEAR(yk_sweep_value(sweep, (size_t)k, c), machine_ask(&still, of[c]), 1e-12);
+            }
+            YkMotion held = yk_state_input(m.state, input), free = yk_state_input(m.state, 1 - input);
+            CHECK_NEAR(held.position, 1.65, 0);
+            CHECK_NEAR(held.velocity, 0.4, 0);
+            CHECK_NEAR(held.acceleration, -0.3, 0);
+            CHECK_NEAR(free.velocity, (input ? 20 * cos(2 * t) : 60 * cos(3 * t)) * YK_PI / 180, 1e-12);
+        }
+        yk_sweep_free(sweep);
+        machine_free(&m);
+        machine_free(&still);
+    }
+}
+
 // Nothing closes where both pins stand outwards, 5 apart: no way round comes there, and the state stands where the
 // straight way ended.
 static void test_a_pose_where_nothing_closes_is_out_of_reach(void **unused)
@@ -453,6 +491,30 @@ static void test_parts_of_a_way_over_time(void **unused)
     }
 }
 
+// Over time, from a time that is not 0: a parallelogram passes its change points where its crank does.
+static void test_passes_over_time_are_told_by_their_parts(void **unused)
+{
+    (void)unused;
+    Machine m = machine_parse("bodies:\n  ground: {points: {O: [0, 0], Q: [4, 0]}}\n"
+                              "  crank: {points: {O: [0, 0], A: [2, 0]}}\n  rod: {points: {A: [0, 0], B: [4, 0]}}\n"
+                              "  rocker: {points: {Q: [0, 0], B: [2, 0]}}\njoints:\n"
+                              "  O: {pin: [ground, crank], angle: th}\n  A: {pin: [crank, rod], angle: u}\n"
+                              "  Q: {pin: [ground, rocker], angle: v}\n  B: {pin: [rod, rocker]}\n"
+                              "drives: {th: '1 rad + 0.1 rad * (t/(1 s))^2'}\nstart: {u: -1, v: 1}\n",
+                              true);
+    for (double from = 1; from < 3; from += 0.5) {
+        YkMove move;
+        const double to = 8;
+        assert_int_equal(yk_state_move_time(m.state, from, NULL, NULL, m.problems), YK_OK);
+        assert_int_equal(yk_state_move_time(m.state, to, NULL, &move, m.problems), YK_OK);
+        assert_int_equal(move.pass_count, 2);
+        for (int k = 1; k <= 2; k++)
+            CHECK_NEAR(move.passes[k - 1].part, (sqrt((k * YK_PI - 1) / 0.1) - from) / (to - from), 1e-8);
+        CHECK_NEAR(machine_ask(&m, "v"), 1 + 0.1 * to * to, 1e-6);
+    }
+    machine_free(&m);
+}
+
 static bool stop_half_way(void *context, double part)
 {
     (void)context;
@@ -507,6 +569,12 @@ static void test_a_move_can_be_stopped(void **unused)
     assert_int_equal(yk_state_move_to(m.state, &goal, NULL, NULL), YK_BAD_ARGUMENT);
     YkState *none = yk_state_new(m.mech);
     assert_int_equal(move_one(none, 0, 1, NULL), YK_BAD_ARGUMENT); // it has no pose
+    assert_int_equal(yk_state_move_time(none, 1, NULL, NULL, m.problems), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_state_move_time(m.state, NAN, NULL, NULL, m.problems), YK_BAD_ARGUMENT);
+    options.turn_max = 0;
+    goal.position = from;
+    assert_int_equal(yk_state_move_to(m.state, &goal, &options, NULL), YK_BAD_ARGUMENT);
+    assert_int_equal(yk_state_move_time(m.state, 1, &options, NULL, m.problems), YK_BAD_ARGUMENT);
     yk_state_free(none);
     machine_free(&m);
 }
@@ -583,6 +651,7 @@ int main(void)
         cmocka_unit_test(test_many_turns_cost_one),
         cmocka_unit_test(test_time_counts_turns),
         cmocka_unit_test(test_another_input_makes_room),
+        cmocka_unit_test(test_time_moves_what_is_not_held),
         cmocka_unit_test(test_a_pose_where_nothing_closes_is_out_of_reach),
         cmocka_unit_test(test_a_parallelogram_passes_its_change_points),
         cmocka_unit_test(test_change_points_of_turns_that_are_left_out_are_counted),
@@ -592,6 +661,7 @@ int main(void)
         cmocka_unit_test(test_a_way_that_is_too_long_tells_nothing_of_an_earlier_failure),
         cmocka_unit_test(test_parts_of_a_way_over_time),
         cmocka_unit_test(test_a_move_can_be_stopped),
+        cmocka_unit_test(test_passes_over_time_are_told_by_their_parts),
         cmocka_unit_test(test_no_example_jumps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -59,12 +59,18 @@ static void a_crank_rocker_stays_on_its_circuit(void **unused)
 static void a_triple_rocker_reaches_all(void **unused)
 {
     (void)unused;
-    YkModel *model;
-    YkRest *rest = rest_of(FOUR_BAR(1, 0.7, 0.8, 0.75) "start: {q: 1, c: 0, r: 1.5}\n", &model);
-    assert_true(yk_rest_count(rest) >= 2);
-    for (size_t i = 0; i < yk_rest_count(rest); i++) assert_true(yk_rest_equilibrium(rest, i).is_reachable);
-    yk_rest_free(rest);
-    yk_model_free(model);
+    static const char *const starts[] = {"start: {q: 1, c: 0, r: 1.5}\n", "start: {q: -1, c: 0, r: -1.5}\n",
+                                         "start: {q: 1, c: -2, r: -1.5}\n"};
+    for (int k = 0; k < 3; k++) {
+        char text[1200];
+        snprintf(text, sizeof text, FOUR_BAR(1, 0.7, 0.8, 0.75) "%s", starts[k]);
+        YkModel *model;
+        YkRest *rest = rest_of(text, &model);
+        assert_true(yk_rest_count(rest) >= 2);
+        for (size_t i = 0; i < yk_rest_count(rest); i++) assert_true(yk_rest_equilibrium(rest, i).is_reachable);
+        yk_rest_free(rest);
+        yk_model_free(model);
+    }
 }
 
 // The slider of a slider-crank whose rod is longer than its crank stays on its side of the crank's pin.

@@ -1,4 +1,5 @@
-// The examples in other units (tests/similar.h): sweeps, moves and ranges are similar, with all of their events.
+// The examples in other units (tests/similar.h): sweeps, moves, ranges and drags are similar, with all of their events.
+#include <yoke/drag.h>
 #include "../similar.h"
 
 // The first for sweeps over time: there a drive that is slower than 1 rad/s decides by the second how near is near
@@ -40,7 +41,18 @@ static size_t choose_channels(const Similar *a, YkChannel *channels, size_t most
     return count;
 }
 
-static void check_sweep(Similar *a, Similar *b, int coordinate, double from, double to, size_t steps)
+// Returns where the first change point lies, to rounding; NaN if the sweep has passed none.
+static double change_point(const YkSweep *sweep)
+{
+    for (size_t k = 0; k < yk_sweep_event_count(sweep); k++) {
+        double at = yk_sweep_event(sweep, k).at, exact = YK_PI * rint(at / YK_PI); // where all links are in line
+        if (yk_sweep_event(sweep, k).kind == YK_EVENT_CHANGE_POINT) return fabs(at - exact) < 1e-7 ? exact : at;
+    }
+    return NAN;
+}
+
+// Returns where it has passed a change point.
+static double check_sweep(Similar *a, Similar *b, int coordinate, double from, double to, size_t steps)
 {
     enum { MOST = 24 };
     YkChannel channels[MOST];
@@ -71,8 +83,10 @@ static void check_sweep(Similar *a, Similar *b, int coordinate, double from, dou
     similar_check(yk_sweep_worst_residual(one), yk_sweep_worst_residual(two), YK_QUANTITY_NUMBER, a->file,
                   "worst residual");
     similar_check_state(a, b);
+    double passed = change_point(one);
     yk_sweep_free(one);
     yk_sweep_free(two);
+    return passed;
 }
 
 static void check_ranges(const Similar *a, const Similar *b, size_t coordinate)
@@ -87,8 +101,8 @@ static void check_ranges(const Similar *a, const Similar *b, size_t coordinate)
     }
 }
 
-// Moves all inputs by this angle, or part of the size.
-static void check_move(Similar *a, Similar *b, double by)
+// Moves all inputs by this angle, or part of the size; or the first one to a place.
+static void check_move(Similar *a, Similar *b, double by, double place)
 {
     YkMotion goal[2][16];
     size_t count = yk_input_count(a->mech);
@@ -97,6 +111,7 @@ static void check_move(Similar *a, Similar *b, double by)
         bool is_distance = yk_coordinate_info(a->mech, yk_input_coordinate(a->mech, k)).is_distance;
         goal[0][k] = yk_state_input(a->state, k);
         goal[0][k].position += by * (is_distance ? 0.3 * yk_mechanism_size(a->mech) : 1);
+        if (k == 0 && isfinite(place)) goal[0][k].position = place;
         goal[1][k] = similar_motion(goal[0][k], is_distance);
     }
     YkMove one, two;
@@ -111,6 +126,30 @@ static void check_move(Similar *a, Similar *b, double by)
     similar_check_state(a, b);
 }
 
+// Drags a point of the last body towards a place beside it.
+static void check_drag(Similar *a, Similar *b)
+{
+    size_t body = yk_model_body_count(a->model) - 1;
+    double size = yk_mechanism_size(a->mech);
+    double place[2][2] = {{0.1 * size, -0.2 * size}}, target[2][2] = {{0.3 * size, 0.4 * size}};
+    for (int k = 0; k < 2; k++) {
+        place[1][k] = similar_to(place[0][k], YK_QUANTITY_LENGTH);
+        target[1][k] = similar_to(target[0][k], YK_QUANTITY_LENGTH);
+    }
+    YkDrag *one = yk_drag_new(a->state, body, place[0], NULL), *two = yk_drag_new(b->state, body, place[1], NULL);
+    YkDragged p, q;
+    assert_true(one && two);
+    SIMILAR_EQUAL(a->file, yk_state_drag(one, target[0], &p), yk_state_drag(two, target[1], &q));
+    SIMILAR_EQUAL(a->file, p.end, q.end);
+    SIMILAR_EQUAL(a->file, p.block, q.block);
+    SIMILAR_EQUAL(a->file, p.coordinate, q.coordinate);
+    SIMILAR_EQUAL(a->file, p.pass_count, q.pass_count);
+    similar_check(p.distance, q.distance, YK_QUANTITY_LENGTH, a->file, "distance of a drag");
+    similar_check_state(a, b);
+    yk_drag_free(one);
+    yk_drag_free(two);
+}
+
 static void check_input(Similar *a, Similar *b)
 {
     if (yk_input_count(a->mech) == 0) return;
@@ -118,11 +157,16 @@ static void check_input(Similar *a, Similar *b)
     bool is_distance = yk_coordinate_info(a->mech, coordinate).is_distance;
     double from = yk_state_coordinate(a->state, coordinate).position,
            far = is_distance ? 0.8 * yk_mechanism_size(a->mech) : 2 * YK_PI;
-    check_sweep(a, b, (int)coordinate, from, from + far, 7);
+    double passed = check_sweep(a, b, (int)coordinate, from, from + far, 7);
     check_sweep(a, b, (int)coordinate, from + far / 3, from - 0.2 * far, 3);
     check_ranges(a, b, coordinate);
-    check_move(a, b, 0.4);
-    check_move(a, b, -1.1);
+    check_move(a, b, 0.4, NAN);
+    check_move(a, b, -1.1, NAN);
+    if (isfinite(passed)) { // rows, and moves, that end just there
+        check_sweep(a, b, (int)coordinate, passed + 0.25, passed - 0.25, 2);
+        check_move(a, b, 0, passed);
+    }
+    check_drag(a, b);
 }
 
 static void check_pair(Similar *a, Similar *b, size_t k)

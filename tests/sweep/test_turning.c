@@ -143,6 +143,9 @@ static void sweeps_go_on_through_dead_points(void **unused)
             for (size_t j = 0; j < 3; j++) passes += drives[n].passes[j] >= low && drives[n].passes[j] <= high;
             if (passes > 0 || !drives[n].has_dead_points)
                 assert_int_equal(count_events(sweep, YK_EVENT_CHANGE_POINT), passes);
+            for (size_t e = 0; e < yk_sweep_event_count(sweep); e++)
+                if (yk_sweep_event(sweep, e).kind == YK_EVENT_CHANGE_POINT && passes > 0)
+                    assert_true(yk_sweep_event(sweep, e).is_turned);
             yk_sweep_free(sweep);
             yk_dynamics_free(dynamics);
             machine_free(&m);

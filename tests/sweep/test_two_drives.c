@@ -268,6 +268,18 @@ static void test_no_excursion_is_missed(void **unused)
     check_excursions(getenv("YOKE_FULL") ? 70 : check_cases(2));
 }
 
+static void test_both_inputs_move_to_and_fro(void **unused)
+{
+    (void)unused;
+    has_group = false;
+    for (uint64_t k = 1; k <= check_cases(30); k++) {
+        uint64_t seed = 77 * k;
+        Linkage l = random_linkage(&seed);
+        move_to_and_fro(&l, &seed);
+    }
+    assert_int_equal(wrong, 0);
+}
+
 static void test_no_excursion_is_missed_beside_a_group(void **unused)
 {
     (void)unused;
@@ -277,7 +289,8 @@ static void test_no_excursion_is_missed_beside_a_group(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_excursion_is_missed),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_both_inputs_move_to_and_fro),
+                                       cmocka_unit_test(test_no_excursion_is_missed),
                                        cmocka_unit_test(test_no_excursion_is_missed_beside_a_group)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,11 +14,12 @@ static size_t choose_channels(const Machine *m, YkChannel *channels)
     return count;
 }
 
-static YkSweep *sweep(const Machine *m, size_t coordinate, double from, double to, size_t steps)
+// Sweeps over a coordinate, or over time (-1).
+static YkSweep *sweep(const Machine *m, int coordinate, double from, double to, size_t steps)
 {
     YkChannel channels[CHANNELS];
     YkSweepOptions o = yk_default_sweep_options();
-    o.coordinate = (int)coordinate;
+    o.coordinate = coordinate;
     o.from = from;
     o.to = to;
     o.steps = steps;
@@ -59,7 +60,7 @@ static size_t events_inside(YkSweep *s, YkEventKind kind, double low, double hig
 }
 
 // Every event of one has its like in the other, or, if it lies at an end of a part, in neither.
-static void check_events(YkSweep *one, YkSweep *two, double low, double high, const char *file)
+static void check_events(YkSweep *one, YkSweep *two, double low, double high, bool may_rest, const char *file)
 {
     double rim = 1e-5 * (high - low);
     for (size_t k = 0; k < yk_sweep_event_count(one); k++) {
@@ -68,6 +69,9 @@ static void check_events(YkSweep *one, YkSweep *two, double low, double high, co
         for (size_t i = 0; i < yk_sweep_event_count(two); i++) {
             YkEvent f = yk_sweep_event(two, i);
             bool is_like = f.kind == e.kind && f.block == e.block && f.channel == e.channel;
+            if (may_rest && is_like && e.kind == YK_EVENT_EXTREME && f.is_maximum == e.is_maximum &&
+                fabs(f.value - e.value) <= 1e-9 * (1 + fabs(e.value)))
+                f.at = e.at; // a drive that rests at its extreme begins to at one end, coming from either side
             if (is_like && !(fabs(nearest.at - e.at) < fabs(f.at - e.at) && nearest.kind == e.kind && nearest.at != 0))
                 nearest = f;
         }
@@ -80,7 +84,7 @@ static void check_events(YkSweep *one, YkSweep *two, double low, double high, co
 }
 
 // Returns whether the whole range was gone through.
-static bool check_range(const char *file, Machine *m, size_t coordinate, double from, double to)
+static bool check_range(const char *file, Machine *m, int coordinate, double from, double to)
 {
     YkSweep *whole = sweep(m, coordinate, from, to, 2 * STEPS);
     bool is_whole = yk_sweep_status(whole) == YK_OK;
@@ -96,10 +100,10 @@ static bool check_range(const char *file, Machine *m, size_t coordinate, double 
             check_row(m, whole, STEPS + k, last, k, file);
         }
         for (size_t k = 0; k <= 2 * STEPS; k++) check_row(m, whole, k, back, 2 * STEPS - k, file);
-        check_events(whole, back, low, high, file);
-        check_events(back, whole, low, high, file);
-        check_events(first, whole, fmin(from, middle), fmax(from, middle), file);
-        check_events(last, whole, fmin(middle, to), fmax(middle, to), file);
+        check_events(whole, back, low, high, coordinate < 0, file);
+        check_events(back, whole, low, high, coordinate < 0, file);
+        check_events(first, whole, fmin(from, middle), fmax(from, middle), coordinate < 0, file);
+        check_events(last, whole, fmin(middle, to), fmax(middle, to), coordinate < 0, file);
         double rim = 1e-5 * (high - low);
         for (int kind = YK_EVENT_LIMIT; kind <= YK_EVENT_EXTREME; kind++) {
             size_t due = events_inside(whole, (YkEventKind)kind, low + rim, high - rim);
@@ -111,6 +115,18 @@ static bool check_range(const char *file, Machine *m, size_t coordinate, double 
     }
     yk_sweep_free(whole);
     return is_whole;
+}
+
+// Returns the rate of the fastest input at the start: rad/s, or machine sizes per second.
+static double fastest(const Machine *m)
+{
+    double most = 0;
+    for (size_t k = 0; k < yk_input_count(m->mech); k++) {
+        bool is_distance = yk_coordinate_info(m->mech, yk_input_coordinate(m->mech, k)).is_distance;
+        double rate = fabs(yk_state_input(m->state, k).velocity);
+        most = fmax(most, is_distance ? rate / yk_mechanism_size(m->mech) : rate);
+    }
+    return most;
 }
 
 static size_t check_file(const char *path, size_t number)
@@ -126,8 +142,9 @@ static size_t check_file(const char *path, size_t number)
         size_t coordinate = yk_input_coordinate(m.mech, 0);
         double here = yk_state_coordinate(m.state, coordinate).position;
         double far = yk_coordinate_info(m.mech, coordinate).is_distance ? 0.2 * yk_mechanism_size(m.mech) : 1.9;
-        gone += check_range(name, &m, coordinate, here, here + far);
-        gone += check_range(name, &m, coordinate, here, here - 0.3 * far);
+        gone += check_range(name, &m, (int)coordinate, here, here + far);
+        gone += check_range(name, &m, (int)coordinate, here, here - 0.3 * far);
+        if (fastest(&m) > 0) gone += check_range(name, &m, -1, 0, 2.9 / fastest(&m));
     }
     machine_free(&m);
     return gone;
