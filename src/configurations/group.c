@@ -7,7 +7,6 @@
 #include "configurations/count.h"
 #include "configurations/eliminate.h"
 #include "configurations/follow.h"
-#include "num/complex.h"
 
 enum { N_MAX = 2 * YK_SYSTEM_LOOPS_MAX, DETOURS = 3, COEFFICIENTS_MAX = 2 * YK_SYSTEM_LOOPS_MAX * (N_MAX + 1) };
 

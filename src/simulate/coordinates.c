@@ -2,7 +2,6 @@
 // dead point.
 #include <stdlib.h>
 #include <string.h>
-#include "base/problems.h"
 #include "simulate/simulation.h"
 
 static size_t driven_count(const YkDynamics *d)

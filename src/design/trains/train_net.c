@@ -1,5 +1,4 @@
 // The equations of a train: which bodies belong to it, what teeth and radii are called, one row for each mesh.
-#include <stdlib.h>
 #include <string.h>
 #include "design/trains/train.h"
 

@@ -1,8 +1,6 @@
 // `yoke map` for people.
 #include <math.h>
-#include "session.h"
 #include "verbs/map/map.h"
-#include "write/amount.h"
 #include "write/table.h"
 
 enum { EVENT_DIGITS = 12 };

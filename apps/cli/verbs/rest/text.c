@@ -1,6 +1,5 @@
 // `yoke rest` for people.
 #include <math.h>
-#include "session.h"
 #include "verbs/rest/rest.h"
 #include "write/table.h"
 

@@ -1,5 +1,4 @@
 // yoke solve --centers: the instant centres of a configuration.
-#include "session.h"
 #include "verbs/solve/solve.h"
 #include "write/table.h"
 

@@ -1,7 +1,6 @@
 // Writes forces of a configuration: reactions, efforts, energy, balances, the count of equations.
 #include <math.h>
 #include "elementary/elementary.h"
-#include "session.h"
 #include "verbs/solve/solve.h"
 #include "write/amount.h"
 #include "write/csv.h"

@@ -2,9 +2,7 @@
 // true value of a body that takes no part in it, or of a row far from the pose where rates grow without bound.
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include "elementary/elementary.h"
-#include "session.h"
 #include "verbs/sweep/sweep.h"
 
 // Returns the least sine of a transmission angle: near a change point or a dead point it is small.
