@@ -37,9 +37,7 @@ void yk_force_polygon_text(YkSession *session)
     yk_text_puts(&session->out, "\nForce polygons\n");
     for (size_t k = 0; k < yk_force_polygons_step_count(p); k++)
         yk_text_format(&session->out, "  %z. %s\n", k + 1, yk_force_polygons_step(p, k));
-    yk_text_puts(&session->out, "\n");
-    yk_table_write(table, 2, &session->out);
-    yk_table_free(table);
+    yk_table_show(table, NULL, &session->out);
     yk_force_polygons_free(p);
 }
 

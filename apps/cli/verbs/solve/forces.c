@@ -150,15 +150,6 @@ void yk_forces_json(YkSession *session, YkJson *json)
 
 // --- text
 
-static void write_table(YkSession *session, YkTable *table, bool has_rows)
-{
-    if (has_rows) {
-        yk_text_puts(&session->out, "\n");
-        yk_table_write(table, 2, &session->out);
-    }
-    yk_table_free(table);
-}
-
 static void add_reaction_table(YkSession *session)
 {
     size_t joints = yk_model_joint_count(session->model), contacts = yk_dynamics_contact_count(session->dynamics);
@@ -190,7 +181,7 @@ static void add_reaction_table(YkSession *session)
         yk_table_number(table, yk_shown(session, r.moment, YK_QUANTITY_TORQUE), YK_DIGITS);
     }
     yk_text_free(&words);
-    write_table(session, table, joints > 0);
+    yk_table_show(table, NULL, &session->out);
 }
 
 static void add_range(YkSession *session, YkTable *table, YkEffortRange range, YkQuantity quantity)
@@ -210,7 +201,6 @@ static void add_effort_table(YkSession *session, bool is_distance)
 {
     YkQuantity quantity = is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE;
     YkTable *table = yk_table_new(2);
-    size_t count = 0;
     yk_table_head(table, is_distance ? "force along" : "torque along", NULL);
     yk_table_head(table, "", yk_unit_of(session, quantity));
     for (size_t c = 0; c < yk_coordinate_count(session->mech); c++) {
@@ -223,9 +213,8 @@ static void add_effort_table(YkSession *session, bool is_distance)
             yk_table_number(table, yk_shown(session, range.low, quantity), YK_DIGITS);
         else
             add_range(session, table, range, quantity);
-        count++;
     }
-    write_table(session, table, count > 0);
+    yk_table_show(table, NULL, &session->out);
 }
 
 static void explain_ranges(YkSession *session)
