@@ -169,9 +169,7 @@ static void write_json(const Reach *r)
     yk_json_list(&json, "way", YK_JSON_LINES);
     for (size_t k = 0; k < r->way_count; k++) {
         const double *row = r->rows + k * yk_coordinate_count(mech);
-        yk_json_list(&json, NULL, YK_JSON_INLINE);
-        for (size_t c = 0; c < yk_coordinate_count(mech); c++) yk_json_number(&json, NULL, row[c]);
-        yk_json_end(&json);
+        yk_json_numbers(&json, NULL, row, yk_coordinate_count(mech));
     }
     yk_json_end(&json);
     if (r->way_count == 0) {

@@ -78,7 +78,5 @@ void yk_force_polygon_json(YkSession *session, YkJson *json)
 
 void yk_polygon_pair(YkJson *json, const char *key, const double value[2])
 {
-    yk_json_list(json, key, YK_JSON_INLINE);
-    for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, value[i]);
-    yk_json_end(json);
+    yk_json_numbers(json, key, value, 2);
 }

@@ -16,17 +16,10 @@ void yk_add_count(YkText *text, YkEquationCount c)
 
 // --- JSON
 
-static void add_pair(YkJson *json, const char *key, const double pair[2])
-{
-    yk_json_list(json, key, YK_JSON_INLINE);
-    for (int axis = 0; axis < 2; axis++) yk_json_number(json, NULL, pair[axis]);
-    yk_json_end(json);
-}
-
 static void add_wrench(YkJson *json, const char *key, YkWrench wrench)
 {
     yk_json_object(json, key, YK_JSON_INLINE);
-    add_pair(json, "force", wrench.force);
+    yk_json_numbers(json, "force", wrench.force, 2);
     yk_json_number(json, "moment", wrench.moment);
     yk_json_end(json);
 }
@@ -36,7 +29,7 @@ static void add_reaction(YkSession *session, YkJson *json, const char *name, YkR
     yk_json_object(json, name, YK_JSON_INLINE);
     yk_json_string(json, "by", yk_model_body_name(session->model, r.by));
     yk_json_string(json, "on", yk_model_body_name(session->model, r.on));
-    add_pair(json, "force", r.force);
+    yk_json_numbers(json, "force", r.force, 2);
     yk_json_number(json, "moment", r.moment);
     if (!r.is_determinate) yk_json_bool(json, "determinate", false);
     yk_json_end(json);
