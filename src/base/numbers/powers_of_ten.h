@@ -19,8 +19,8 @@ typedef struct YkTenStep {
 extern const YkTenStep yk_ten_steps[];
 extern const uint64_t yk_small_tens[YK_TEN_STEP];
 
-// Returns 128 bits: 10^exponent = (they + f) * 2^(yk_floor_log2_of_ten(exponent) - 127), 0 <= f < 1, the highest bit set.
-// That 192 bits of a step are enough is checked by the tool, at every exponent.
+// Returns 128 bits, the highest of them set: 10^exponent = (bits + f) * 2^(yk_floor_log2_of_ten(exponent) - 127),
+// 0 <= f < 1. The tool checks at every exponent that 192 bits of a step are enough.
 static inline YkWide yk_power_of_ten(int exponent)
 {
     unsigned place = (unsigned)(exponent - YK_TEN_STEP_MIN);
