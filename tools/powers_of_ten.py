@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Writes src/base/numbers/powers_of_ten.c: 10^k cut to 128 bits, and checks what src/base/numbers relies on.
+"""Writes src/base/numbers/powers_of_ten.c: what 10^k cut to 128 bits is made from. Checks what src/base/numbers relies on.
 
 Usage: python3 tools/powers_of_ten.py > src/base/numbers/powers_of_ten.c
 """
 from fractions import Fraction
 
 FIRST, LAST = -342, 341
+STEP = 27  # as YK_TEN_STEP
+STEPS = range(FIRST // STEP, LAST // STEP + 1)
 
 
 def floor_log2(x):
@@ -14,17 +16,24 @@ def floor_log2(x):
     return e if x >= Fraction(2) ** e else e - 1
 
 
-def entry(k):
-    """(128-bit integer, is it exact): 10^k = (integer + f) * 2^(floor_log2(10^k) - 127), 0 <= f < 1."""
-    scaled = Fraction(10) ** k / Fraction(2) ** (floor_log2(Fraction(10) ** k) - 127)
+def entry(k, bits):
+    """(integer of so many bits, is it exact): 10^k = (integer + f) * 2^(floor_log2(10^k) - bits + 1), 0 <= f < 1."""
+    scaled = Fraction(10) ** k / Fraction(2) ** (floor_log2(Fraction(10) ** k) - bits + 1)
     cut = scaled.numerator // scaled.denominator
-    assert 1 << 127 <= cut < 1 << 128
+    assert 1 << bits - 1 <= cut < 1 << bits
     return cut, scaled == cut
+
+
+def product(k):
+    """What yk_power_of_ten() makes of 192 bits of a step and 64 bits of a small power, both cut."""
+    cut = entry(k // STEP * STEP, 192)[0] * entry(k % STEP, 64)[0]
+    return cut >> cut.bit_length() - 128
 
 
 def check():
     for k in range(FIRST, LAST + 1):
-        cut, exact = entry(k)
+        cut, exact = entry(k, 128)
+        assert product(k) == cut, k
         assert exact == (0 <= k <= 55), k
         assert exact or cut % 2**64 != 2**64 - 1, k  # adding one to round up never carries
     for e in range(-1233, 1234):
@@ -44,8 +53,12 @@ print("// Written by tools/powers_of_ten.py; do not edit.")
 print('#include "base/numbers/powers_of_ten.h"')
 print()
 print("// clang-format off")
-print("const YkWide yk_powers_of_ten[YK_TEN_MAX - YK_TEN_MIN + 1] = {")
-for k in range(FIRST, LAST + 1):
-    value = entry(k)[0]
-    print("    {0x%016x, 0x%016x}, // 10^%d" % (value >> 64, value % 2**64, k))
+print("const YkTenStep yk_ten_steps[] = {")
+for k in STEPS:
+    value = entry(k * STEP, 192)[0]
+    print("    {0x%016x, 0x%016x, 0x%016x}, // 10^%d" % (value >> 128, value >> 64 & 2**64 - 1, value & 2**64 - 1, k * STEP))
+print("};")
+print("const uint64_t yk_small_tens[YK_TEN_STEP] = {")
+for k in range(STEP):
+    print("    0x%016x, // 10^%d" % (entry(k, 64)[0], k))
 print("};")

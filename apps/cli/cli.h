@@ -33,7 +33,7 @@ typedef struct YkAnswerColumns YkAnswerColumns;
 
 // A command line, read.
 typedef struct YkRequest {
-    YkArena *arena;     // copies of words
+    YkArena *arena;     // copies of words, and what the run needs
     const YkVerb *verb; // NULL: none given
     const char *file;   // the model; for `explain` a code
     YkAssignments at, rate, accel, param, effort;

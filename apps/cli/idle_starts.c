@@ -3,7 +3,6 @@
 #include <math.h>
 #include "answer.h"
 #include "model/model.h"
-#include "session.h"
 
 // A value that was rounded to a few digits is the same: relative to a radian or the machine's size, and of a rate.
 static const double rounding = 1e-3;

@@ -1,6 +1,5 @@
 // Reads a command line.
 #include "options.h"
-#include <stdlib.h>
 #include <string.h>
 #include "base/names.h"
 #include "option_table.h"
@@ -74,7 +73,7 @@ static void refuse_unknown(Reader *reader, const char *word, size_t length)
 
 static void add_word(Reader *reader, YkWords *words, const char *value)
 {
-    if (YK_ROOM(words->items, words->count, words->capacity)) {
+    if (YK_ROOM_IN(reader->request->arena, words->items, words->count, words->capacity)) {
         words->items[words->count++] = value;
     } else {
         run_out(reader);
@@ -103,7 +102,7 @@ static void add_pair(Reader *reader, const YkOption *option, YkAssignments *pair
     }
     YkAssignment own = {yk_arena_copy(reader->request->arena, value, (size_t)(equals - value)), equals + 1};
     if (own.name && option->kind == YK_OPTION_VALUES && is_given(reader, option, pairs, own)) return;
-    if (own.name && YK_ROOM(pairs->items, pairs->count, pairs->capacity)) {
+    if (own.name && YK_ROOM_IN(reader->request->arena, pairs->items, pairs->count, pairs->capacity)) {
         pairs->items[pairs->count++] = own;
     } else {
         run_out(reader);
@@ -255,16 +254,5 @@ void yk_options_read(int argc, char **argv, YkRequest *request, YkProblems *prob
 
 void yk_request_free(YkRequest *request)
 {
-    free(request->at.items);
-    free((void *)request->checks.items);
-    free((void *)request->vary.items);
-    free(request->rate.items);
-    free(request->accel.items);
-    free(request->param.items);
-    free(request->effort.items);
-    free(request->event.items);
-    free(request->pose.items);
-    free(request->reach.items);
-    free((void *)request->trace.items);
     yk_arena_free(request->arena);
 }

@@ -5,7 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 #include "plugin.h"
-#include "session.h"
 
 static const YkRanks *table;
 

@@ -1,6 +1,5 @@
 // Moves the machine from the pose in which it was assembled to the requested one.
 #include "reach.h"
-#include <stdlib.h>
 #include "answer.h"
 #include "certify.h"
 #include "stop.h"
@@ -48,9 +47,9 @@ static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *st
 {
     const YkAssignments *param = &session->request->param;
     size_t count = param->count, inputs = yk_input_count(session->mech);
-    const char **names = calloc(count + 1, sizeof *names);
-    double *from = calloc(2 * count + 1, sizeof *from);
-    YkMotion *goal = calloc(inputs + 1, sizeof *goal);
+    const char **names = yk_session_alloc(session, count + 1, sizeof *names);
+    double *from = yk_session_alloc(session, 2 * count + 1, sizeof *from);
+    YkMotion *goal = yk_session_alloc(session, inputs + 1, sizeof *goal);
     bool good = names && from && goal && yk_input_count(yk_state_mechanism(own)) == inputs;
     for (size_t k = 0; good && k < count; k++) {
         names[k] = param->items[k].name;
@@ -68,9 +67,6 @@ static bool carry(YkSession *session, YkState *own, YkState *state, YkStatus *st
     if (good && *status >= 0) *status = yk_state_adopt(state, moving);
     yk_state_free(moving);
     yk_variant_free(variant);
-    free(goal);
-    free(from);
-    free((void *)names);
     return good;
 }
 

@@ -1,7 +1,5 @@
 // Takes configurations by name: --assembly LABEL, nearest or K; and finds which of several is the machine's own.
-#include <stdlib.h>
 #include <string.h>
-#include "answer.h"
 #include "reach.h"
 #include "roll.h"
 #include "stop.h"

@@ -1,6 +1,5 @@
 // Explains why the machine cannot get to the requested pose.
 #include <math.h>
-#include <stdlib.h>
 #include "answer.h"
 #include "reach.h"
 #include "roll.h"

@@ -1,7 +1,6 @@
 // Ends the enumeration of configurations.
 #include "roll.h"
 #include <stdlib.h>
-#include "session.h"
 
 void yk_roll_end(YkSession *session)
 {

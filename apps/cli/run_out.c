@@ -1,5 +1,4 @@
 // Things that a run keeps in memory, and whether memory ran out.
-#include <stdlib.h>
 #include "session.h"
 
 void yk_session_run_out(YkSession *session)
@@ -7,9 +6,15 @@ void yk_session_run_out(YkSession *session)
     session->ran_out = true;
 }
 
+void *yk_session_alloc(const YkSession *session, size_t count, size_t size)
+{
+    return yk_arena_alloc(session->request->arena, count, size);
+}
+
 const YkMotion *yk_session_bodies(YkSession *session, const YkState *state)
 {
-    if (!session->bodies) session->bodies = calloc(yk_model_body_count(session->model), sizeof *session->bodies);
+    if (!session->bodies)
+        session->bodies = yk_session_alloc(session, yk_model_body_count(session->model), sizeof *session->bodies);
     if (session->bodies)
         yk_state_bodies(state, session->bodies);
     else

@@ -8,7 +8,6 @@
 #include "session.h"
 #include "stop.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include "base/names.h"
@@ -79,7 +78,7 @@ static YkMechanism *compile(YkSession *session, const char *const *swept, YkProb
     const YkAssignments *lists[] = {&request->at, &request->rate, &request->accel};
     size_t count = 0, list_count = session->is_simulation ? 1 : 3,
            most = 2 + request->at.count + request->rate.count + request->accel.count;
-    const char **names = calloc(most, sizeof *names);
+    const char **names = yk_session_alloc(session, most, sizeof *names);
     if (!names) return NULL;
     for (int k = 0; k < 2; k++)
         if (swept[k]) add_name(names, &count, swept[k]);
@@ -90,7 +89,6 @@ static YkMechanism *compile(YkSession *session, const char *const *swept, YkProb
     options.inputs = names;
     options.input_count = count;
     YkMechanism *mech = yk_mechanism_compile(session->model, &options, problems);
-    free((void *)names);
     return mech;
 }
 
@@ -253,7 +251,7 @@ bool yk_session_threads(YkSession *session, size_t *count)
 static void hint_coordinate(YkSession *session, const char *name)
 {
     size_t count = yk_coordinate_count(session->mech);
-    const char **names = calloc(count + 1, sizeof *names);
+    const char **names = yk_session_alloc(session, count + 1, sizeof *names);
     for (size_t i = 0; names && i < count; i++) names[i] = yk_coordinate_info(session->mech, i).name;
     session->ran_out |= !names;
     const char *nearest = names ? yk_nearest(name, names, count) : NULL;
@@ -262,7 +260,6 @@ static void hint_coordinate(YkSession *session, const char *name)
     } else {
         yk_problem_hint(session->problems, "`yoke check` lists the coordinates of the machine");
     }
-    free((void *)names);
 }
 
 bool yk_session_coordinate(YkSession *session, const char *name, size_t *coordinate)
@@ -331,7 +328,7 @@ bool yk_session_inputs(YkSession *session)
     const YkRequest *request = session->request;
     size_t most = request->at.count + request->rate.count + request->accel.count + 1; // one more: for a sweep's start
     session->state = yk_session_new_state(session, session->mech);
-    session->holds = calloc(most, sizeof *session->holds);
+    session->holds = yk_session_alloc(session, most, sizeof *session->holds);
     if (!session->state || !session->holds) return yk_session_refuse_for_memory(session);
     if (request->time && !yk_session_value(session, "--time", "", request->time, YK_QUANTITY_TIME, &session->time))
         return false;
@@ -440,8 +437,6 @@ void yk_session_free(YkSession *session)
     yk_mechanism_free(session->base);
     yk_model_free(session->model);
     yk_model_free(session->own);
-    free(session->holds);
-    free(session->bodies);
     yk_text_free(&session->reach_message);
     yk_problems_free(session->file_problems);
     yk_text_free(&session->out);

@@ -50,6 +50,8 @@ bool yk_session_points(YkSession *session, const YkWords *names, size_t *points)
 bool yk_ran_out(const YkProblems *problems);
 // Remembers that memory ran out during an answer: it is then refused, whatever was found.
 void yk_session_run_out(YkSession *session);
+// Returns zeroed memory that lasts as long as the run; NULL when out of memory.
+void *yk_session_alloc(const YkSession *session, size_t count, size_t size);
 // Returns what yk_state_bodies does, valid until the next call; NULL when out of memory, which is remembered.
 const YkMotion *yk_session_bodies(YkSession *session, const YkState *state);
 // Refuses with a short message; returns false.

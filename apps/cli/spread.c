@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include "session.h"
 #include "stop.h"
 
 static const double shortest_pause = 2e-5, longest_pause = 1e-3, patience = 10; // s

@@ -2,7 +2,6 @@
 // refusal is remembered. The library itself says where it ran out of memory; this is a second way to know, so that the
 // command never gives out an answer that may lack a part.
 #include <stdatomic.h>
-#include <stdlib.h>
 #include "cli.h"
 
 static atomic_bool has_run_out;

@@ -109,12 +109,26 @@ bool yk_grow(void **items, size_t count, size_t *capacity, size_t size)
 {
     if (count < *capacity) return true;
     size_t wanted = *capacity < 16 ? 16 : 2 * *capacity;
+    if (size == 0) size = 1; // rows of no width
     if (wanted <= *capacity || wanted > PTRDIFF_MAX / size) return false;
     // The caller's variable is a T *, not a void *: copying its bytes is allowed for every type.
     void *old;
     memcpy(&old, items, sizeof old);
     void *grown = realloc(old, wanted * size);
     if (!grown) return false;
+    memcpy(items, &grown, sizeof grown);
+    *capacity = wanted;
+    return true;
+}
+
+bool yk_grow_in(YkArena *arena, void **items, size_t count, size_t *capacity, size_t size)
+{
+    if (count < *capacity) return true;
+    size_t wanted = *capacity < 16 ? 16 : 2 * *capacity;
+    void *old, *grown = yk_arena_alloc(arena, wanted, size);
+    if (!grown) return false;
+    memcpy(&old, items, sizeof old);
+    if (count > 0) memcpy(grown, old, count * size);
     memcpy(items, &grown, sizeof grown);
     *capacity = wanted;
     return true;

@@ -46,6 +46,15 @@ bool yk_grow(void **items, size_t count, size_t *capacity, size_t size);
 #define YK_ROOM(items, count, capacity)                                                                                \
     ((count) < (capacity) || yk_grow((void **)&(items), (count), &(capacity), sizeof *(items)))
 
+// The same with rows of `width` items each.
+#define YK_ROW_ROOM(items, width, count, capacity)                                                                     \
+    ((count) < (capacity) || yk_grow((void **)&(items), (count), &(capacity), (width) * sizeof *(items)))
+
+// The same in an arena: the old array stays behind, and all that do are together no longer than the new one.
+bool yk_grow_in(YkArena *arena, void **items, size_t count, size_t *capacity, size_t size);
+#define YK_ROOM_IN(arena, items, count, capacity)                                                                      \
+    ((count) < (capacity) || yk_grow_in((arena), (void **)&(items), (count), &(capacity), sizeof *(items)))
+
 // array + offset; NULL where the array was never made because it would be empty: C does not define NULL + 0.
 #define yk_from(array, offset) ((array) ? (array) + (offset) : NULL)
 

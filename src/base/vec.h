@@ -50,6 +50,11 @@ static inline double yk_norm(YkVec a)
 {
     return yk_hypot(a.x, a.y);
 }
+// Returns the angle from x to a, rad, in (-pi, pi].
+static inline double yk_argument(YkVec a)
+{
+    return yk_atan2(a.y, a.x);
+}
 static inline YkVec yk_unit(double angle)
 {
     YkVec e;
@@ -61,6 +66,10 @@ static inline double yk_nearest_turn(double angle, double reference)
 {
     double off = angle - reference;
     return fabs(off) < YK_PI ? angle : angle - 2 * YK_PI * rint(off / (2 * YK_PI));
+}
+static inline YkVec yk_divide(YkVec a, YkVec b)
+{
+    return yk_scale(1 / yk_dot(b, b), yk_mul(a, yk_conj(b)));
 }
 
 #endif

@@ -48,24 +48,25 @@ static YkBatch *new_batch(const YkState *state, const YkChannel *channels, size_
     b->mech = state->mech;
     b->lanes = lanes_for(b->mech);
     b->channel_count = channel_count;
+    YkArena *a = b->arena = yk_arena_new();
     b->state = yk_state_new(b->mech);
     b->home = yk_state_new(b->mech);
-    b->channels = calloc(channel_count + 1, sizeof *b->channels);
-    b->turns = calloc(channel_count + 1, sizeof *b->turns);
-    b->row = calloc(channel_count + 1, sizeof *b->row);
-    b->number = calloc(channel_count + 1, sizeof *b->number);
-    b->plain = calloc(channel_count + 1, sizeof *b->plain);
+    b->channels = yk_arena_alloc(a, channel_count + 1, sizeof *b->channels);
+    b->turns = yk_arena_alloc(a, channel_count + 1, sizeof *b->turns);
+    b->row = yk_arena_alloc(a, channel_count + 1, sizeof *b->row);
+    b->number = yk_arena_alloc(a, channel_count + 1, sizeof *b->number);
+    b->plain = yk_arena_alloc(a, channel_count + 1, sizeof *b->plain);
     b->constant = aligned_alloc(64, ((inputs + 1) * b->lanes * sizeof(double) + 63) & ~(size_t)63);
-    b->lanes_of = calloc(inputs + 1, sizeof *b->lanes_of);
+    b->lanes_of = yk_arena_alloc(a, inputs + 1, sizeof *b->lanes_of);
     b->point_lanes = aligned_alloc(64, (6 * b->lanes * sizeof(double) + 63) & ~(size_t)63);
-    if (!b->state || !b->home || !b->channels || !b->turns || !b->row || !b->number || !b->plain || !b->constant ||
-        !b->lanes_of || !b->point_lanes || !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, is_along) ||
+    if (is_along) b->next = yk_arena_alloc(a, b->mech->coordinate_count + 1, sizeof *b->next);
+    if (!b->state || !b->home || !b->constant || !b->point_lanes || yk_arena_failed(a) ||
+        !yk_space_start(&b->space, b->mech, b->lanes + LANES_APART, is_along) ||
         !yk_space_start(&b->single, b->mech, 1, false)) {
         yk_batch_free(b);
         return NULL;
     }
-    if (is_along) b->next = calloc(b->mech->coordinate_count + 1, sizeof *b->next);
-    if (is_along && (!b->next || !yk_watch_start(&b->watch, b->mech))) {
+    if (is_along && !yk_watch_start(&b->watch, b->mech)) {
         yk_batch_free(b);
         return NULL;
     }
@@ -124,19 +125,11 @@ void yk_batch_free(YkBatch *b)
     yk_state_free(b->home);
     yk_space_end(&b->space);
     yk_space_end(&b->single);
-    free(b->channels);
-    free(b->turns);
-    free(b->row);
-    free(b->number);
-    free(b->plain);
-    free(b->rates_alone);
-    free(b->idle);
+    yk_arena_free(b->arena);
     free(b->constant);
-    free(b->lanes_of);
     free(b->point_lanes);
     yk_pose_forces_free(b->forces);
     yk_watch_end(&b->watch);
-    free(b->next);
     free(b);
 }
 

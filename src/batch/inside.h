@@ -9,6 +9,7 @@
 #include "solve/watch.h"
 
 struct YkBatch {
+    YkArena *arena; // of its arrays but those of lanes, which need not be zeroed
     const YkMechanism *mech;
     YkState *state; // its branches, reference angles, and inputs for NULL arrays; poses of machines with groups are
                     // tracked in it

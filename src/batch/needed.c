@@ -1,5 +1,4 @@
 // Finds what a batch of forces alone need not compute: directions that no step reads, such as those of most wheels.
-#include <stdlib.h>
 #include "batch/inside.h"
 
 static void mark_steps(const YkMechanism *mech, bool *is_read)
@@ -20,16 +19,14 @@ bool yk_batch_find_rates_alone(YkBatch *b)
 {
     const YkMechanism *mech = b->mech;
     if (b->is_along || b->needs_state || !b->forces || b->plain_count > 0) return true;
-    bool *is_read = calloc(mech->slot_count + 1, sizeof *is_read);
-    b->rates_alone = calloc(mech->slot_count + 1, sizeof *b->rates_alone);
-    b->idle = calloc(mech->slot_count + 1, sizeof *b->idle);
-    if (is_read && b->rates_alone && b->idle) {
-        mark_steps(mech, is_read);
-        for (size_t k = 1; k < mech->slot_count; k++) {
-            b->rates_alone[k] = !is_read[k] && !yk_lane_forces_need_direction(b->forces->lanes, (int32_t)k);
-            b->idle[k] = b->rates_alone[k] && !yk_lane_forces_need_rates(b->forces->lanes, (int32_t)k);
-        }
+    bool *is_read = YK_NEW(b->arena, bool, mech->slot_count);
+    b->rates_alone = YK_NEW(b->arena, bool, mech->slot_count);
+    b->idle = YK_NEW(b->arena, bool, mech->slot_count);
+    if (yk_arena_failed(b->arena)) return false;
+    mark_steps(mech, is_read);
+    for (size_t k = 1; k < mech->slot_count; k++) {
+        b->rates_alone[k] = !is_read[k] && !yk_lane_forces_need_direction(b->forces->lanes, (int32_t)k);
+        b->idle[k] = b->rates_alone[k] && !yk_lane_forces_need_rates(b->forces->lanes, (int32_t)k);
     }
-    free(is_read);
-    return is_read && b->rates_alone && b->idle;
+    return true;
 }

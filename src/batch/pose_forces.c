@@ -1,6 +1,5 @@
 // Answers channels of forces at a pose.
 #include "batch/pose_forces.h"
-#include <math.h>
 #include <stdlib.h>
 #include "dynamics/dynamics.h"
 #include "elementary/kernel.h"

@@ -1,11 +1,6 @@
 // Calls in the printed functions: equations, Newton's method for a group, laws.
 #include "code/file.h"
 
-static const char *real(const YkPrinter *pr)
-{
-    return pr->single ? "float" : "double";
-}
-
 static const char *call_array(YkPrinter *pr, const YkCall *call)
 {
     static const char *const endings[] = {"system", "solution", "law", "friction", "system"};
@@ -18,7 +13,7 @@ static void write_system(YkPrinter *pr, const YkCall *call, const char *name)
     if (call->argument_count <= 24) {
         yk_printer_array(pr, name, call->arguments, call->argument_count, call->result_count);
     } else {
-        yk_text_format(pr->out, "    %s %s[%d] = {0};\n", real(pr), name, (int)call->result_count);
+        yk_text_format(pr->out, "    %s %s[%d] = {0};\n", yk_printer_real(pr), name, (int)call->result_count);
         for (size_t k = 0; k < call->argument_count; k++) {
             if (yk_graph_is_number(pr->graph, call->arguments[k], 0)) continue;
             size_t from = pr->out->length;
@@ -55,7 +50,7 @@ static void call_group(YkPrinter *pr, const YkCall *call, const char *name)
     pr->uses[YK_HELPER_SOLVE] = true;
     yk_printer_array(pr, name, call->arguments, call->argument_count, call->result_count);
     if (count == 0) {
-        yk_text_format(pr->out, "    const %s %s[1] = {0};\n", real(pr), given_name);
+        yk_text_format(pr->out, "    const %s %s[1] = {0};\n", yk_printer_real(pr), given_name);
     } else {
         yk_text_puts(pr->out, "    const");
         yk_printer_array(pr, given_name, known, count, count);
@@ -66,7 +61,7 @@ static void call_group(YkPrinter *pr, const YkCall *call, const char *name)
 static void call_law(YkPrinter *pr, const YkCall *call, const char *name)
 {
     pr->uses[YK_HELPER_LAW] = true;
-    yk_text_format(pr->out, "    %s %s[3];\n    %s_law_%s(", real(pr), name, pr->prefix, call->name);
+    yk_text_format(pr->out, "    %s %s[3];\n    %s_law_%s(", yk_printer_real(pr), name, pr->prefix, call->name);
     yk_printer_value(pr, call->arguments[0]);
     yk_text_format(pr->out, ", %s);\n", name);
 }

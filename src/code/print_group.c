@@ -8,11 +8,6 @@ typedef struct Gather {
     signed char *hangs; // per value: whether it depends on the unknowns. 0: not checked; 1: no; 2: yes
 } Gather;
 
-static const YkValue *value_of(const YkPrinter *pr, YkRef value)
-{
-    return &pr->graph->values[value];
-}
-
 // Returns the operands; for a law's result, the law's argument. Results of other calls depend on no unknown.
 static size_t operands_of(const Gather *g, const YkValue *v, YkRef *operands)
 {
@@ -31,7 +26,7 @@ static size_t operands_of(const Gather *g, const YkValue *v, YkRef *operands)
 
 static bool hangs(Gather *g, YkRef value)
 {
-    const YkValue *v = value_of(g->pr, value);
+    const YkValue *v = yk_printer_at(g->pr, value);
     if (g->hangs[value]) return g->hangs[value] == 2;
     bool found = v->op == YK_VALUE_LEAF && !v->of_parameters && v->leaf_class == YK_LEAF_UNKNOWN;
     YkRef operands[3];
@@ -45,7 +40,7 @@ static bool hangs(Gather *g, YkRef value)
 // Collects from outside what depends neither on the unknowns nor on parameters alone.
 static void gather(Gather *g, YkRef value)
 {
-    const YkValue *v = value_of(g->pr, value);
+    const YkValue *v = yk_printer_at(g->pr, value);
     if (v->of_parameters || (v->op == YK_VALUE_LEAF && hangs(g, value))) return;
     if (hangs(g, value)) {
         YkRef operands[3];

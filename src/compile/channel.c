@@ -1,18 +1,11 @@
 // Channels: names of the numbers of a pose.
 #include <string.h>
+#include "base/letters.h"
 #include "base/problems.h"
 #include "base/text.h"
 #include "compile/mechanism.h"
 
 enum { NAME_MAX = 240 };
-
-static bool cut_suffix(char *name, const char *suffix)
-{
-    size_t n = strlen(name), m = strlen(suffix);
-    if (n <= m || strcmp(name + n - m, suffix) != 0) return false;
-    name[n - m] = 0;
-    return true;
-}
 
 static int find_joint(const YkMechanism *mech, const char *name)
 {
@@ -62,11 +55,11 @@ static bool parse_point(const YkMechanism *mech, const char *asked, int order, Y
 {
     char name[NAME_MAX];
     strcpy(name, asked); // cut below
-    if (cut_suffix(name, ".x"))
+    if (yk_cut_ending(name, ".x"))
         return set(channel, YK_CHANNEL_POINT_X, yk_names_find(&mech->model->point_names, name), order, true);
-    if (cut_suffix(name, ".y"))
+    if (yk_cut_ending(name, ".y"))
         return set(channel, YK_CHANNEL_POINT_Y, yk_names_find(&mech->model->point_names, name), order, true);
-    if (order == 0 && cut_suffix(name, ".speed")) {
+    if (order == 0 && yk_cut_ending(name, ".speed")) {
         if (!set(channel, YK_CHANNEL_POINT_SPEED, yk_names_find(&mech->model->point_names, name), 0, true))
             return false;
         channel->quantity = YK_QUANTITY_SPEED;
@@ -110,14 +103,14 @@ static bool parse_force(const YkMechanism *mech, const char *asked, YkChannel *c
         YkChannelKind kind;
     } forces[] = {{".force.x", YK_CHANNEL_FORCE_X}, {".force.y", YK_CHANNEL_FORCE_Y}, {".force", YK_CHANNEL_FORCE}};
     for (size_t k = 0; k < sizeof forces / sizeof *forces; k++)
-        if (cut_suffix(name, forces[k].suffix))
+        if (yk_cut_ending(name, forces[k].suffix))
             return set_force(channel, forces[k].kind, find_contact(mech, name), YK_QUANTITY_FORCE);
-    if (cut_suffix(name, ".moment"))
+    if (yk_cut_ending(name, ".moment"))
         return set_force(channel, YK_CHANNEL_MOMENT, find_contact(mech, name), YK_QUANTITY_TORQUE);
-    YkChannelKind kind = cut_suffix(name, ".effort.from") ? YK_CHANNEL_EFFORT_FROM
-                         : cut_suffix(name, ".effort.to") ? YK_CHANNEL_EFFORT_TO
-                                                          : YK_CHANNEL_EFFORT;
-    if (kind == YK_CHANNEL_EFFORT && !cut_suffix(name, ".effort")) return false;
+    YkChannelKind kind = yk_cut_ending(name, ".effort.from") ? YK_CHANNEL_EFFORT_FROM
+                         : yk_cut_ending(name, ".effort.to") ? YK_CHANNEL_EFFORT_TO
+                                                             : YK_CHANNEL_EFFORT;
+    if (kind == YK_CHANNEL_EFFORT && !yk_cut_ending(name, ".effort")) return false;
     int found = find_coordinate(mech, name);
     bool is_distance = found >= 0 && mech->coordinates[found].is_distance;
     return set_force(channel, kind, found, is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE);
@@ -125,7 +118,7 @@ static bool parse_force(const YkMechanism *mech, const char *asked, YkChannel *c
 
 static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
 {
-    int order = cut_suffix(name, ".rate") ? 1 : cut_suffix(name, ".accel") ? 2 : 0;
+    int order = yk_cut_ending(name, ".rate") ? 1 : yk_cut_ending(name, ".accel") ? 2 : 0;
     if (strcmp(name, "t") == 0 && order == 0) {
         *channel = (YkChannel){YK_CHANNEL_TIME, 0, 0, YK_QUANTITY_TIME};
         return true;
@@ -136,15 +129,15 @@ static bool parse(const YkMechanism *mech, char *name, YkChannel *channel)
         return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);
     if (parse_point(mech, name, order, channel)) return true;
     if (order == 0 && (parse_whole(name, channel) || parse_force(mech, name, channel))) return true;
-    if (order == 0 && cut_suffix(name, ".transmission"))
+    if (order == 0 && yk_cut_ending(name, ".transmission"))
         return set(channel, YK_CHANNEL_TRANSMISSION, find_block(mech, name), 0, false);
-    if (cut_suffix(name, ".angle")) {
+    if (yk_cut_ending(name, ".angle")) {
         int joint = find_joint(mech, name);
         if (joint >= 0 && yk_part(mech->model->joints[joint].kind)->turns)
             return set(channel, YK_CHANNEL_JOINT_ANGLE, joint, order, false);
         return set(channel, YK_CHANNEL_BODY, find_body(mech, name), order, false);
     }
-    if (cut_suffix(name, ".distance")) {
+    if (yk_cut_ending(name, ".distance")) {
         int joint = find_joint(mech, name);
         if (joint >= 0 && (mech->joint_distance[joint] == YK_NONE || mech->model->joints[joint].is_free)) return false;
         return set(channel, YK_CHANNEL_JOINT_DISTANCE, joint, order, true);
@@ -171,9 +164,9 @@ static bool suggest_name(const YkMechanism *mech, const char *asked, char *name,
                  {".distance", {&model->joint_names}},
                  {".transmission", {&model->joint_names}},
                  {"", {&model->coordinate_names, &model->body_names}}};
-    bool is_derivative = cut_suffix(name, ".rate") || cut_suffix(name, ".accel");
+    bool is_derivative = yk_cut_ending(name, ".rate") || yk_cut_ending(name, ".accel");
     size_t k = 0;
-    while (*kinds[k].suffix && !cut_suffix(name, kinds[k].suffix)) k++;
+    while (*kinds[k].suffix && !yk_cut_ending(name, kinds[k].suffix)) k++;
     const char *near = nearest(name, kinds[k].names[0]);
     bool may_be_second = kinds[k].names[1] && (*kinds[k].suffix || is_derivative); // a body alone is not a number
     if (!near && may_be_second) near = nearest(name, kinds[k].names[1]);
@@ -198,7 +191,7 @@ static bool suggest_ending(const YkMechanism *mech, const char *asked, YkProblem
         YkText meant = {0};
         char name[NAME_MAX], parsed[NAME_MAX];
         strcpy(name, asked); // cut below
-        if (!cut_suffix(name, endings[k][0])) continue;
+        if (!yk_cut_ending(name, endings[k][0])) continue;
         yk_text_format(&meant, "%s%s", name, endings[k][1]);
         bool fits = !meant.failed && meant.length < NAME_MAX;
         if (fits) strcpy(parsed, yk_text_get(&meant));

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/problems.h"
-#include "compile/closure.h"
 #include "compile/inputs.h"
 #include "compile/plan.h"
 #include "compile/relations.h"

@@ -150,23 +150,16 @@ static size_t factor(Work *w)
     return yk_qr_factor(w->m, w->n, w->A, w->order, w->tau, 1e-9);
 }
 
-static double dot(const double *a, const double *b, size_t n)
-{
-    double sum = 0;
-    for (size_t k = 0; k < n; k++) sum += a[k] * b[k];
-    return sum;
-}
-
 // Makes `v` orthogonal to rows[count][n] of length 1. Returns true, with v of length 1, if more than `tolerance` of it
 // is left.
 static bool orthogonalise(double *v, const double *rows, size_t count, size_t n, double tolerance)
 {
     for (int twice = 0; twice < 2; twice++)
         for (size_t r = 0; r < count; r++) {
-            double along = dot(v, rows + r * n, n);
+            double along = yk_inner_product(v, rows + r * n, n);
             for (size_t k = 0; k < n; k++) v[k] -= along * rows[r * n + k];
         }
-    double length = sqrt(dot(v, v, n));
+    double length = sqrt(yk_inner_product(v, v, n));
     if (!(length > tolerance)) return false;
     for (size_t k = 0; k < n; k++) v[k] /= length;
     return true;
@@ -227,7 +220,7 @@ static void rate_row(const Work *w, int32_t coordinate, double *row)
     memset(row, 0, w->n * sizeof *row);
     add_rate(w, coordinate, 1, row);
     for (size_t j = 0; j < w->n; j++) row[j] /= w->scale[j];
-    double length = sqrt(dot(row, row, w->n));
+    double length = sqrt(yk_inner_product(row, row, w->n));
     for (size_t j = 0; j < w->n && length > 0; j++) row[j] /= length;
 }
 

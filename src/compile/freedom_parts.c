@@ -1,12 +1,7 @@
 // Divides a machine into parts which share only the ground, by what ties variables together.
 #include "compile/freedom_parts.h"
+#include "base/sets.h"
 #include "compile/closure.h"
-
-static int32_t leader(int32_t *up, int32_t v)
-{
-    while (up[v] != v) v = up[v] = up[up[v]];
-    return v;
-}
 
 static void join_terms(const YkMechanism *mech, const YkSum *sum, int32_t *up)
 {
@@ -16,7 +11,7 @@ static void join_terms(const YkMechanism *mech, const YkSum *sum, int32_t *up)
         int32_t both[2] = {t.slot - 1, t.distance == YK_NONE ? YK_NONE : o + t.distance};
         for (int i = 0; i < 2; i++) {
             if (both[i] < 0) continue;
-            if (last != YK_NONE) up[leader(up, last)] = leader(up, both[i]);
+            if (last != YK_NONE) up[yk_root_of(up, last)] = yk_root_of(up, both[i]);
             last = both[i];
         }
     }
@@ -31,7 +26,7 @@ static void join_relation(const YkMechanism *mech, const YkRelation *r, int32_t 
 {
     const YkRelationTerm *terms = mech->relation_terms + r->first_term; // the terms of its argument follow
     for (uint32_t k = 1; k < r->term_count + r->argument_count; k++)
-        up[leader(up, term_variable(mech, terms[k]))] = leader(up, term_variable(mech, terms[0]));
+        up[yk_root_of(up, term_variable(mech, terms[k]))] = yk_root_of(up, term_variable(mech, terms[0]));
 }
 
 // Returns a variable of a relation, or YK_NONE if it ties nothing that moves.
@@ -82,11 +77,11 @@ static void find_parts(YkFreedomParts *p, const YkMechanism *mech, int32_t *up)
     for (size_t r = 0; r < mech->relation_count; r++) join_relation(mech, &mech->relations[r], up);
     for (size_t k = 0; k < mech->coordinate_count; k++) {
         YkJointAngle angle = yk_joint_angle(mech, mech->coordinates[k].joint);
-        if (angle.a > 0 && angle.b > 0) up[leader(up, angle.a - 1)] = leader(up, angle.b - 1);
+        if (angle.a > 0 && angle.b > 0) up[yk_root_of(up, angle.a - 1)] = yk_root_of(up, angle.b - 1);
     }
     for (size_t v = 0; v < n; v++)
-        if (leader(up, (int32_t)v) == (int32_t)v) p->of_variable[v] = (int32_t)p->count++;
-    for (size_t v = 0; v < n; v++) p->of_variable[v] = p->of_variable[leader(up, (int32_t)v)];
+        if (yk_root_of(up, (int32_t)v) == (int32_t)v) p->of_variable[v] = (int32_t)p->count++;
+    for (size_t v = 0; v < n; v++) p->of_variable[v] = p->of_variable[yk_root_of(up, (int32_t)v)];
 }
 
 bool yk_freedom_parts_sort(YkFreedomParts *p, const YkMechanism *mech, const int32_t *candidates, size_t count,

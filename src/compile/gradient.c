@@ -12,29 +12,28 @@
 static bool make_room(YkGradient *g)
 {
     size_t n = g->variables, m = g->rows, points = g->model->point_count, joints = g->model->joint_count;
-    g->point = calloc(points + 1, sizeof *g->point);
-    g->joint = calloc(joints + 1, sizeof *g->joint);
-    g->by_point = calloc(2 * points * g->parameters + 1, sizeof *g->by_point);
-    g->by_joint = calloc(joints * g->parameters + 1, sizeof *g->by_joint);
-    g->by_parameter = calloc(g->model->parameter_count * g->parameters + 1, sizeof *g->by_parameter);
-    g->direction = calloc(g->model->parameter_count + 1, sizeof *g->direction);
-    g->slot = calloc(g->mech->slot_count + 1, sizeof *g->slot);
-    g->turn = calloc(g->mech->slot_count + 1, sizeof *g->turn);
-    g->node = calloc(g->mech->node_count + 1, sizeof *g->node);
-    g->x = calloc(YK_JET * n + 1, sizeof *g->x);
-    g->J = calloc(m * n + 1, sizeof *g->J);
-    g->tau = calloc(n + 1, sizeof *g->tau);
-    g->order = calloc(n + 1, sizeof *g->order);
-    g->by_x = calloc(YK_JET * n + 1, sizeof *g->by_x);
-    g->lambda = calloc(m + n + 1, sizeof *g->lambda);
-    g->at_node = calloc(g->mech->node_count + 1, sizeof *g->at_node);
-    g->at_vector = calloc(g->recipe->node_count + 1, sizeof *g->at_vector);
-    g->at_point = calloc(points + 1, sizeof *g->at_point);
-    g->at_direction = calloc(joints + 1, sizeof *g->at_direction);
-    g->at_parameter = calloc(g->model->parameter_count + 1, sizeof *g->at_parameter);
-    return g->point && g->joint && g->by_point && g->by_joint && g->by_parameter && g->direction && g->slot && g->x &&
-           g->turn && g->node && g->J && g->tau && g->order && g->by_x && g->lambda && g->at_node && g->at_vector &&
-           g->at_point && g->at_direction && g->at_parameter;
+    YkArena *a = g->arena = yk_arena_new();
+    g->point = yk_arena_alloc(a, points + 1, sizeof *g->point);
+    g->joint = yk_arena_alloc(a, joints + 1, sizeof *g->joint);
+    g->by_point = yk_arena_alloc(a, 2 * points * g->parameters + 1, sizeof *g->by_point);
+    g->by_joint = yk_arena_alloc(a, joints * g->parameters + 1, sizeof *g->by_joint);
+    g->by_parameter = yk_arena_alloc(a, g->model->parameter_count * g->parameters + 1, sizeof *g->by_parameter);
+    g->direction = yk_arena_alloc(a, g->model->parameter_count + 1, sizeof *g->direction);
+    g->slot = yk_arena_alloc(a, g->mech->slot_count + 1, sizeof *g->slot);
+    g->turn = yk_arena_alloc(a, g->mech->slot_count + 1, sizeof *g->turn);
+    g->node = yk_arena_alloc(a, g->mech->node_count + 1, sizeof *g->node);
+    g->x = yk_arena_alloc(a, YK_JET * n + 1, sizeof *g->x);
+    g->J = yk_arena_alloc(a, m * n + 1, sizeof *g->J);
+    g->tau = yk_arena_alloc(a, n + 1, sizeof *g->tau);
+    g->order = yk_arena_alloc(a, n + 1, sizeof *g->order);
+    g->by_x = yk_arena_alloc(a, YK_JET * n + 1, sizeof *g->by_x);
+    g->lambda = yk_arena_alloc(a, m + n + 1, sizeof *g->lambda);
+    g->at_node = yk_arena_alloc(a, g->mech->node_count + 1, sizeof *g->at_node);
+    g->at_vector = yk_arena_alloc(a, g->recipe->node_count + 1, sizeof *g->at_vector);
+    g->at_point = yk_arena_alloc(a, points + 1, sizeof *g->at_point);
+    g->at_direction = yk_arena_alloc(a, joints + 1, sizeof *g->at_direction);
+    g->at_parameter = yk_arena_alloc(a, g->model->parameter_count + 1, sizeof *g->at_parameter);
+    return !yk_arena_failed(a);
 }
 
 // Slots are the orientations, and the angles of some of them to the roots of their groups.
@@ -73,26 +72,7 @@ YkGradient *yk_gradient_new(const YkVariant *variant)
 void yk_gradient_free(YkGradient *g)
 {
     if (!g) return;
-    free(g->point);
-    free(g->joint);
-    free(g->by_point);
-    free(g->by_joint);
-    free(g->by_parameter);
-    free(g->direction);
-    free(g->slot);
-    free(g->turn);
-    free(g->node);
-    free(g->x);
-    free(g->J);
-    free(g->tau);
-    free(g->order);
-    free(g->by_x);
-    free(g->lambda);
-    free(g->at_node);
-    free(g->at_vector);
-    free(g->at_point);
-    free(g->at_direction);
-    free(g->at_parameter);
+    yk_arena_free(g->arena);
     free(g);
 }
 

@@ -19,6 +19,7 @@ typedef struct YkSlotTurn {
 } YkSlotTurn;
 
 struct YkGradient {
+    YkArena *arena; // of all arrays
     const YkMechanism *mech;
     const YkModel *model;
     const YkRedesign *redesign;

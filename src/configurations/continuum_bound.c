@@ -151,13 +151,6 @@ void yk_continuum_bound(YkContinua *c, const double *x, YkContinuum *found)
 
 // --- ways along it
 
-static double dot(const double *a, const double *b, size_t n)
-{
-    double sum = 0;
-    for (size_t k = 0; k < n; k++) sum += a[k] * b[k];
-    return sum;
-}
-
 // Makes the kernel orthonormal, by Gram and Schmidt's method. Returns its dimension.
 static size_t orthonormal_kernel(YkContinua *c, const double *x)
 {
@@ -166,10 +159,10 @@ static size_t orthonormal_kernel(YkContinua *c, const double *x)
         double *v = c->kernel + k * n;
         for (size_t twice = 0; twice < 2 * k; twice++) {
             const double *u = c->kernel + twice / 2 * n;
-            double share = dot(u, v, n);
+            double share = yk_inner_product(u, v, n);
             for (size_t j = 0; j < n; j++) v[j] -= share * u[j];
         }
-        double length = sqrt(dot(v, v, n));
+        double length = sqrt(yk_inner_product(v, v, n));
         for (size_t j = 0; j < n; j++) v[j] /= length;
     }
     return d;
@@ -191,7 +184,7 @@ static bool goes_straight(YkContinua *c, double *x, const double *y, int steps)
             on[j] = 0;
         }
         for (size_t k = 0; k < d; k++) {
-            double share = dot(c->kernel + k * n, way, n);
+            double share = yk_inner_product(c->kernel + k * n, way, n);
             for (size_t j = 0; j < n; j++) on[j] += share * c->kernel[k * n + j];
         }
         for (size_t j = 0; j < n; j++) most = fmax(most, fabs(on[j]));
@@ -216,7 +209,7 @@ static bool meets(YkContinua *c, const double *x, const double *y, double sign)
         }
         if (step > 10 && yk_continuum_apart(c, at, x) < 0.03) return false; // once round
         if (orthonormal_kernel(c, at) != 1) return false;
-        double way = step == 0 ? sign : dot(c->kernel, heading, n) < 0 ? -1 : 1;
+        double way = step == 0 ? sign : yk_inner_product(c->kernel, heading, n) < 0 ? -1 : 1;
         for (size_t j = 0; j < n; j++) {
             heading[j] = way * c->kernel[j];
             at[j] += 0.06 * heading[j] * (j < o ? 1 : c->mech->size);

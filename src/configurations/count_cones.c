@@ -89,14 +89,8 @@ static void list_cones(Cones *c, size_t depth, size_t first)
     size_t loops = c->shape->loops;
     if (depth == loops) {
         c->is_large |= (c->count + 1) * (c->count + 1) > PAIRS_MAX;
-        if (c->count == c->capacity) {
-            size_t capacity = 2 * c->capacity + 64;
-            uint16_t *cones = realloc(c->cones, capacity * loops * sizeof *cones);
-            c->failed |= !cones;
-            if (!cones) return;
-            c->cones = cones;
-            c->capacity = capacity;
-        }
+        c->failed |= !YK_ROW_ROOM(c->cones, loops, c->count, c->capacity);
+        if (c->failed) return;
         for (size_t k = 0; k < loops; k++) c->cones[c->count * loops + k] = (uint16_t)c->nested[k];
         c->count++;
         return;

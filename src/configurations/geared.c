@@ -2,7 +2,6 @@
 #include "configurations/geared.h"
 #include <math.h>
 #include <stdlib.h>
-#include "num/complex.h"
 #include "solve/relations.h"
 
 enum { RATIO_MAX = 720, TURNS_MAX = 6, N = YK_GEARED_MAX, R = YK_GEARED_RELATIONS };

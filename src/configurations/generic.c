@@ -76,13 +76,7 @@ static bool is_known(const YkGeneric *generic, const YkShape *shape, const YkVec
 static bool keep(YkGeneric *generic, const YkShape *shape, const YkVec *x)
 {
     size_t n = shape->unknowns;
-    if (generic->count == generic->capacity) {
-        size_t capacity = 2 * generic->capacity + 16;
-        YkVec *solutions = realloc(generic->solutions, capacity * n * sizeof *solutions);
-        if (!solutions) return false;
-        generic->solutions = solutions;
-        generic->capacity = capacity;
-    }
+    if (!YK_ROW_ROOM(generic->solutions, n, generic->count, generic->capacity)) return false;
     memcpy(generic->solutions + generic->count++ * n, x, n * sizeof *x);
     return true;
 }

@@ -7,7 +7,6 @@
 #include "configurations/count.h"
 #include "configurations/eliminate.h"
 #include "configurations/follow.h"
-#include "num/complex.h"
 
 enum { N_MAX = 2 * YK_SYSTEM_LOOPS_MAX, DETOURS = 3, COEFFICIENTS_MAX = 2 * YK_SYSTEM_LOOPS_MAX * (N_MAX + 1) };
 
@@ -215,13 +214,7 @@ static bool write_real(const YkShape *shape, double size, YkGroupSolutions *out)
         const YkProved *p = &out->proved[s];
         out->unclear += p->certificate.reality == YK_REALITY_UNKNOWN;
         if (p->certificate.reality != YK_REAL) continue;
-        if (out->real_count == out->real_capacity) {
-            size_t capacity = 2 * out->real_capacity + 16;
-            double *real = realloc(out->real, capacity * shape->unknowns * sizeof *real);
-            if (!real) return false;
-            out->real = real;
-            out->real_capacity = capacity;
-        }
+        if (!YK_ROW_ROOM(out->real, shape->unknowns, out->real_count, out->real_capacity)) return false;
         double *row = out->real + out->real_count++ * shape->unknowns;
         for (size_t k = 0; k < shape->unknowns; k++)
             row[shape->column[k]] = k < shape->angles ? yk_atan2(p->x[k].y, p->x[k].x) : size * p->x[k].x;

@@ -1,7 +1,6 @@
 // Finds the rows of J, and the blocks in which its unknown columns are solved.
 #include "derive/blocks.h"
 #include <string.h>
-#include "derive/inside.h"
 #include "derive/relations.h"
 #include "num/components.h"
 #include "num/matching.h"

@@ -1,5 +1,4 @@
 // Bodies: gives each that turns an angle of its own, and leads from body form to joint form.
-#include <string.h>
 #include "derive/inside.h"
 
 enum { ANGLE_TERMS_MAX = 3000000 };
@@ -190,14 +189,7 @@ bool yk_derive_define(YkDerivation *d, int32_t symbol, const YkPoisson *meaning)
 {
     if (symbol < 0 || !meaning || (!d->changes && !make_changes(d))) return false;
     meaning = yk_derive_in_joints(d, meaning);
-    if (d->change_count == d->change_capacity) {
-        size_t capacity = 2 * d->change_capacity + 8;
-        YkRingChange *more = YK_NEW(d->arena, YkRingChange, capacity);
-        if (!more) return false;
-        memcpy(more, d->changes, d->change_count * sizeof *more);
-        d->changes = more;
-        d->change_capacity = capacity;
-    }
+    if (!YK_ROOM_IN(d->arena, d->changes, d->change_count, d->change_capacity)) return false;
     d->changes[d->change_count++] = (YkRingChange){symbol, meaning, NULL};
     d->definition_count++;
     d->to_joints = NULL; // must be prepared again

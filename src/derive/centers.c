@@ -3,7 +3,6 @@
 #include <yoke/centers.h>
 #include <math.h>
 #include "derive/forces/free_bodies.h"
-#include "derive/inside.h"
 #include "derive/sections.h"
 #include "solve/state.h"
 

@@ -4,7 +4,6 @@
 #include "base/number.h"
 #include "derive/inside.h"
 #include "elementary/elementary.h"
-#include "expr/formula.h"
 
 enum { DIGITS_EXACT = 1000000000, DENOMINATOR_MAX = 1000000 };
 

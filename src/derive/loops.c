@@ -1,5 +1,4 @@
 // Section: loop equations, as sums of named vectors and in x and y.
-#include <string.h>
 #include "derive/blocks.h"
 #include "derive/relations.h"
 #include "derive/sections.h"

@@ -1,5 +1,4 @@
 // Composes names.
-#include <string.h>
 #include "derive/derive.h"
 
 const char *yk_derive_text(YkDerivation *d, const char *first, const char *second, const char *third)

@@ -1,6 +1,5 @@
 // Shaking over a cycle: the poses, their inertia, and the input's effort.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <yoke/move.h>
 #include <yoke/sweep.h>

@@ -7,7 +7,6 @@
 // vanishes: these are the counterweights of Berkof and Lowen (1969) and of Tepper and Lowen (1972).
 #include "design/balancing.h"
 #include <math.h>
-#include <stdlib.h>
 #include "num/dense.h"
 
 enum { ROUNDS = 60 };
@@ -15,6 +14,7 @@ enum { ROUNDS = 60 };
 static const double vanishes = 1e-9; // of the unbalanced motion
 
 typedef struct Weighing {
+    YkArena *arena; // of all arrays
     const YkModel *model;
     YkCycle cycle;
     size_t bodies;
@@ -32,31 +32,18 @@ typedef struct Weighing {
 static bool allocate(Weighing *w)
 {
     size_t count = w->cycle.count, columns = 2 * YK_WEIGHTS_MAX;
-    w->sum = calloc(count, sizeof *w->sum);
-    w->e = calloc(count * w->bodies, sizeof *w->e);
-    w->pivot = calloc(count * w->bodies, sizeof *w->pivot);
-    w->pin = calloc(w->bodies, sizeof *w->pin);
-    w->on_ground = calloc(w->bodies, sizeof *w->on_ground);
-    w->A = calloc(2 * count * columns, sizeof *w->A);
-    w->b = calloc(2 * count, sizeof *w->b);
-    w->x = calloc(columns, sizeof *w->x);
-    w->tau = calloc(columns, sizeof *w->tau);
-    w->order = calloc(columns, sizeof *w->order);
-    return w->sum && w->e && w->pivot && w->pin && w->on_ground && w->A && w->b && w->x && w->tau && w->order;
-}
-
-static void release(Weighing *w)
-{
-    free(w->sum);
-    free(w->e);
-    free(w->pivot);
-    free(w->pin);
-    free(w->on_ground);
-    free(w->A);
-    free(w->b);
-    free(w->x);
-    free(w->tau);
-    free(w->order);
+    YkArena *a = w->arena = yk_arena_new();
+    w->sum = yk_arena_alloc(a, count, sizeof *w->sum);
+    w->e = yk_arena_alloc(a, count * w->bodies, sizeof *w->e);
+    w->pivot = yk_arena_alloc(a, count * w->bodies, sizeof *w->pivot);
+    w->pin = yk_arena_alloc(a, w->bodies, sizeof *w->pin);
+    w->on_ground = yk_arena_alloc(a, w->bodies, sizeof *w->on_ground);
+    w->A = yk_arena_alloc(a, 2 * count * columns, sizeof *w->A);
+    w->b = yk_arena_alloc(a, 2 * count, sizeof *w->b);
+    w->x = yk_arena_alloc(a, columns, sizeof *w->x);
+    w->tau = yk_arena_alloc(a, columns, sizeof *w->tau);
+    w->order = yk_arena_alloc(a, columns, sizeof *w->order);
+    return !yk_arena_failed(a);
 }
 
 // Finds each body's pin: one with the ground if there is any.
@@ -257,6 +244,6 @@ YkStatus yk_balancing_weigh(const YkCycle *cycle, const YkState *state, YkBalanc
         balancing->is_full = rest <= vanishes * unbalanced;
         take_weights(&w, balancing);
     }
-    release(&w);
+    yk_arena_free(w.arena);
     return status;
 }

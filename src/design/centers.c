@@ -31,6 +31,7 @@ struct YkCenters {
 };
 
 typedef struct Search {
+    YkArena *arena; // of its arrays
     const YkState *state;
     const YkModel *model;
     YkCenters *centers;
@@ -220,13 +221,14 @@ static bool take_stalled(Search *s)
 static bool allocate(Search *s)
 {
     size_t n = s->bodies, pairs = n * n;
-    s->field = calloc(n, sizeof *s->field);
-    s->place = calloc(pairs, sizeof *s->place);
-    s->is_done = calloc(pairs, sizeof *s->is_done);
-    s->is_known = calloc(pairs, sizeof *s->is_known);
+    YkArena *a = s->arena = yk_arena_new();
+    s->field = yk_arena_alloc(a, n, sizeof *s->field);
+    s->place = yk_arena_alloc(a, pairs, sizeof *s->place);
+    s->is_done = yk_arena_alloc(a, pairs, sizeof *s->is_done);
+    s->is_known = yk_arena_alloc(a, pairs, sizeof *s->is_known);
     s->centers = calloc(1, sizeof *s->centers);
     if (s->centers) s->centers->items = calloc(pairs, sizeof *s->centers->items);
-    return s->field && s->place && s->is_done && s->is_known && s->centers && s->centers->items;
+    return !yk_arena_failed(a) && s->centers && s->centers->items;
 }
 
 // A copy of the state whose input moves at unit rate; NULL when out of memory or at a dead point.
@@ -273,10 +275,7 @@ YkCenters *yk_centers_new(const YkState *state, YkProblems *problems)
         s.centers = NULL;
     }
     yk_state_free(moving);
-    free(s.field);
-    free(s.place);
-    free(s.is_done);
-    free(s.is_known);
+    yk_arena_free(s.arena);
     return s.centers;
 }
 

@@ -10,19 +10,18 @@
 static bool allocate(YkDynamics *d)
 {
     size_t inputs = d->mech->input_count + 1, bodies = d->mech->model->body_count;
-    d->is_free = calloc(2 * inputs, sizeof *d->is_free);
-    d->q = calloc(5 * inputs, sizeof *d->q);
+    YkArena *a = d->arena = yk_arena_new();
+    d->is_free = yk_arena_alloc(a, 2 * inputs, sizeof *d->is_free);
+    d->q = yk_arena_alloc(a, 5 * inputs, sizeof *d->q);
     d->loads = yk_loads_new(d->mech);
     d->bodies = yk_free_bodies_new(d->mech);
-    d->load = calloc(2 * bodies, sizeof *d->load);
-    d->motion = calloc(bodies, sizeof *d->motion);
-    d->joint = calloc(d->mech->model->joint_count + 1, sizeof *d->joint);
-    d->whole = calloc(d->mech->model->joint_count + 1, sizeof *d->whole);
-    d->contact = calloc(d->mech->relation_count + 1, sizeof *d->contact);
+    d->load = yk_arena_alloc(a, 2 * bodies, sizeof *d->load);
+    d->motion = yk_arena_alloc(a, bodies, sizeof *d->motion);
+    d->joint = yk_arena_alloc(a, d->mech->model->joint_count + 1, sizeof *d->joint);
+    d->whole = yk_arena_alloc(a, d->mech->model->joint_count + 1, sizeof *d->whole);
+    d->contact = yk_arena_alloc(a, d->mech->relation_count + 1, sizeof *d->contact);
     d->power = d->loads ? calloc(d->loads->item_count + d->mech->coordinate_count + 1, sizeof *d->power) : NULL;
-    if (!d->is_free || !d->q || !d->loads || !d->bodies || !d->load || !d->motion || !d->joint || !d->whole ||
-        !d->contact || !d->power)
-        return false;
+    if (yk_arena_failed(a) || !d->loads || !d->bodies || !d->power) return false;
     if (d->loads->has_dry && !(d->holding = yk_holding_new(d))) return false;
     d->prescribed = d->is_free + inputs;
     d->v = d->q + inputs;
@@ -58,13 +57,7 @@ void yk_dynamics_free(YkDynamics *d)
     yk_dynamics_forget_equations(d);
     yk_holding_free(d->holding);
     yk_free_bodies_free(d->bodies);
-    free(d->is_free);
-    free(d->q);
-    free(d->load);
-    free(d->motion);
-    free(d->joint);
-    free(d->whole);
-    free(d->contact);
+    yk_arena_free(d->arena);
     free(d->power);
     free(d);
 }

@@ -9,6 +9,7 @@
 struct YkHolding;
 
 struct YkDynamics {
+    YkArena *arena; // of its arrays
     const YkMechanism *mech;
     YkLoads *loads;
     bool *is_free, *prescribed; // per input; prescribed: scratch

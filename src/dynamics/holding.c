@@ -31,6 +31,7 @@ typedef struct YkStanding {
 } YkStanding;
 
 struct YkHolding {
+    YkArena *arena;                     // of all arrays
     size_t count, rows, inputs, joints; // joints: followed by gears and cams
     bool is_too_large, is_open;
     double hardest; // the largest acceleration of the pose, rad/s^2 or sizes/s^2
@@ -42,42 +43,33 @@ struct YkHolding {
     YkEffortRange *range; // [input]
     YkReaction *before;   // [joint]
     bool *depends;        // [joint] on frictions of joints that stand
-    void *memory;
 };
-
-static double *take(double **from, size_t count)
-{
-    double *here = *from;
-    *from += count;
-    return here;
-}
 
 static bool lay_out(YkHolding *h)
 {
     size_t n = h->count, r = h->rows, m = 4 * n;
     size_t work = YK_LINEAR_WORK(m, n) > YK_BOUNDED_WORK(n) ? YK_LINEAR_WORK(m, n) : YK_BOUNDED_WORK(n);
-    double *at = h->memory = calloc(2 * r + r * n + 6 * n + n * n + m * n + m + work + 8, sizeof *at);
-    h->standing = calloc(n + 1, sizeof *h->standing);
-    h->bounds = calloc(n + 1, sizeof *h->bounds);
-    h->order = calloc(YK_LINEAR_ORDER(m, n) + YK_BOUNDED_ORDER(n) + 1, sizeof *h->order);
-    h->range = calloc(h->inputs + 1, sizeof *h->range);
-    h->before = calloc(h->joints + 1, sizeof *h->before);
-    h->depends = calloc(h->joints + 1, sizeof *h->depends);
-    if (!at || !h->standing || !h->bounds || !h->order || !h->range || !h->before || !h->depends) return false;
-    h->base = take(&at, r);
-    h->row = take(&at, r);
-    h->column = take(&at, r * n);
-    h->f = take(&at, n);
-    h->best = take(&at, n);
-    h->trial = take(&at, n);
-    h->bias = take(&at, n);
-    h->c = take(&at, n);
-    h->x = take(&at, n);
-    h->matrix = take(&at, n * n);
-    h->A = take(&at, m * n);
-    h->b = take(&at, m);
-    h->work = at;
-    return true;
+    YkArena *a = h->arena = yk_arena_new();
+    h->standing = yk_arena_alloc(a, n + 1, sizeof *h->standing);
+    h->bounds = yk_arena_alloc(a, n + 1, sizeof *h->bounds);
+    h->order = yk_arena_alloc(a, YK_LINEAR_ORDER(m, n) + YK_BOUNDED_ORDER(n) + 1, sizeof *h->order);
+    h->range = yk_arena_alloc(a, h->inputs + 1, sizeof *h->range);
+    h->before = yk_arena_alloc(a, h->joints + 1, sizeof *h->before);
+    h->depends = yk_arena_alloc(a, h->joints + 1, sizeof *h->depends);
+    h->base = YK_NEW(a, double, r);
+    h->row = YK_NEW(a, double, r);
+    h->column = YK_NEW(a, double, r *n);
+    h->f = YK_NEW(a, double, n);
+    h->best = YK_NEW(a, double, n);
+    h->trial = YK_NEW(a, double, n);
+    h->bias = YK_NEW(a, double, n);
+    h->c = YK_NEW(a, double, n);
+    h->x = YK_NEW(a, double, n);
+    h->matrix = YK_NEW(a, double, n *n);
+    h->A = YK_NEW(a, double, m *n);
+    h->b = YK_NEW(a, double, m);
+    h->work = YK_NEW(a, double, work);
+    return !yk_arena_failed(a);
 }
 
 YkHolding *yk_holding_new(const YkDynamics *d)
@@ -104,13 +96,7 @@ YkHolding *yk_holding_new(const YkDynamics *d)
 void yk_holding_free(YkHolding *h)
 {
     if (!h) return;
-    free(h->memory);
-    free(h->standing);
-    free(h->bounds);
-    free(h->order);
-    free(h->range);
-    free(h->before);
-    free(h->depends);
+    yk_arena_free(h->arena);
     free(h);
 }
 

@@ -68,6 +68,7 @@ typedef struct YkElement { // a body with mass or load
 } YkElement;
 
 typedef struct YkElimination {
+    YkArena *arena; // of arrays by operation, element and input
     const YkMechanism *mech;
     YkOperation *operations; // in forward order; eliminated backwards
     size_t operation_count;

@@ -6,6 +6,7 @@
 #include "equations/gradient.h"
 
 typedef struct YkEliminationOrder {
+    YkArena *arena; // of the lists that do not grow
     YkElimination *e;
     const YkMechanism *mech;
     const bool *is_free, *is_loaded;

@@ -46,6 +46,7 @@ typedef struct YkOtherBody {
 } YkOtherBody;
 
 typedef struct YkInfluence {
+    YkArena *arena; // of all arrays
     const YkElimination *e;
     size_t free_count, width;          // columns of R: 1, 2 or 4, those beyond the free inputs 0
     int32_t input[YK_INFLUENCE_MAX];   // in the order in which they are freed

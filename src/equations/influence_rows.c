@@ -73,17 +73,17 @@ static bool allocate(YkInfluence *f)
         size_t count = (size_t)e->operations[p].own * e->operations[p].given;
         if (count > most) most = count;
     }
-    f->carries = calloc(e->operation_count + 1, sizeof *f->carries);
-    f->terms = calloc(e->piece_count + 1, sizeof *f->terms);
+    YkArena *a = f->arena = yk_arena_new();
+    f->carries = yk_arena_alloc(a, e->operation_count + 1, sizeof *f->carries);
+    f->terms = yk_arena_alloc(a, e->piece_count + 1, sizeof *f->terms);
     size_t bodies[3] = {0};
     for (size_t k = 0; k < e->element_count; k++) bodies[plain_terms(&e->elements[k])]++;
-    f->others = calloc(bodies[0] + 1, sizeof *f->others);
-    f->pivoted = calloc(bodies[1] + 1, sizeof *f->pivoted);
-    f->carried = calloc(bodies[2] + 1, sizeof *f->carried);
-    f->R = calloc(e->unknown_count * f->width + 1, sizeof *f->R);
-    f->C = calloc(most, sizeof *f->C);
-    return f->carries && f->terms && f->pivoted && f->carried && f->others && f->R && f->C &&
-           yk_coefficients_start(&f->work, e);
+    f->others = yk_arena_alloc(a, bodies[0] + 1, sizeof *f->others);
+    f->pivoted = yk_arena_alloc(a, bodies[1] + 1, sizeof *f->pivoted);
+    f->carried = yk_arena_alloc(a, bodies[2] + 1, sizeof *f->carried);
+    f->R = yk_arena_alloc(a, e->unknown_count * f->width + 1, sizeof *f->R);
+    f->C = yk_arena_alloc(a, most, sizeof *f->C);
+    return !yk_arena_failed(a) && yk_coefficients_start(&f->work, e);
 }
 
 YkInfluence *yk_influence_new(const YkElimination *e, size_t free_count)
@@ -107,12 +107,6 @@ void yk_influence_free(YkInfluence *f)
 {
     if (!f) return;
     yk_coefficients_end(&f->work);
-    free(f->carries);
-    free(f->terms);
-    free(f->pivoted);
-    free(f->carried);
-    free(f->others);
-    free(f->R);
-    free(f->C);
+    yk_arena_free(f->arena);
     free(f);
 }

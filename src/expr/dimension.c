@@ -15,38 +15,22 @@ YkDimensions *yk_dimensions_new(YkArena *arena, const YkUnits *units)
     return dims;
 }
 
-// Makes room for one more in an array that lives in the arena. Returns NULL when out of memory.
-static void *room(YkDimensions *dims, void *items, size_t count, size_t *capacity, size_t size)
-{
-    if (count < *capacity) return items;
-    size_t wanted = *capacity ? 2 * *capacity : 64;
-    void *larger = wanted > INT32_MAX / 2 ? NULL : yk_arena_alloc(dims->arena, wanted, size);
-    if (!larger) {
-        dims->failed = true;
-        return NULL;
-    }
-    if (count > 0) memcpy(larger, items, count * size);
-    *capacity = wanted;
-    return larger;
-}
-
 static void add_name(YkDimensions *dims, YkDimName name)
 {
     if (!dims) return;
-    YkDimName *names = room(dims, dims->names, dims->name_count, &dims->name_capacity, sizeof name);
-    if (!names) return;
-    dims->names = names;
-    names[dims->name_count++] = name;
+    if (YK_ROOM_IN(dims->arena, dims->names, dims->name_count, dims->name_capacity))
+        dims->names[dims->name_count++] = name;
+    else
+        dims->failed = true;
 }
 
 static void add_constraint(YkDimensions *dims, YkConstraint constraint)
 {
     if (!dims) return;
-    YkConstraint *constraints =
-        room(dims, dims->constraints, dims->constraint_count, &dims->constraint_capacity, sizeof constraint);
-    if (!constraints) return;
-    dims->constraints = constraints;
-    constraints[dims->constraint_count++] = constraint;
+    if (YK_ROOM_IN(dims->arena, dims->constraints, dims->constraint_count, dims->constraint_capacity))
+        dims->constraints[dims->constraint_count++] = constraint;
+    else
+        dims->failed = true;
 }
 
 void yk_dimensions_fix(YkDimensions *dims, const char *name, YkDimension dimension)

@@ -16,7 +16,7 @@ static const char *piece(YkParser *parser, size_t start, size_t end)
 
 static bool starts_unit(char c)
 {
-    return yk_is_name_start(c) || c == '%';
+    return yk_begins_name(c) || c == '%';
 }
 
 static size_t skip_digits(const YkParser *parser, size_t at)

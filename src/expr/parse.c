@@ -44,7 +44,7 @@ static size_t name_end(const YkParser *parser, size_t at)
 {
     for (;;) {
         while (yk_is_name_part(yk_parser_peek(parser, at))) at++;
-        if (yk_parser_peek(parser, at) != '.' || !yk_is_name_start(yk_parser_peek(parser, at + 1))) return at;
+        if (yk_parser_peek(parser, at) != '.' || !yk_begins_name(yk_parser_peek(parser, at + 1))) return at;
         at++;
     }
 }
@@ -97,7 +97,7 @@ static YkExpr *parse_primary(YkParser *parser)
     char c = yk_parser_peek(parser, parser->at);
     if (yk_is_digit(c) || (c == '.' && yk_is_digit(yk_parser_peek(parser, parser->at + 1))))
         return yk_parse_literal(parser);
-    if (yk_is_name_start(c)) return parse_name(parser);
+    if (yk_begins_name(c)) return parse_name(parser);
     if (!take(parser, '(')) return yk_parser_expected(parser, "a value");
     YkExpr *inside = parse_sum(parser);
     if (!inside) return NULL;

@@ -63,7 +63,7 @@ YkExpr *yk_parser_expected_operator(YkParser *parser)
     }
     yk_parser_expected(parser, "an operator");
     if (yk_is_name_part(c) || c == '(') yk_problem_hint(parser->problems, "a product needs its `*`");
-    if (c == '.' && yk_is_name_start(yk_parser_peek(parser, parser->at + 1)))
+    if (c == '.' && yk_begins_name(yk_parser_peek(parser, parser->at + 1)))
         yk_problem_hint(parser->problems, "a blank ends a unit: `2 N*s/m * s.rate`");
     return NULL;
 }

@@ -20,19 +20,9 @@ YkPlace yk_parser_place(const YkParser *parser, size_t start, size_t end)
     return place;
 }
 
-bool yk_is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool yk_is_name_start(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
 bool yk_is_name_part(char c)
 {
-    return yk_is_name_start(c) || yk_is_digit(c);
+    return yk_begins_name(c) || yk_is_digit(c);
 }
 
 YkExpr *yk_parser_node(YkParser *parser, YkExprKind kind, size_t start)

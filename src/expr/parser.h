@@ -1,6 +1,7 @@
 // Shared by the parser's files; no other room includes it.
 #ifndef EXPR_PARSER_H
 #define EXPR_PARSER_H
+#include "base/letters.h"
 #include "expr/expr.h"
 
 // Everything outside ASCII ends the parse, so every byte before a problem is one column.
@@ -20,9 +21,7 @@ YkPlace yk_parser_place(const YkParser *parser, size_t start, size_t end);
 // Makes a node over text[start..at), of height 1. Returns NULL when out of memory, with a problem.
 YkExpr *yk_parser_node(YkParser *parser, YkExprKind kind, size_t start);
 
-bool yk_is_digit(char c);
-bool yk_is_name_start(char c); // a letter or _
-bool yk_is_name_part(char c);  // or a digit
+bool yk_is_name_part(char c); // a letter, _ or a digit
 
 // Report problems; all return NULL, for the caller to return. `expected`: something else stands in place of `wanted`.
 YkExpr *yk_parser_expected(YkParser *parser, const char *wanted);

@@ -5,7 +5,6 @@
 // e = 0 except for redundant parts: there A has dependent columns, and a small e keeps the system regular. Solving
 // again for the residual of the constraints gives the accelerations of e = 0 (the method of multipliers: Hestenes
 // 1969), which are unique; the reactions are then those of least norm.
-#include <stdlib.h>
 #include <string.h>
 #include "elementary/elementary.h"
 #include "free_bodies/inside.h"

@@ -1,11 +1,6 @@
 // Finds parts: bodies that joints connect other than through the ground.
+#include "base/sets.h"
 #include "free_bodies/inside.h"
-
-static int32_t find(int32_t *above, int32_t body)
-{
-    while (above[body] != body) body = above[body] = above[above[body]];
-    return body;
-}
 
 // Numbers the parts in the order of their first bodies; the ground is in none.
 static void find_parts(YkFreeBodies *f, int32_t *above)
@@ -18,19 +13,19 @@ static void find_parts(YkFreeBodies *f, int32_t *above)
     for (size_t j = 0; j < model->joint_count; j++) {
         const int32_t *body = model->joints[j].body;
         if (body[0] == 0 || body[1] == 0) continue;
-        above[find(above, body[0])] = find(above, body[1]);
+        above[yk_root_of(above, body[0])] = yk_root_of(above, body[1]);
     }
     for (size_t k = 0; k < f->column_count; k++) {
         const YkWrenchColumn *c = &f->columns[k];
         const int32_t bodies[] = {c->body[0], c->body[1], c->third, c->fourth};
         int32_t first = 0;
         for (int i = 0; i < 4 && c->kind == YK_WRENCH_MESH; i++) {
-            if (bodies[i] != 0 && first != 0) above[find(above, first)] = find(above, bodies[i]);
+            if (bodies[i] != 0 && first != 0) above[yk_root_of(above, first)] = yk_root_of(above, bodies[i]);
             if (bodies[i] != 0) first = bodies[i];
         }
     }
     for (size_t b = 1; b < model->body_count; b++) {
-        int32_t root = find(above, (int32_t)b);
+        int32_t root = yk_root_of(above, (int32_t)b);
         if (f->part_of[root] == YK_NONE) f->part_of[root] = (int32_t)f->part_count++;
         f->part_of[b] = f->part_of[root];
     }

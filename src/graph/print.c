@@ -3,11 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const YkValue *value_of(const YkPrinter *pr, YkRef value)
-{
-    return &pr->graph->values[value];
-}
-
 bool yk_printer_start(YkPrinter *pr, YkGraph *graph, const YkPrinterFile *file, const char *prefix, bool single,
                       YkText *out)
 {
@@ -38,7 +33,7 @@ static void mark_call(YkPrinter *pr, int32_t index);
 
 static void mark(YkPrinter *pr, YkRef value)
 {
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     pr->count[value]++;
     if (yk_printer_is_given(pr, value) || (pr->marked[value] && v->op != YK_VALUE_MINUS)) return;
     pr->marked[value] = true; // a sign is written wherever it is used, and so uses its operand each time
@@ -80,7 +75,7 @@ void yk_printer_begin(YkPrinter *pr, const YkRef *roots, size_t count)
 // Notes the machine's value itself, or the one that it is the opposite of.
 static void need_field(YkPrinter *pr, YkRef value)
 {
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     if (!v->of_parameters || v->op == YK_VALUE_NUMBER || v->op == YK_VALUE_LEAF) return;
     if (v->op == YK_VALUE_MINUS) {
         need_field(pr, v->a);

@@ -67,6 +67,15 @@ struct YkPrinter {
     bool failed;
 };
 
+static inline const YkValue *yk_printer_at(const YkPrinter *printer, YkRef value)
+{
+    return &printer->graph->values[value];
+}
+static inline const char *yk_printer_real(const YkPrinter *printer)
+{
+    return printer->single ? "float" : "double";
+}
+
 // The graph must be complete. Returns false when out of memory; the printer must be ended then, too.
 bool yk_printer_start(YkPrinter *printer, YkGraph *graph, const YkPrinterFile *file, const char *prefix, bool single,
                       YkText *out);

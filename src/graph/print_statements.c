@@ -5,11 +5,6 @@
 
 enum { INLINE_MAX = 9, LINE_MAX_LENGTH = 112 }; // operations in one expression; columns
 
-static const YkValue *value_of(const YkPrinter *pr, YkRef value)
-{
-    return &pr->graph->values[value];
-}
-
 // Variables of the printed functions, and the functions of <math.h> that they call, which a variable of that name
 // would hide.
 static bool is_used(const YkPrinter *pr, const char *name)
@@ -43,17 +38,12 @@ const char *yk_printer_unique(YkPrinter *pr, const char *wish)
     return name;
 }
 
-static const char *real(const YkPrinter *pr)
-{
-    return pr->single ? "float" : "double";
-}
-
 // --- statements
 
 // Returns the number of operations in its expression as it would be written.
 static int weight(const YkPrinter *pr, YkRef value)
 {
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     if (value < 0 || yk_printer_is_given(pr, value) || pr->local[value]) return 0;
     if (v->op == YK_VALUE_MINUS) return weight(pr, v->a);
     int sum = 1;
@@ -95,7 +85,7 @@ void yk_printer_wrap(YkPrinter *pr, size_t from)
 static void declare(YkPrinter *pr, YkRef value, const char *name)
 {
     size_t from = pr->out->length;
-    yk_text_format(pr->out, "    const %s %s = ", real(pr), name);
+    yk_text_format(pr->out, "    const %s %s = ", yk_printer_real(pr), name);
     yk_printer_written(pr, value);
     yk_text_puts(pr->out, ";");
     yk_printer_wrap(pr, from);
@@ -106,11 +96,11 @@ static void declare(YkPrinter *pr, YkRef value, const char *name)
 // Declares the sine and, right after it, the cosine of one angle.
 static void declare_pair(YkPrinter *pr, YkRef sine)
 {
-    const YkValue *s = value_of(pr, sine), *c = value_of(pr, sine + 1);
+    const YkValue *s = yk_printer_at(pr, sine), *c = yk_printer_at(pr, sine + 1);
     pr->uses[YK_HELPER_SINCOS] = true;
     pr->local[sine] = yk_printer_unique(pr, s->name ? s->name : yk_graph_text(pr->graph, "s%d", (int)sine));
     pr->local[sine + 1] = yk_printer_unique(pr, c->name ? c->name : yk_graph_text(pr->graph, "c%d", (int)sine));
-    yk_text_format(pr->out, "    %s %s, %s;\n    %s_sincos(", real(pr), pr->local[sine], pr->local[sine + 1],
+    yk_text_format(pr->out, "    %s %s, %s;\n    %s_sincos(", yk_printer_real(pr), pr->local[sine], pr->local[sine + 1],
                    pr->prefix);
     yk_printer_value(pr, s->a);
     yk_text_format(pr->out, ", &%s, &%s);\n", pr->local[sine], pr->local[sine + 1]);
@@ -119,7 +109,7 @@ static void declare_pair(YkPrinter *pr, YkRef sine)
 void yk_printer_array(YkPrinter *pr, const char *name, const YkRef *values, size_t count, size_t size)
 {
     size_t from = pr->out->length;
-    yk_text_format(pr->out, "    %s %s[%d] = {", real(pr), name, (int)size);
+    yk_text_format(pr->out, "    %s %s[%d] = {", yk_printer_real(pr), name, (int)size);
     for (size_t k = 0; k < count; k++) {
         if (k > 0) yk_text_puts(pr->out, ", ");
         yk_printer_value(pr, values[k]);
@@ -141,7 +131,7 @@ static const char *ensure_call(YkPrinter *pr, int32_t index, const char **names)
 
 static bool needs_variable(const YkPrinter *pr, YkRef value)
 {
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     if (v->op == YK_VALUE_MINUS) return false;
     if (pr->count[value] > 1 || (v->name && pr->count[value] > 0)) return true;
     return weight(pr, value) > INLINE_MAX;
@@ -149,7 +139,7 @@ static bool needs_variable(const YkPrinter *pr, YkRef value)
 
 static void statement(YkPrinter *pr, YkRef value, const char **call_names)
 {
-    YkValue v = *value_of(pr, value);
+    YkValue v = *yk_printer_at(pr, value);
     if (pr->local[value]) return;
     if ((v.op == YK_VALUE_SINE || v.op == YK_VALUE_COSINE) && !pr->in_machine) {
         heading(pr, v.section);
@@ -167,7 +157,7 @@ static void keep(YkPrinter *pr, YkRef leaf)
 {
     if (pr->count[leaf] == 0 || pr->local[leaf]) return;
     const char *name = yk_printer_unique(pr, yk_graph_text(pr->graph, "t%d", (int)leaf));
-    yk_text_format(pr->out, "    const %s %s = ", real(pr), name);
+    yk_text_format(pr->out, "    const %s %s = ", yk_printer_real(pr), name);
     yk_printer_value(pr, leaf);
     yk_text_puts(pr->out, ";\n");
     pr->local[leaf] = name;
@@ -202,8 +192,8 @@ void yk_printer_machine(YkPrinter *pr)
         for (YkRef v = k == 0 ? 0 : pr->fields[k - 1] + 1; v < field; v++)
             if (pr->marked[v] && needs_variable(pr, v))
                 declare(pr, v,
-                        yk_printer_unique(pr, value_of(pr, v)->name ? value_of(pr, v)->name
-                                                                    : yk_graph_text(pr->graph, "t%d", (int)v)));
+                        yk_printer_unique(pr, yk_printer_at(pr, v)->name ? yk_printer_at(pr, v)->name
+                                                                         : yk_graph_text(pr->graph, "t%d", (int)v)));
         size_t from = pr->out->length;
         yk_text_format(pr->out, "    %s%s = ", pr->file->machine, pr->field[field]);
         yk_printer_written(pr, field);

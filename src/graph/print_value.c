@@ -4,11 +4,6 @@
 #include "base/number.h"
 #include "graph/function.h"
 
-static const YkValue *value_of(const YkPrinter *pr, YkRef value)
-{
-    return &pr->graph->values[value];
-}
-
 void yk_printer_number(YkPrinter *pr, double number)
 {
     char text[YK_NUMBER_SIZE];
@@ -31,7 +26,7 @@ static int32_t cut_of(const YkPrinter *pr, YkRef value)
 // Returns whether it needs no statement: a number, a leaf, a value of the machine, an element of `known`.
 bool yk_printer_is_given(const YkPrinter *pr, YkRef value)
 {
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     if (v->op == YK_VALUE_NUMBER || v->op == YK_VALUE_LEAF) return true;
     if (pr->cut && cut_of(pr, value) >= 0) return true;
     return v->of_parameters && !pr->in_machine;
@@ -45,7 +40,7 @@ static void expression(YkPrinter *pr, YkRef value, Rank least);
 
 static Rank rank_of(const YkPrinter *pr, YkRef value)
 {
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     if (v->op == YK_VALUE_NUMBER) return v->number < 0 ? RANK_SIGN : RANK_PRIMARY;
     if (v->op == YK_VALUE_MINUS) return RANK_SIGN;
     if (yk_printer_is_given(pr, value) || pr->local[value]) return RANK_PRIMARY;
@@ -108,7 +103,7 @@ static void operation(YkPrinter *pr, const YkValue *v)
 
 static void given(YkPrinter *pr, YkRef value)
 {
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     int32_t known = pr->cut ? cut_of(pr, value) : -1;
     if (known >= 0)
         yk_text_format(pr->out, "known[%d]", (int)known);
@@ -133,7 +128,7 @@ static void choose(YkPrinter *pr, const YkValue *v)
 
 void yk_printer_written(YkPrinter *pr, YkRef value)
 {
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     switch (v->op) {
     case YK_VALUE_ADD:
     case YK_VALUE_SUBTRACT:
@@ -194,7 +189,7 @@ static void expression(YkPrinter *pr, YkRef value, Rank least)
     enum { WORK = 200 };
     if (!yk_pace_spend(pr->graph->pace, WORK)) pr->failed = true;
     if (pr->failed) return;
-    const YkValue *v = value_of(pr, value);
+    const YkValue *v = yk_printer_at(pr, value);
     bool in_brackets = rank_of(pr, value) < least;
     if (in_brackets) yk_text_puts(pr->out, "(");
     if (v->op == YK_VALUE_NUMBER) {

@@ -2,6 +2,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include "base/sort.h"
 #include "base/vec.h"
 #include "elementary/elementary.h"
 #include "law/inside.h"
@@ -42,12 +43,6 @@ static bool evaluate(Fit *fit, double x, double d[ORDERS])
     return false;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Estimates the function's own rounding in each derivative, by second differences so narrow that nothing else is left
 // of them. Most of the places count: a kink may lie in some.
 static bool find_noise(Fit *fit, double noise[ORDERS])
@@ -60,7 +55,7 @@ static bool find_noise(Fit *fit, double noise[ORDERS])
         for (int m = 0; m < ORDERS; m++) rough[m][i] = fabs(before[m] - 2 * here[m] + after[m]);
     }
     for (int m = 0; m < ORDERS; m++) {
-        qsort(rough[m], CHECKS, sizeof *rough[m], by_size);
+        qsort(rough[m], CHECKS, sizeof *rough[m], yk_by_size);
         noise[m] = 16 * rough[m][CHECKS * 5 / 6];
     }
     return true;

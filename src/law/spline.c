@@ -1,6 +1,7 @@
 // A spline from conditions, in B-splines; every span becomes a piece.
 #include <stdlib.h>
 #include <string.h>
+#include "base/sort.h"
 #include "elementary/elementary.h"
 #include "law/inside.h"
 
@@ -83,12 +84,6 @@ static void make_knots(Spline *spline, const double *places)
     }
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static YkLawFault solve(YkLawBuilder *builder, const Spline *spline, double *control, double *condition_number)
 {
     size_t n = spline->count;
@@ -160,7 +155,7 @@ YkLawFault yk_law_add_spline(YkLawBuilder *builder, const YkLawCondition *condit
     if (fault != YK_LAW_OK) return fault;
     Spline spline = {.degree = degree, .count = count};
     for (size_t i = 0; i < count; i++) places[i] = conditions[i].at;
-    qsort(places, count, sizeof *places, by_size);
+    qsort(places, count, sizeof *places, yk_by_size);
     make_knots(&spline, places);
     size_t first = builder->piece_count;
     fault = solve(builder, &spline, control, &condition_number);

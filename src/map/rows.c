@@ -8,15 +8,9 @@
 
 double *yk_map_add_row(YkMap *map, YkMapRows *rows)
 {
-    if (rows->count == rows->capacity) {
-        size_t capacity = 2 * rows->capacity + 32;
-        double *numbers = realloc(rows->numbers, capacity * map->width * sizeof *numbers);
-        if (!numbers) {
-            map->tracer.out_of_memory = true;
-            return NULL;
-        }
-        rows->numbers = numbers;
-        rows->capacity = capacity;
+    if (!YK_ROW_ROOM(rows->numbers, map->width, rows->count, rows->capacity)) {
+        map->tracer.out_of_memory = true;
+        return NULL;
     }
     return yk_map_row_at(map, rows, rows->count++);
 }

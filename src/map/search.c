@@ -140,13 +140,9 @@ static bool keep(void *context, const double *box, const double *half)
     YkBoxes *rest = b->rest;
     if (b->is_zone && is_near_end(b, box, half)) return true;
     if (b->is_zone || rest->count >= BOXES) return false;
-    if (rest->count == rest->capacity) {
-        size_t capacity = 2 * rest->capacity + 64;
-        double *numbers = realloc(rest->numbers, capacity * 2 * YK_GEARED_MAX * sizeof *numbers);
-        b->t->out_of_memory |= !numbers;
-        if (!numbers) return false;
-        rest->numbers = numbers;
-        rest->capacity = capacity;
+    if (!YK_ROW_ROOM(rest->numbers, 2 * YK_GEARED_MAX, rest->count, rest->capacity)) {
+        b->t->out_of_memory = true;
+        return false;
     }
     double *row = rest->numbers + 2 * YK_GEARED_MAX * rest->count++;
     memcpy(row, box, YK_GEARED_MAX * sizeof *row);

@@ -54,6 +54,7 @@ typedef struct YkTies {
 
 // The data of following strands.
 typedef struct YkTracer {
+    YkArena *arena; // of the lists by piece
     const YkMechanism *mech;
     YkPiece *pieces; // in their order
     size_t piece_count;

@@ -129,17 +129,18 @@ double yk_tracer_reach(const YkMechanism *mech)
 bool yk_tracer_begin(YkTracer *t, const YkMechanism *mech)
 {
     size_t blocks = mech->block_count + mech->relation_count + 1;
+    YkArena *a = t->arena = yk_arena_new();
     t->mech = mech;
-    t->pieces = calloc(blocks, sizeof *t->pieces);
-    t->kept = calloc(blocks, sizeof *t->kept);
-    t->solutions = calloc(blocks, sizeof *t->solutions);
-    t->expected = calloc(blocks, sizeof *t->expected);
-    t->chain = calloc(blocks, sizeof *t->chain);
-    t->levels = calloc(blocks, sizeof *t->levels);
-    t->ties = calloc(blocks, sizeof *t->ties);
+    t->pieces = yk_arena_alloc(a, blocks, sizeof *t->pieces);
+    t->kept = yk_arena_alloc(a, blocks, sizeof *t->kept);
+    t->solutions = yk_arena_alloc(a, blocks, sizeof *t->solutions);
+    t->expected = yk_arena_alloc(a, blocks, sizeof *t->expected);
+    t->chain = yk_arena_alloc(a, blocks, sizeof *t->chain);
+    t->levels = yk_arena_alloc(a, blocks, sizeof *t->levels);
+    t->ties = yk_arena_alloc(a, blocks, sizeof *t->ties);
     bool has_discs = yk_discs_start(&t->discs, mech);
     has_discs = yk_discs_start(&t->over, mech) && has_discs;
-    return t->pieces && t->kept && t->solutions && t->expected && t->chain && t->levels && t->ties && has_discs;
+    return !yk_arena_failed(a) && has_discs;
 }
 
 void yk_tracer_end(YkTracer *t)
@@ -152,13 +153,7 @@ void yk_tracer_end(YkTracer *t)
     for (size_t k = 0; t->kept && k < t->piece_count; k++) yk_group_kept_end(&t->kept[k]);
     for (size_t k = 0; t->solutions && k < t->piece_count; k++) yk_group_solutions_end(&t->solutions[k]);
     for (size_t k = 0; t->pieces && k < t->piece_count; k++) yk_meshed_free(t->pieces[k].meshed);
-    free(t->levels);
-    free(t->ties);
-    free(t->kept);
-    free(t->solutions);
-    free(t->pieces);
-    free(t->expected);
-    free(t->chain);
+    yk_arena_free(t->arena);
     yk_discs_end(&t->discs);
     yk_discs_end(&t->over);
 }

@@ -2,22 +2,6 @@
 #include <string.h>
 #include "model/load.h"
 
-// Makes room for one more in the arena; the old arrays that doubling leaves behind are together smaller than the last.
-static bool make_room(YkLoader *loader)
-{
-    YkModel *model = loader->model;
-    if (model->coordinate_count < loader->coordinate_capacity) return true;
-    size_t capacity = loader->coordinate_capacity ? 2 * loader->coordinate_capacity : 16;
-    YkCoordinate *coordinates = YK_NEW(loader->arena, YkCoordinate, capacity);
-    if (!coordinates) return false;
-    if (model->coordinate_count) {
-        memcpy(coordinates, model->coordinates, model->coordinate_count * sizeof *coordinates);
-    }
-    model->coordinates = coordinates;
-    loader->coordinate_capacity = capacity;
-    return true;
-}
-
 static bool is_taken(YkLoader *loader, const char *name, YkPlace place)
 {
     const YkModel *model = loader->model;
@@ -34,7 +18,9 @@ static bool is_taken(YkLoader *loader, const char *name, YkPlace place)
 int32_t yk_load_declare(YkLoader *loader, const char *name, YkPlace place, int32_t joint, bool is_distance)
 {
     YkModel *model = loader->model;
-    if (is_taken(loader, name, place) || !make_room(loader)) return YK_NONE;
+    if (is_taken(loader, name, place)) return YK_NONE;
+    if (!YK_ROOM_IN(loader->arena, model->coordinates, model->coordinate_count, loader->coordinate_capacity))
+        return YK_NONE;
     int32_t index = (int32_t)model->coordinate_count, existing;
     if (!yk_names_add(&model->coordinate_names, name, index, &existing)) {
         loader->failed = true;

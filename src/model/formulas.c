@@ -1,5 +1,6 @@
 // Resolves the names in an expression of a loaded model.
 #include "model/formulas.h"
+#include "base/letters.h"
 #include <string.h>
 
 enum { UNKNOWN = -2, CONSTANT = -1, TIME = 0, NAME_ROOM = 128 }; // a name of the file has at most 100 characters
@@ -10,22 +11,13 @@ typedef struct Names {
     void *context;
 } Names;
 
-// Removes the ending from the name; returns false if it ends differently.
-static bool cut(char *name, const char *ending)
-{
-    size_t length = strlen(name), size = strlen(ending);
-    if (length <= size || strcmp(name + length - size, ending) != 0) return false;
-    name[length - size] = 0;
-    return true;
-}
-
 // Returns the declared coordinate that NAME, JOINT.angle or JOINT.distance refers to. Changes the text.
 static int32_t find_coordinate(const YkModel *model, char *name)
 {
     int32_t found = yk_names_find(&model->coordinate_names, name);
     if (found != YK_NONE) return found;
-    bool is_angle = cut(name, ".angle");
-    if (!is_angle && !cut(name, ".distance")) return YK_NONE;
+    bool is_angle = yk_cut_ending(name, ".angle");
+    if (!is_angle && !yk_cut_ending(name, ".distance")) return YK_NONE;
     int32_t joint = yk_names_find(&model->joint_names, name);
     if (joint == YK_NONE) return YK_NONE;
     return is_angle ? model->joints[joint].angle : model->joints[joint].distance;
@@ -37,7 +29,7 @@ static int resolve_coordinate(const Names *names, const char *name)
     size_t length = strlen(name);
     if (length >= sizeof text || !names->coordinate_variable) return UNKNOWN;
     memcpy(text, name, length + 1);
-    bool is_rate = cut(text, ".rate");
+    bool is_rate = yk_cut_ending(text, ".rate");
     int32_t coordinate = find_coordinate(names->model, text);
     int variable = coordinate == YK_NONE ? UNKNOWN : names->coordinate_variable(names->context, coordinate, is_rate);
     return variable < 0 ? UNKNOWN : variable;

@@ -1,7 +1,6 @@
 // Reads values from outside the file, such as the command line, in the model's units and with its parameters.
 #include <math.h>
 #include <string.h>
-#include <yoke/variant.h>
 #include "model/load.h"
 #include "model/shown_unit.h"
 

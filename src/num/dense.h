@@ -28,4 +28,11 @@ void yk_qr_solve_transposed(size_t m, size_t n, const double *A, const size_t *o
 // Source: Hestenes 1958; Demmel & Veselic 1992.
 void yk_singular_values(size_t m, size_t n, double *A, double *values);
 
+static inline double yk_inner_product(const double *a, const double *b, size_t n)
+{
+    double sum = 0;
+    for (size_t k = 0; k < n; k++) sum += a[k] * b[k];
+    return sum;
+}
+
 #endif

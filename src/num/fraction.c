@@ -1,15 +1,7 @@
 // Exact fractions.
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "num/whole.h"
-
-// Copies a part of a fraction; only the limbs that count.
-static void put(YkWhole *to, const YkWhole *from)
-{
-    to->count = from->count;
-    memcpy(to->limb, from->limb, from->count * sizeof *from->limb);
-}
 
 static const YkWhole *under(const YkFraction *a, YkWhole *one)
 {
@@ -85,8 +77,8 @@ YkFraction yk_fraction_inverse(const YkFraction *a)
     YkFraction b;
     YkWhole one;
     b.is_negative = a->is_negative;
-    put(&b.over, under(a, &one));
-    put(&b.under, &a->over);
+    yk_whole_copy(&b.over, under(a, &one));
+    yk_whole_copy(&b.under, &a->over);
     return b;
 }
 
@@ -95,7 +87,7 @@ static void divide_out(YkWhole *to, const YkWhole *a, const YkWhole *divisor)
 {
     YkWhole rest;
     if (is_one(divisor)) {
-        put(to, a);
+        yk_whole_copy(to, a);
     } else {
         yk_whole_divide(to, &rest, a, divisor);
     }
@@ -163,7 +155,7 @@ YkFraction yk_fraction_add(const YkFraction *a, const YkFraction *b, YkOverflow 
     if (sum.count == 0 || *overflow) return yk_fraction(0, 1);
     yk_whole_common(&divisor, &sum, &divisor); // only what the denominators shared can cancel (Knuth 4.5.1)
     divide_out(&c.over, &sum, &divisor);
-    put(&factor, &c.under);
+    yk_whole_copy(&factor, &c.under);
     divide_out(&c.under, &factor, &divisor);
     return c;
 }

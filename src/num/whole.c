@@ -17,7 +17,7 @@ YkWhole yk_whole(uint64_t value)
     return a;
 }
 
-static void copy(YkWhole *to, const YkWhole *from)
+void yk_whole_copy(YkWhole *to, const YkWhole *from)
 {
     to->count = from->count;
     memcpy(to->limb, from->limb, from->count * sizeof *from->limb);
@@ -154,7 +154,7 @@ void yk_whole_divide(YkWhole *quotient, YkWhole *rest, const YkWhole *a, const Y
 {
     if (yk_whole_compare(a, b) < 0) {
         if (quotient) quotient->count = 0;
-        copy(rest, a);
+        yk_whole_copy(rest, a);
         return;
     }
     if (b->count == 1) {
@@ -185,8 +185,8 @@ void yk_whole_common(YkWhole *divisor, const YkWhole *a, const YkWhole *b)
 {
     YkWhole parts[3]; // room for dividend, divisor and remainder, which take turns
     YkWhole *x = &parts[0], *y = &parts[1], *z = &parts[2];
-    copy(x, a);
-    copy(y, b);
+    yk_whole_copy(x, a);
+    yk_whole_copy(y, b);
     while (y->count > 2 || (x->count > 2 && y->count > 0)) {
         yk_whole_divide(NULL, z, x, y);
         YkWhole *free_part = x;
@@ -195,7 +195,7 @@ void yk_whole_common(YkWhole *divisor, const YkWhole *a, const YkWhole *b)
         z = free_part;
     }
     if (y->count == 0) {
-        copy(divisor, x);
+        yk_whole_copy(divisor, x);
         return;
     }
     uint64_t m = small_value(x), n = small_value(y);
@@ -222,12 +222,12 @@ void yk_whole_write(const YkWhole *a, YkText *text)
     char digits[DIGITS];
     size_t at = DIGITS;
     YkWhole left, next, rest;
-    copy(&left, a);
+    yk_whole_copy(&left, a);
     while (left.count > 0) {
         divide_by_limb(&next, &rest, &left, 1000000000u);
         uint64_t part = small_value(&rest);
         for (int k = 0; k < 9 && (part > 0 || next.count > 0); k++, part /= 10) digits[--at] = (char)('0' + part % 10);
-        copy(&left, &next);
+        yk_whole_copy(&left, &next);
     }
     if (at == DIGITS) digits[--at] = '0';
     yk_text_add(text, digits + at, DIGITS - at);

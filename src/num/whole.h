@@ -18,6 +18,7 @@ typedef struct YkWhole {
 typedef bool YkOverflow;
 
 YkWhole yk_whole(uint64_t value);
+void yk_whole_copy(YkWhole *to, const YkWhole *from); // only the limbs that count
 int yk_whole_compare(const YkWhole *a, const YkWhole *b);
 void yk_whole_add(YkWhole *sum, const YkWhole *a, const YkWhole *b, YkOverflow *overflow);
 void yk_whole_subtract(YkWhole *rest, const YkWhole *a, const YkWhole *b); // a >= b

@@ -87,10 +87,7 @@ static void put_formula(YkPrinting *printing, YkJson *json, const YkLine *line)
         yk_json_number(json, "value", value.x);
         return;
     }
-    yk_json_list(json, "value", YK_JSON_INLINE);
-    yk_json_number(json, NULL, value.x);
-    yk_json_number(json, NULL, value.y);
-    yk_json_end(json);
+    yk_json_numbers(json, "value", (double[]){value.x, value.y}, 2);
 }
 
 static void put_item(YkPrinting *printing, YkJson *json, const YkLine *line)

@@ -1,6 +1,4 @@
 // Prints pages as a LaTeX document: article and amsmath.
-#include <string.h>
-#include "base/letters.h"
 #include "base/utf8.h"
 #include "page/latex_display.h"
 #include "page/print.h"

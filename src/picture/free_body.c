@@ -5,7 +5,6 @@
 #include "base/escape.h"
 #include "picture/free_body_inside.h"
 #include "picture/labels.h"
-#include "write/table.h"
 
 static const char ink[] = "#1c1e21", force_colour[] = "#b3261e", moment_colour[] = "#6a3d9a", grey[] = "#55585c";
 

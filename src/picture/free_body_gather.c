@@ -1,5 +1,4 @@
 // Collects the action on every body and junction, as arrows with names, and the view of each picture.
-#include <stdlib.h>
 #include "page/print.h"
 #include "picture/free_body_inside.h"
 

@@ -1,5 +1,4 @@
 // Draws a map over two freedoms: regions in colours, and the curves between them.
-#include <stdlib.h>
 #include "map/workspace/regions.h"
 #include "picture/axes.h"
 #include "picture/svg.h"

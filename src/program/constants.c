@@ -1,5 +1,6 @@
 // Numbers of the model as values: parameters by name, expressions, points, the turns of bodies, the vectors of terms.
 #include <string.h>
+#include "base/letters.h"
 #include "program/program.h"
 #include "model/laws/laws.h"
 #include "model/transmissions/cam_arcs.h"
@@ -13,14 +14,6 @@ typedef struct Reading {
     const YkRef *own;          // the length and the rate of the spring at hand, or NULL
 } Reading;
 
-static bool cut(char *name, const char *ending)
-{
-    size_t length = strlen(name), size = strlen(ending);
-    if (length <= size || strcmp(name + length - size, ending) != 0) return false;
-    name[length - size] = 0;
-    return true;
-}
-
 // Finds the tree's coordinate for NAME, JOINT.angle or JOINT.distance.
 static int32_t find_coordinate(const YkProgram *p, char *name)
 {
@@ -28,8 +21,8 @@ static int32_t find_coordinate(const YkProgram *p, char *name)
     if (found != YK_NONE)
         return yk_tree_coordinate(p->mech, p->model->coordinates[found].joint,
                                   p->model->coordinates[found].is_distance);
-    bool is_angle = cut(name, ".angle");
-    if (!is_angle && !cut(name, ".distance")) return YK_NONE;
+    bool is_angle = yk_cut_ending(name, ".angle");
+    if (!is_angle && !yk_cut_ending(name, ".distance")) return YK_NONE;
     int32_t joint = yk_names_find(&p->model->joint_names, name);
     return joint == YK_NONE ? YK_NONE : yk_tree_coordinate(p->mech, joint, !is_angle);
 }
@@ -45,7 +38,7 @@ static YkRef read_name(const Reading *r, const YkExpr *expr)
     if (own != YK_NONE && r->own) return r->own[own];
     char *name = yk_arena_copy(p->arena, expr->name, strlen(expr->name));
     if (!name) return yk_graph_number(&p->graph, 0);
-    bool is_rate = cut(name, ".rate");
+    bool is_rate = yk_cut_ending(name, ".rate");
     int32_t coordinate = find_coordinate(p, name);
     if (coordinate == YK_NONE || !r->motion) { // of a joint that closes a loop: the loader or the printer refuses it
         p->failed = true;

@@ -2,7 +2,6 @@
 // add up to a constant, as the opposite sides of a parallelogram stay parallel. Found in the rates.
 #include <math.h>
 #include <stdlib.h>
-#include "derive/relations.h"
 #include "num/dense.h"
 #include "prove/check_inside.h"
 

@@ -3,7 +3,6 @@
 // a page.
 #include "derive/blocks.h"
 #include "derive/forces/free_bodies.h"
-#include "derive/sections.h"
 #include "prove/equation.h"
 
 enum { BODIES_MAX = 100 }; // pages of large machines take time

@@ -1,5 +1,6 @@
 // Reads the words of an equation: numbers with units, names, functions.
 #include <string.h>
+#include "base/letters.h"
 #include "prove/quantities.h"
 #include "base/names.h"
 #include "base/number.h"
@@ -114,18 +115,12 @@ static const char *printed_name(const YkEquationReader *reader, const char *name
     return NULL;
 }
 
-static bool ends_with(const char *name, const char *ending)
-{
-    size_t length = strlen(name), size = strlen(ending);
-    return length > size && strcmp(name + length - size, ending) == 0;
-}
-
 // Finds answers of `solve` that are not polynomials of what is known here; NULL for other names.
 static const char *other_answer(const char *name)
 {
-    if (ends_with(name, ".force")) return "its size is a root: write A.force.x^2 + A.force.y^2 for its square";
-    if (ends_with(name, ".speed")) return "its size is a root: write crank.A.x'^2 + crank.A.y'^2 for its square";
-    if (ends_with(name, ".transmission"))
+    if (yk_has_ending(name, ".force")) return "its size is a root: write A.force.x^2 + A.force.y^2 for its square";
+    if (yk_has_ending(name, ".speed")) return "its size is a root: write crank.A.x'^2 + crank.A.y'^2 for its square";
+    if (yk_has_ending(name, ".transmission"))
         return "write it as the angle between two links: sin(coupler.angle - rocker.angle)";
     return NULL;
 }

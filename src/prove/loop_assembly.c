@@ -6,7 +6,6 @@
 // number of independent equations, in all variables, must equal the freedoms that bonds and lengths take away.
 #include <math.h>
 #include <stdlib.h>
-#include "derive/inside.h"
 #include "num/dense.h"
 #include "prove/loop_point.h"
 

@@ -1,6 +1,5 @@
 // Closes the loops at a point of the field: angles first, then what enters linearly, and finds which symbols these are.
 #include <stdlib.h>
-#include "derive/inside.h"
 #include "prove/loop_point.h"
 
 // Returns whether a parameter is given by others, or in a definition.

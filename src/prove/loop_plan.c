@@ -10,22 +10,10 @@ typedef struct Filling {
     const YkPoisson **slopes; // [unknowns], of one row
 } Filling;
 
-// Doubles the room in the arena.
-static bool make_room(Filling *f)
-{
-    size_t capacity = f->entry_capacity > 0 ? 2 * f->entry_capacity : 64;
-    YkLoopEntry *entries = YK_NEW(f->d->arena, YkLoopEntry, capacity);
-    for (size_t k = 0; entries && k < f->entry_count; k++) entries[k] = f->system->entries[k];
-    if (!entries) return false;
-    f->system->entries = entries;
-    f->entry_capacity = capacity;
-    return true;
-}
-
 static bool add_entry(Filling *f, size_t unknown, const YkPoisson *slope)
 {
     if (!slope || yk_ring_is_zero(slope)) return true;
-    if (f->entry_count == f->entry_capacity && !make_room(f)) return false;
+    if (!YK_ROOM_IN(f->d->arena, f->system->entries, f->entry_count, f->entry_capacity)) return false;
     f->system->entries[f->entry_count++] = (YkLoopEntry){(int32_t)unknown, slope};
     return true;
 }

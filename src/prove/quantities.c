@@ -2,7 +2,6 @@
 #include <string.h>
 #include "prove/quantities.h"
 #include "derive/forces/free_bodies.h"
-#include "derive/inside.h"
 
 int yk_derive_take_order(const char *name, size_t *length)
 {

@@ -2,7 +2,6 @@
 #include <string.h>
 #include "prove/quantities.h"
 #include "derive/forces/free_bodies.h"
-#include "derive/inside.h"
 #include "derive/relations.h"
 
 // Returns whether it is the file's name, or as equations can write it: sun_planet for sun-planet.

@@ -1,7 +1,6 @@
 // Findings on gears and cams.
 #include <math.h>
 #include <yoke/train.h>
-#include "base/problems.h"
 #include "report/report.h"
 
 static void find_train(YkReportPage *report, YkText *text)

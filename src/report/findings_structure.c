@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <yoke/configurations.h>
 #include <yoke/design.h>
+#include "base/sort.h"
 #include "report/report.h"
 
 enum { FOUR_BARS_MAX = 4, NAMES_MAX = 6 };
@@ -54,12 +55,6 @@ static void find_redundant(YkReportPage *report, YkText *text)
     yk_report_find(report, YK_FINDING_LOOK, text);
 }
 
-static int by_size(const void *left, const void *right)
-{
-    const double *a = left, *b = right;
-    return *a < *b ? -1 : *a > *b;
-}
-
 // Grashof: shortest + longest against the other two.
 static void find_four_bars(YkReportPage *report, YkText *text)
 {
@@ -78,7 +73,7 @@ static void find_four_bars(YkReportPage *report, YkText *text)
                                    : " and ",
                            yk_model_body_name(report->model, bar->body[k]));
         }
-        qsort(sorted, 4, sizeof *sorted, by_size);
+        qsort(sorted, 4, sizeof *sorted, yk_by_size);
         yk_text_format(text, " are a four-bar, %s on the frame %s: shortest and longest link are together ",
                        yk_four_bar_name(bar->kind), yk_model_body_name(report->model, bar->body[0]));
         yk_report_amount(report, text, sorted[0] + sorted[3], YK_QUANTITY_LENGTH);

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/problems.h"
 #include "report/report.h"
 
 enum { PEAK_STEPS = 64, STEPS_MAX = 200000 };

@@ -1,7 +1,6 @@
 // Writes the diagrams, which the script draws; without it, pictures by gnuplot.
 #include <math.h>
 #include <stdlib.h>
-#include "base/problems.h"
 #include "picture/plot.h"
 #include "report/html.h"
 #include "report/panels.h"

@@ -1,7 +1,6 @@
 // Writes the equations in symbols, with the values of the start beside them.
 #include <stdlib.h>
 #include <string.h>
-#include "base/problems.h"
 #include "derive/derive.h"
 #include "page/print.h"
 #include "picture/free_body.h"

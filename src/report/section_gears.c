@@ -2,7 +2,6 @@
 #include <math.h>
 #include <string.h>
 #include <yoke/train.h>
-#include "base/problems.h"
 #include "report/html.h"
 #include "report/report.h"
 #include "write/amount.h"

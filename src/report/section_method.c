@@ -1,6 +1,5 @@
 // Writes how the report was computed, and how well it closes.
 #include <math.h>
-#include "report/html.h"
 #include "report/report.h"
 
 static void add_start(const YkReportPage *report, YkText *html)

@@ -1,5 +1,4 @@
 // Goes to an equilibrium from a pose nearby, and keeps those that are not known yet.
-#include <stdlib.h>
 #include <string.h>
 #include "num/dense.h"
 #include "rest/rest.h"

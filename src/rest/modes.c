@@ -2,7 +2,6 @@
 #include <string.h>
 #include "elementary/elementary.h"
 #include "loads/point.h"
-#include "num/dense.h"
 #include "num/eigen.h"
 #include "rest/rest.h"
 

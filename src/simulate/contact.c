@@ -7,7 +7,6 @@
 //
 // Within a step contacts hold without bounds, so that the motion is smooth there. Between steps it is checked whether
 // they could hold, and the step is cut where they no longer can (events.c).
-#include <stdlib.h>
 #include <string.h>
 #include "simulate/contact.h"
 

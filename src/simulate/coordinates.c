@@ -2,7 +2,6 @@
 // dead point.
 #include <stdlib.h>
 #include <string.h>
-#include "base/problems.h"
 #include "simulate/simulation.h"
 
 static size_t driven_count(const YkDynamics *d)
@@ -16,19 +15,19 @@ static bool allocate(YkSimulation *sim)
 {
     size_t inputs = sim->mech->input_count, items = yk_simulation_contacts_max(sim),
            all = 2 * sim->free_count + sim->work_count;
-    sim->free_input = calloc(inputs + 1, sizeof *sim->free_input);
-    sim->y = calloc(7 * (all + 1), sizeof *sim->y);
-    sim->response = calloc((items + 1) * (inputs + items + 5) + YK_BOUNDED_WORK(items), sizeof *sim->response);
-    sim->bounds = calloc(items + 1, sizeof *sim->bounds);
-    sim->contact_order = calloc(YK_BOUNDED_ORDER(items) + 1, sizeof *sim->contact_order);
-    sim->contacts = calloc(items + 1, sizeof *sim->contacts);
-    sim->near = sim->near_memory = calloc(2 * (sim->mech->block_count + 1), sizeof *sim->near);
-    sim->searches = calloc(sim->mech->block_count + 1, sizeof *sim->searches);
+    YkArena *a = sim->room;
+    sim->free_input = yk_arena_alloc(a, inputs + 1, sizeof *sim->free_input);
+    sim->y = yk_arena_alloc(a, 7 * (all + 1), sizeof *sim->y);
+    sim->response =
+        yk_arena_alloc(a, (items + 1) * (inputs + items + 5) + YK_BOUNDED_WORK(items), sizeof *sim->response);
+    sim->bounds = yk_arena_alloc(a, items + 1, sizeof *sim->bounds);
+    sim->contact_order = yk_arena_alloc(a, YK_BOUNDED_ORDER(items) + 1, sizeof *sim->contact_order);
+    sim->contacts = yk_arena_alloc(a, items + 1, sizeof *sim->contacts);
+    sim->near = yk_arena_alloc(a, 2 * (sim->mech->block_count + 1), sizeof *sim->near);
+    sim->searches = yk_arena_alloc(a, sim->mech->block_count + 1, sizeof *sim->searches);
     size_t pose = 4 * sim->mech->slot_count + 3 * sim->mech->distance_count + 6 * sim->mech->node_count;
-    sim->pose_sum = calloc(pose + 1, sizeof *sim->pose_sum);
-    if (!sim->free_input || !sim->y || !sim->response || !sim->contacts || !sim->near || !sim->searches ||
-        !sim->bounds || !sim->contact_order || !sim->pose_sum)
-        return false;
+    sim->pose_sum = yk_arena_alloc(a, pose + 1, sizeof *sim->pose_sum);
+    if (yk_arena_failed(a)) return false;
     sim->dense = sim->y + all + 1;
     sim->rate = sim->dense + all + 1;
     sim->moved = sim->rate + all + 1;
@@ -77,7 +76,8 @@ static bool is_lean(const YkSimulation *sim)
 static bool keep_choice(YkSimulation *sim, const YkCompileOptions *compile)
 {
     sim->chosen_count = compile ? compile->input_count : 0;
-    sim->chosen = calloc(sim->chosen_count + 1, sizeof *sim->chosen);
+    sim->room = yk_arena_new();
+    sim->chosen = YK_NEW(sim->room, int32_t, sim->chosen_count);
     for (size_t k = 0; sim->chosen && k < sim->chosen_count; k++)
         sim->chosen[k] = (int32_t)yk_coordinate_find(sim->mech, compile->inputs[k]);
     return sim->chosen != NULL;
@@ -108,6 +108,18 @@ bool yk_simulation_build(YkSimulation *sim, const YkCompileOptions *compile, YkP
     return true;
 }
 
+// Forgets all that belongs to the machine as it is compiled.
+static void forget(YkSimulation *sim)
+{
+    sim->ode = NULL;
+    sim->dynamics = NULL;
+    sim->state = sim->guide = sim->home = NULL;
+    sim->mech = NULL;
+    sim->room = NULL;
+    sim->y = NULL;
+    sim->near_count = 0;
+}
+
 void yk_simulation_unbuild(YkSimulation *sim)
 {
     if (sim->ode) {
@@ -123,30 +135,9 @@ void yk_simulation_unbuild(YkSimulation *sim)
     yk_state_free(sim->guide);
     yk_state_free(sim->home);
     yk_mechanism_free(sim->mech);
-    free(sim->chosen);
-    free(sim->free_input);
-    free(sim->y);
-    free(sim->response);
-    free(sim->contacts);
-    free(sim->bounds);
-    free(sim->contact_order);
-    free(sim->near_memory);
-    free(sim->searches);
-    free(sim->pose_sum);
-    sim->ode = NULL;
-    sim->dynamics = NULL;
-    sim->state = sim->guide = sim->home = NULL;
-    sim->mech = NULL;
-    sim->chosen = NULL;
-    sim->free_input = NULL;
-    sim->y = sim->response = NULL;
-    sim->contacts = NULL;
-    sim->bounds = NULL;
-    sim->contact_order = NULL;
-    sim->near = sim->near_next = sim->near_memory = NULL;
-    sim->searches = NULL;
-    sim->pose_sum = NULL;
-    sim->near_count = sim->contact_count = 0;
+    yk_arena_free(sim->room);
+    forget(sim);
+    sim->contact_count = 0;
 }
 
 // --- taking
@@ -224,21 +215,7 @@ bool yk_simulation_take_named(YkSimulation *sim, const char *const *names, size_
                               bool *changed)
 {
     YkSimulation next = *sim;
-    next.ode = NULL;
-    next.mech = NULL;
-    next.state = NULL;
-    next.dynamics = NULL;
-    next.chosen = NULL;
-    next.free_input = NULL;
-    next.y = next.response = NULL;
-    next.contacts = NULL;
-    next.bounds = NULL;
-    next.contact_order = NULL;
-    next.near = next.near_next = next.near_memory = NULL;
-    next.searches = NULL;
-    next.pose_sum = NULL;
-    next.guide = next.home = NULL;
-    next.near_count = 0;
+    forget(&next);
     YkProblems *quiet = yk_problems_new();
     bool is_built = yk_simulation_build(&next, &(YkCompileOptions){.inputs = names, .input_count = count}, quiet);
     bool has_memory = is_built || !is_out_of_memory(quiet);

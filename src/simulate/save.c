@@ -5,7 +5,6 @@
 #include "simulate/archive.h"
 #include "simulate/fingerprint.h"
 #include <stdlib.h>
-#include "base/problems.h"
 
 static const uint64_t MARK = UINT64_C(0x0a0d4d49534b591b); // no text begins like this
 enum { VERSION = 6 };                                      // of the bytes and their meaning: any change raises it

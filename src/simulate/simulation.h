@@ -73,6 +73,7 @@ struct YkSimulation {
     const YkModel *model;
     YkSimulationOptions options;
     YkArena *arena; // names
+    YkArena *room;  // arrays of the machine as it is compiled now
     YkMechanism *mech;
     YkState *state;
     YkDynamics *dynamics;
@@ -94,7 +95,7 @@ struct YkSimulation {
     bool has_forces;          // the dynamics' forces are those of `time`
     bool forces_are_known;    // false at a dead point or change point
     // Singular positions:
-    YkNear *near, *near_next, *near_memory;
+    YkNear *near, *near_next;
     YkSearch *searches; // [block], scratch
     size_t near_count;
     bool keeps_apart; // the blocks that are near keep their signs: branches come close there, and do not meet (apart.c)

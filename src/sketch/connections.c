@@ -1,14 +1,9 @@
 // Groups of bodies that float, open ends, and where either could be pinned: at points of the same name.
 #include <stdlib.h>
+#include "base/sets.h"
 #include "sketch/sketch.h"
 
 enum { LOOKS = 64 }; // at most this number of points of one name is looked at for each
-
-static int32_t leader(int32_t *group, int32_t body)
-{
-    while (group[body] != body) body = group[body] = group[group[body]];
-    return body;
-}
 
 // The sketch's own joints, with the slides of free joints, followed by the welds of the parts that float.
 static size_t own_joints(const YkModel *model)
@@ -25,10 +20,10 @@ static bool find_groups(YkSketch *sketch)
     if (!group) return false;
     for (size_t b = 0; b < model->body_count; b++) group[b] = (int32_t)b;
     for (size_t j = 0; j < own_joints(model); j++) {
-        int32_t a = leader(group, model->joints[j].body[0]), b = leader(group, model->joints[j].body[1]);
+        int32_t a = yk_root_of(group, model->joints[j].body[0]), b = yk_root_of(group, model->joints[j].body[1]);
         group[a > b ? a : b] = a > b ? b : a;
     }
-    for (size_t b = 0; b < model->body_count; b++) group[b] = leader(group, (int32_t)b);
+    for (size_t b = 0; b < model->body_count; b++) group[b] = yk_root_of(group, (int32_t)b);
     return true;
 }
 

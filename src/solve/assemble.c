@@ -1,6 +1,5 @@
 // Searches the branches of all blocks for configurations that close.
 #include "solve/assemble.h"
-#include <stdlib.h>
 #include <string.h>
 #include "compile/closure.h"
 #include "solve/all_loops.h"

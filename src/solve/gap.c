@@ -7,16 +7,6 @@ double yk_gap(const YkMechanism *mech, bool is_distance, double difference)
     return fabs(is_distance ? difference / mech->size : yk_nearest_turn(difference, 0));
 }
 
-double yk_pose_gap(const YkMechanism *mech, const double *a, const double *b)
-{
-    double gap = 0;
-    for (size_t c = 0; c < mech->coordinate_count; c++) {
-        double one = yk_gap(mech, mech->coordinates[c].is_distance, a[c] - b[c]);
-        if (one > gap || isnan(one)) gap = one; // NaN stays
-    }
-    return gap;
-}
-
 double yk_group_gap(const YkMechanism *mech, const YkBlock *group, const double *a, const double *b)
 {
     double gap = 0;

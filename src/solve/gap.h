@@ -5,8 +5,6 @@
 
 // Returns what a difference of one angle or distance counts.
 double yk_gap(const YkMechanism *mech, bool is_distance, double difference);
-// Returns the largest gap between the positions a[] and b[] of all coordinates.
-double yk_pose_gap(const YkMechanism *mech, const double *a, const double *b);
 // Returns the largest gap between the unknowns a[] and b[] of a group.
 double yk_group_gap(const YkMechanism *mech, const YkBlock *group, const double *a, const double *b);
 

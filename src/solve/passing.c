@@ -7,7 +7,6 @@
 #include "compile/closure.h"
 #include "elementary/elementary.h"
 #include "solve/all_loops.h"
-#include "solve/angle.h"
 #include "solve/assemble.h"
 #include "solve/track.h"
 

@@ -1,7 +1,6 @@
 // Runs one pose: every record of the space is read in place, and values pass between steps in registers.
 #include "solve/single.h"
 #include "base/memory.h"
-#include "elementary/elementary.h"
 #include "elementary/turn.h"
 #include "solve/kernels/rpr.h"
 #include "solve/kernels/rrp.h"

@@ -2,7 +2,6 @@
 #include "solve/state.h"
 #include "base/number.h"
 #include "base/problems.h"
-#include "compile/inputs.h"
 
 #define FAR 1024      // rad: up to this an angle is known to 1e-13
 #define UNSURE 1e-9   // rad, or lengths over the size: from this on rounding is reported

@@ -1,6 +1,5 @@
 // Blocks of a study: designs by their numbers, and their rows.
 #include <math.h>
-#include <stdlib.h>
 #include <yoke/blocks.h>
 #include "study/study.h"
 
@@ -32,8 +31,9 @@ size_t yk_study_row_width(const YkStudy *study, const YkRowCase *asked)
 }
 
 typedef struct Room { // for one call of the study
-    double *values;   // [axis][design], then [channel][design]
-    double *own;      // [axis]
+    YkArena *arena;
+    double *values; // [axis][design], then [channel][design]
+    double *own;    // [axis]
     const double **rows;
     double **outputs;
     YkExtent *extents;
@@ -41,30 +41,19 @@ typedef struct Room { // for one call of the study
     size_t *standing;
 } Room;
 
-static void end_room(Room *room)
-{
-    free(room->values);
-    free(room->own);
-    free((void *)room->rows);
-    free((void *)room->outputs);
-    free(room->extents);
-    free(room->status);
-    free(room->standing);
-}
-
 static bool start_room(const YkStudy *study, Room *room, size_t count)
 {
     size_t axes = study->parameter_count, channels = study->channel_count;
-    *room = (Room){.values = calloc((axes + channels) * count + 1, sizeof(double)),
-                   .own = calloc(axes + 1, sizeof(double)),
-                   .rows = calloc(axes + 1, sizeof(double *)),
-                   .outputs = calloc(channels + 1, sizeof(double *)),
-                   .extents = calloc(channels * count + 1, sizeof(YkExtent)),
-                   .status = calloc(count + 1, 1),
-                   .standing = calloc(count + 1, sizeof(size_t))};
-    if (!room->values || !room->own || !room->rows || !room->outputs || !room->extents || !room->status ||
-        !room->standing)
-        return false;
+    YkArena *a = yk_arena_new();
+    *room = (Room){.arena = a,
+                   .values = YK_NEW(a, double, (axes + channels) * count),
+                   .own = YK_NEW(a, double, axes),
+                   .rows = YK_NEW(a, const double *, axes),
+                   .outputs = YK_NEW(a, double *, channels),
+                   .extents = YK_NEW(a, YkExtent, channels * count),
+                   .status = YK_NEW(a, signed char, count),
+                   .standing = YK_NEW(a, size_t, count)};
+    if (yk_arena_failed(a)) return false;
     for (size_t k = 0; k < axes; k++) room->rows[k] = room->values + k * count;
     for (size_t c = 0; c < channels; c++) room->outputs[c] = room->values + (axes + c) * count;
     return true;
@@ -114,6 +103,6 @@ YkStatus yk_study_rows(YkStudy *study, const YkRowCase *asked, uint64_t from, si
         return YK_BAD_ARGUMENT;
     if (!asked->is_reduced && asked->pose_count != 1) return YK_BAD_ARGUMENT;
     YkStatus status = start_room(study, &room, count) ? run(study, asked, &room, from, count, rows) : YK_NO_MEMORY;
-    end_room(&room);
+    yk_arena_free(room.arena);
     return status;
 }

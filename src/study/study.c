@@ -13,23 +13,23 @@
 static bool make_room(YkWorker *w, size_t parameters, size_t channels)
 {
     size_t inputs = 3 * w->mech->input_count;
-    w->value = calloc(parameters + 1, sizeof *w->value);
-    w->inputs = calloc(inputs + 1, sizeof *w->inputs);
-    w->outputs = calloc(channels + 1, sizeof *w->outputs);
-    w->extent = calloc(channels + 1, sizeof *w->extent);
-    w->count = calloc(channels + 1, sizeof *w->count);
-    w->block = calloc((channels + 1) * YK_STUDY_BLOCK, sizeof *w->block);
-    w->block_status = calloc(YK_STUDY_BLOCK, 1);
-    w->last = calloc(inputs + 1, sizeof *w->last);
-    w->end = calloc(inputs + 1, sizeof *w->end);
-    w->lane = calloc(inputs * YK_STUDY_LANES + 1, sizeof *w->lane);
-    w->lane_output = calloc((channels + 1) * YK_STUDY_BLOCK, sizeof *w->lane_output);
-    w->lane_pose = calloc(YK_STUDY_LANES, sizeof *w->lane_pose);
-    w->planned_from = calloc(inputs + 1, sizeof *w->planned_from);
-    w->row = calloc(inputs + 1, sizeof *w->row);
-    w->row_output = calloc(channels + 1, sizeof *w->row_output);
-    return w->value && w->inputs && w->outputs && w->extent && w->count && w->block && w->block_status && w->last &&
-           w->end && w->lane && w->lane_output && w->lane_pose && w->planned_from && w->row && w->row_output;
+    YkArena *a = w->arena = yk_arena_new();
+    w->value = yk_arena_alloc(a, parameters + 1, sizeof *w->value);
+    w->inputs = yk_arena_alloc(a, inputs + 1, sizeof *w->inputs);
+    w->outputs = yk_arena_alloc(a, channels + 1, sizeof *w->outputs);
+    w->extent = yk_arena_alloc(a, channels + 1, sizeof *w->extent);
+    w->count = yk_arena_alloc(a, channels + 1, sizeof *w->count);
+    w->block = yk_arena_alloc(a, (channels + 1) * YK_STUDY_BLOCK, sizeof *w->block);
+    w->block_status = yk_arena_alloc(a, YK_STUDY_BLOCK, 1);
+    w->last = yk_arena_alloc(a, inputs + 1, sizeof *w->last);
+    w->end = yk_arena_alloc(a, inputs + 1, sizeof *w->end);
+    w->lane = yk_arena_alloc(a, inputs * YK_STUDY_LANES + 1, sizeof *w->lane);
+    w->lane_output = yk_arena_alloc(a, (channels + 1) * YK_STUDY_BLOCK, sizeof *w->lane_output);
+    w->lane_pose = yk_arena_alloc(a, YK_STUDY_LANES, sizeof *w->lane_pose);
+    w->planned_from = yk_arena_alloc(a, inputs + 1, sizeof *w->planned_from);
+    w->row = yk_arena_alloc(a, inputs + 1, sizeof *w->row);
+    w->row_output = yk_arena_alloc(a, channels + 1, sizeof *w->row_output);
+    return !yk_arena_failed(a);
 }
 
 static bool start_worker(YkStudy *study, YkWorker *w, const YkState *state, const YkStudyOptions *options,
@@ -63,21 +63,7 @@ static void end_worker(YkWorker *w)
     yk_variant_free(w->base_variant);
     yk_variant_free(w->variant);
     free(w->goal);
-    free(w->value);
-    free((void *)w->inputs);
-    free((void *)w->outputs);
-    free(w->extent);
-    free(w->count);
-    free(w->block);
-    free(w->block_status);
-    free(w->last);
-    free(w->end);
-    free(w->lane);
-    free(w->lane_output);
-    free(w->lane_pose);
-    free(w->planned_from);
-    free((void *)w->row);
-    free((void *)w->row_output);
+    yk_arena_free(w->arena);
 }
 
 // --- inputs

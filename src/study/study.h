@@ -48,6 +48,7 @@ typedef struct YkWay {    // a design's way from its start through its poses
 } YkWay;
 
 typedef struct YkWorker {
+    YkArena *arena; // of its arrays
     struct YkStudy *study;
     YkPace pace; // its states work for it
     YkVariant *variant;

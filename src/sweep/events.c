@@ -1,17 +1,5 @@
 // Reads the channels at the events of a sweep, as soon as the sweep has passed them.
-#include <stdlib.h>
 #include "sweep/sweep.h"
-
-static bool has_room(YkSweep *w, size_t events)
-{
-    if (events <= w->event_capacity) return true;
-    size_t capacity = 2 * events, width = w->channel_count + 1;
-    double *values = realloc(w->event_values, capacity * width * sizeof *values);
-    if (!values) return false;
-    w->event_values = values;
-    w->event_capacity = capacity;
-    return true;
-}
 
 static bool is_rate(YkChannel c)
 {
@@ -30,11 +18,13 @@ static void read_event(YkSweep *w, size_t event)
 void yk_sweep_read_events(YkSweep *w, double here)
 {
     if (w->events_read == w->walk.event_count) return;
-    if (!has_room(w, w->walk.event_count)) {
-        w->walk.failed = true;
-        return;
+    while (w->events_read < w->walk.event_count) {
+        if (!YK_ROW_ROOM(w->event_values, w->channel_count, w->events_read, w->event_capacity)) {
+            w->walk.failed = true;
+            return;
+        }
+        read_event(w, w->events_read++);
     }
-    while (w->events_read < w->walk.event_count) read_event(w, w->events_read++);
     yk_path_try(&w->walk.path, here, true);
     yk_path_probe(&w->walk.path, here, true);
 }

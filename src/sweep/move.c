@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/mix.h"
-#include "base/problems.h"
 #include "sweep/turns.h"
 
 YkMoveOptions yk_default_move_options(void)

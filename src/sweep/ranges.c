@@ -1,5 +1,4 @@
 // Finds the ranges of an input in which a configuration closes.
-#include <stdlib.h>
 #include <string.h>
 #include "sweep/walk.h"
 

@@ -3,7 +3,6 @@
 // its coordinate, ways in other coordinates start.
 #include <stdlib.h>
 #include <yoke/move.h>
-#include "base/problems.h"
 #include "rest/rest.h"
 #include "solve/gap.h"
 

@@ -73,15 +73,16 @@ static void run(YkSweep *w)
 static bool allocate(YkSweep *w)
 {
     size_t rows = w->options.steps + 1;
-    w->rows = calloc(rows * (1 + w->channel_count), sizeof *w->rows);
-    w->row_status = calloc(rows, 1);
-    w->slope = calloc(w->channel_count + 1, sizeof *w->slope);
-    w->slope_at = calloc(w->channel_count + 1, sizeof *w->slope_at);
-    w->sums = calloc(w->channel_count + 1, sizeof *w->sums);
-    w->beside = calloc(w->channel_count + 1, sizeof *w->beside);
-    w->largest = calloc(w->channel_count + 1, sizeof *w->largest);
-    w->channels = calloc(w->channel_count + 1, sizeof *w->channels);
-    return w->rows && w->row_status && w->slope && w->slope_at && w->sums && w->beside && w->largest && w->channels;
+    YkArena *a = w->arena = yk_arena_new();
+    w->rows = yk_arena_alloc(a, rows * (1 + w->channel_count), sizeof *w->rows);
+    w->row_status = yk_arena_alloc(a, rows, 1);
+    w->slope = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->slope);
+    w->slope_at = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->slope_at);
+    w->sums = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->sums);
+    w->beside = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->beside);
+    w->largest = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->largest);
+    w->channels = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->channels);
+    return !yk_arena_failed(a);
 }
 
 static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
@@ -135,15 +136,8 @@ void yk_sweep_free(YkSweep *w)
 {
     if (!w) return;
     yk_walk_end(&w->walk);
-    free(w->rows);
-    free(w->row_status);
-    free(w->slope);
-    free(w->slope_at);
-    free(w->sums);
-    free(w->beside);
-    free(w->largest);
+    yk_arena_free(w->arena);
     free(w->event_values);
-    free(w->channels);
     free(w);
 }
 

@@ -6,6 +6,7 @@
 #include "sweep/walk.h"
 
 struct YkSweep {
+    YkArena *arena; // of all arrays but event_values
     YkWalk walk;
     YkSweepOptions options;
     YkChannel *channels;

@@ -1,6 +1,5 @@
 // Follows one period of a motion that repeats itself, and skips the other periods.
 #include "sweep/turns.h"
-#include <stdlib.h>
 #include <string.h>
 
 enum { TURNS_MAX = 64, PERIODS_MAX = 64, WORTH_IT = 4 };
@@ -41,27 +40,20 @@ double yk_turns_period(const YkPath *path)
 
 // A pose, for comparison with later ones.
 typedef struct Memory {
+    YkArena *arena;                          // of all arrays
     double *reference, *distance, *slot, *x; // angles with their turns; distances; references; group columns
     signed char *branch;
 } Memory;
 
-static void forget(Memory *m)
-{
-    free(m->reference);
-    free(m->distance);
-    free(m->slot);
-    free(m->x);
-    free(m->branch);
-}
-
 static bool make_room(Memory *m, const YkMechanism *mech)
 {
-    m->reference = calloc(mech->coordinate_count + 1, sizeof *m->reference);
-    m->distance = calloc(mech->coordinate_count + 1, sizeof *m->distance);
-    m->slot = calloc(mech->reference_count + 1, sizeof *m->slot);
-    m->x = calloc(mech->column_count + 1, sizeof *m->x);
-    m->branch = calloc(mech->block_count + 1, 1);
-    return m->reference && m->distance && m->slot && m->x && m->branch;
+    YkArena *a = m->arena = yk_arena_new();
+    m->reference = yk_arena_alloc(a, mech->coordinate_count + 1, sizeof *m->reference);
+    m->distance = yk_arena_alloc(a, mech->coordinate_count + 1, sizeof *m->distance);
+    m->slot = yk_arena_alloc(a, mech->reference_count + 1, sizeof *m->slot);
+    m->x = yk_arena_alloc(a, mech->column_count + 1, sizeof *m->x);
+    m->branch = yk_arena_alloc(a, mech->block_count + 1, 1);
+    return !yk_arena_failed(a);
 }
 
 static void remember(Memory *m, const YkState *s)
@@ -159,6 +151,6 @@ double yk_turns_skip(YkWalk *w, double period)
         at = skip_from(w, &memory, period);
     else
         w->failed = true;
-    forget(&memory);
+    yk_arena_free(memory.arena);
     return at;
 }

@@ -9,16 +9,6 @@
 #include <stdlib.h>
 #include "synthesis/linkage.h"
 
-static double argument(YkVec v)
-{
-    return yk_atan2(v.y, v.x);
-}
-
-static YkVec quotient(YkVec a, YkVec b)
-{
-    return yk_scale(1 / yk_dot(b, b), yk_mul(a, yk_conj(b)));
-}
-
 // The machine as a design: P in the coupler's axes, angles of the present pose.
 static YkDesign own_design(const YkLinkage *ring, YkVec P)
 {
@@ -29,24 +19,24 @@ static YkDesign own_design(const YkLinkage *ring, YkVec P)
     d.pivot[1] = ring->B0;
     d.length[1] = yk_norm(input);
     d.length[2] = yk_norm(across);
-    d.point = yk_scale(d.length[2], quotient(yk_sub(P, ring->A), across));
-    d.angle[0] = argument(input);
-    d.angle[1] = argument(across);
+    d.point = yk_scale(d.length[2], yk_divide(yk_sub(P, ring->A), across));
+    d.angle[0] = yk_argument(input);
+    d.angle[1] = yk_argument(across);
     if (ring->is_slider) {
-        d.along = argument(ring->along);
+        d.along = yk_argument(ring->along);
         d.angle[2] = yk_dot(output, ring->along);
         return d;
     }
     d.length[0] = yk_norm(yk_sub(ring->B0, ring->A0));
     d.length[3] = yk_norm(output);
-    d.angle[2] = argument(output);
+    d.angle[2] = yk_argument(output);
     return d;
 }
 
 // The cognate on the side of A0 of a machine and its coupler point.
 static YkDesign cognate_of(const YkLinkage *ring, YkVec P)
 {
-    YkVec l = quotient(yk_sub(P, ring->A), yk_sub(ring->B, ring->A));
+    YkVec l = yk_divide(yk_sub(P, ring->A), yk_sub(ring->B, ring->A));
     YkLinkage other = {.A0 = ring->A0, .is_slider = ring->is_slider};
     other.A = yk_add(ring->A0, yk_sub(P, ring->A));
     other.B = yk_add(other.A, yk_mul(l, yk_sub(ring->A, ring->A0)));

@@ -7,11 +7,6 @@ static YkVec vector(const double v[2])
     return yk_vec(v[0], v[1]);
 }
 
-static double argument(YkVec v)
-{
-    return yk_atan2(v.y, v.x);
-}
-
 // A slider-crank: the second dyad is a slide along a line of the ground.
 static bool slider_of_dyads(const YkPose *first, const YkDyad *output, YkDesign *design)
 {
@@ -47,7 +42,7 @@ bool yk_design_of_dyads(const YkPose *first, const YkDyad *input, const YkDyad *
     design->pivot[0] = vector(input->fixed);
     design->length[1] = input->length;
     design->length[2] = coupler;
-    design->turn = -argument(across);
+    design->turn = -yk_argument(across);
     design->point = yk_mul(yk_unit(design->turn), yk_scale(-1, z));
     if (output->kind == YK_DYAD_RP) return inverted_of_dyads(first, input, output, design);
     if (output->kind == YK_DYAD_PR) {
@@ -165,9 +160,9 @@ void yk_design_angles(const YkDesign *design, YkPose pose, double angle[3])
     angle[1] = pose.angle - design->turn;
     YkVec along = yk_unit(angle[1]), A = yk_sub(pose.at, yk_mul(along, design->point));
     YkVec B = yk_add(A, yk_scale(design->length[2], along));
-    angle[0] = argument(yk_sub(A, design->pivot[0]));
+    angle[0] = yk_argument(yk_sub(A, design->pivot[0]));
     YkVec out = yk_sub(B, design->pivot[1]);
-    angle[2] = design->kind == YK_DESIGN_FOUR_BAR   ? argument(out)
+    angle[2] = design->kind == YK_DESIGN_FOUR_BAR   ? yk_argument(out)
                : design->kind == YK_DESIGN_INVERTED ? yk_dot(yk_sub(design->pivot[1], A), along)
                                                     : yk_dot(out, yk_unit(design->along));
 }

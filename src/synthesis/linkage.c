@@ -48,11 +48,6 @@ static size_t find_four_bar(const YkState *state, size_t point, YkLinkage *ring)
     return YK_NOT_FOUND;
 }
 
-static int32_t other_body(const YkJoint *joint, int32_t body)
-{
-    return joint->body[0] == body ? joint->body[1] : joint->body[1] == body ? joint->body[0] : YK_NONE;
-}
-
 // Looks whether a joint guides the end of the coupler along a line of the ground: a slide of a block, or a slot.
 static bool is_guide(const YkState *state, const YkJoint *j, int32_t coupler, YkLinkage *ring)
 {
@@ -68,7 +63,7 @@ static bool is_guide(const YkState *state, const YkJoint *j, int32_t coupler, Yk
     ring->output = j->body[1];
     for (size_t k = 0; k < model->joint_count; k++) {
         const YkJoint *pin = &model->joints[k];
-        if (pin->kind != YK_PIN || other_body(pin, coupler) != j->body[1]) continue;
+        if (pin->kind != YK_PIN || yk_joint_other_body(pin, coupler) != j->body[1]) continue;
         ring->B = joint_place(state, k);
         ring->B0 = ring->B; // the line on which it moves
         return true;
@@ -80,10 +75,10 @@ static size_t find_slider_crank(const YkState *state, size_t point, YkLinkage *r
 {
     const YkModel *model = state->mech->model;
     for (size_t a = 0; a < model->joint_count; a++) {
-        int32_t input = other_body(&model->joints[a], 0);
+        int32_t input = yk_joint_other_body(&model->joints[a], 0);
         if (model->joints[a].kind != YK_PIN || input == YK_NONE) continue;
         for (size_t b = 0; b < model->joint_count; b++) {
-            int32_t coupler = other_body(&model->joints[b], input);
+            int32_t coupler = yk_joint_other_body(&model->joints[b], input);
             if (b == a || model->joints[b].kind != YK_PIN || coupler == YK_NONE || coupler == 0) continue;
             *ring = (YkLinkage){.input = input, .coupler = coupler, .is_slider = true};
             ring->A0 = joint_place(state, a);

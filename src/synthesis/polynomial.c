@@ -5,11 +5,6 @@
 
 static const double none = 1e-14; // of the largest coefficient: nothing
 
-static YkVec quotient(YkVec a, YkVec b)
-{
-    return yk_scale(1 / yk_dot(b, b), yk_mul(a, yk_conj(b)));
-}
-
 // Improves a root by Newton's method; steps that do not come nearer end it.
 static YkVec refine(const double *c, size_t degree, YkVec x)
 {
@@ -21,7 +16,7 @@ static YkVec refine(const double *c, size_t degree, YkVec x)
             value = yk_add(yk_mul(value, x), yk_vec(c[k], 0));
         }
         if (!(yk_dot(slope, slope) > 0)) return x;
-        YkVec change = quotient(value, slope);
+        YkVec change = yk_divide(value, slope);
         double size = yk_norm(change);
         if (!(size < last)) return x;
         x = yk_sub(x, change);
@@ -82,7 +77,7 @@ static YkVec evaluate(const double *c, size_t degree, YkVec x)
 // Returns y of the common point at x: from the line that the two quadratics share there.
 static YkVec common(const double *top, const double *bottom, YkVec x)
 {
-    return yk_scale(-1, quotient(evaluate(top, 2, x), evaluate(bottom, 1, x)));
+    return yk_scale(-1, yk_divide(evaluate(top, 2, x), evaluate(bottom, 1, x)));
 }
 
 size_t yk_conics_meet(const YkConic *first, const YkConic *second, YkVec point[4][3])

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "base/problems.h"
 #include "write/file_inside.h"
 
 typedef struct Place {

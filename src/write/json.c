@@ -122,3 +122,10 @@ void yk_json_null(YkJson *json, const char *key)
     add_member(json, key);
     yk_text_puts(json->text, "null");
 }
+
+void yk_json_numbers(YkJson *json, const char *key, const double *values, size_t count)
+{
+    yk_json_list(json, key, YK_JSON_INLINE);
+    for (size_t k = 0; k < count; k++) yk_json_number(json, NULL, values[k]);
+    yk_json_end(json);
+}

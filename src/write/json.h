@@ -26,5 +26,6 @@ void yk_json_number(YkJson *json, const char *key, double value);      // shorte
 void yk_json_integer(YkJson *json, const char *key, long long value);
 void yk_json_bool(YkJson *json, const char *key, bool value);
 void yk_json_null(YkJson *json, const char *key);
+void yk_json_numbers(YkJson *json, const char *key, const double *values, size_t count); // a list on one line
 
 #endif

@@ -171,6 +171,16 @@ size_t yk_table_rows(const YkTable *table)
     return table && table->count > table->columns ? table->count / table->columns - 1 : 0;
 }
 
+void yk_table_show(YkTable *table, const char *title, YkText *text)
+{
+    if (yk_table_failed(table) || yk_table_rows(table) > 0) {
+        yk_text_puts(text, "\n");
+        if (title) yk_text_format(text, "%s\n", title);
+        yk_table_write(table, 2, text);
+    }
+    yk_table_free(table);
+}
+
 // A head without a unit and an empty cell are plain cells.
 static void write_cell(const YkTable *table, size_t index, YkText *html)
 {

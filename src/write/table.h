@@ -18,6 +18,9 @@ void yk_table_number(YkTable *table, double value, int digits); // significant d
 bool yk_table_write(const YkTable *table, size_t indent, YkText *text);
 size_t yk_table_rows(const YkTable *table); // complete ones, without the heads
 bool yk_table_failed(const YkTable *table); // also if there is none
+// Writes the table below an empty line and the line of its title, which may be NULL; writes nothing if it has no rows.
+// Frees the table.
+void yk_table_show(YkTable *table, const char *title, YkText *text);
 // Writes an HTML table with a caption; the first column heads the rows. Returns false when out of memory.
 bool yk_table_write_html(const YkTable *table, const char *caption, YkText *html);
 // Returns how many columns of a terminal a text takes: code points, without combining ones.

@@ -1,7 +1,6 @@
 // Gears, belts, racks, cams and laws: closed forms, rates against differences, residuals that show a miss; poses
 // adopted.
 #include "machine.h"
-#include "solve/gap.h"
 #include "solve/state.h"
 
 static const char *const wheels =
@@ -378,32 +377,6 @@ static void a_pose_is_not_adopted_where_it_does_not_close(void **unused)
     machine_free(&from);
 }
 
-// Two poses are as far apart as their farthest coordinates: angles up to turns, lengths over the size.
-static void poses_are_as_far_apart_as_their_farthest_coordinates(void **unused)
-{
-    (void)unused;
-    Machine m = machine_load("slider-crank");
-    size_t count = yk_coordinate_count(m.mech);
-    double a[16], b[16];
-    assert_true(count <= 16);
-    for (size_t c = 0; c < count; c++) a[c] = b[c] = yk_state_coordinate(m.state, c).position;
-    assert_true(yk_pose_gap(m.mech, a, b) == 0);
-    for (size_t c = 0; c < count; c++) {
-        bool is_distance = yk_coordinate_info(m.mech, c).is_distance;
-        double unit = is_distance ? yk_mechanism_size(m.mech) : 1;
-        b[c] = a[c] + 0.01 * unit;
-        CHECK_NEAR(yk_pose_gap(m.mech, a, b), 0.01, 1e-14);
-        CHECK_NEAR(yk_pose_gap(m.mech, b, a), 0.01, 1e-14);
-        b[c] = a[c] + 2 * YK_PI;
-        CHECK_NEAR(yk_pose_gap(m.mech, a, b), is_distance ? 2 * YK_PI / unit : c > 0 ? 0.002 : 0, 1e-12 / unit);
-        b[c] = (double)NAN;
-        assert_true(isnan(yk_pose_gap(m.mech, a, b)));
-        b[c] = a[c] - 0.002 * unit; // what came before is nearer
-    }
-    CHECK_NEAR(yk_pose_gap(m.mech, a, b), 0.002, 1e-14);
-    machine_free(&m);
-}
-
 // Belts that repeat one that closes a geared linkage leave the start what it is, whatever turns the wheel has made.
 static void repeated_belts_leave_the_start_nearest(void **unused)
 {
@@ -458,7 +431,6 @@ int main(void)
         cmocka_unit_test(a_pose_is_adopted_where_it_closes),
         cmocka_unit_test(a_pose_is_not_adopted_where_it_does_not_close),
         cmocka_unit_test(repeated_belts_leave_the_start_nearest),
-        cmocka_unit_test(poses_are_as_far_apart_as_their_farthest_coordinates),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

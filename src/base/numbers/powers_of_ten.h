@@ -10,13 +10,26 @@ enum {
     YK_TEN_MAX = 341   // 17 digits of the smallest double need 10^340
 };
 
-// 10^(YK_TEN_MIN + i) = (entry + f) * 2^(yk_floor_log2_of_ten(..) - 127), 0 <= f < 1, the entry's highest bit set.
-// Written by tools/powers_of_ten.py.
-extern const YkWide yk_powers_of_ten[YK_TEN_MAX - YK_TEN_MIN + 1];
+// 10^e = 10^(YK_TEN_STEP * k) * 10^j, 0 <= j < YK_TEN_STEP: the first 192 bits of the one, from the smallest k on, and
+// the 64 bits of the other, which are all. The highest bit of each is set. Written by tools/powers_of_ten.py.
+enum { YK_TEN_STEP = 27, YK_TEN_STEP_MIN = -351 };
+typedef struct YkTenStep {
+    uint64_t high, middle, low;
+} YkTenStep;
+extern const YkTenStep yk_ten_steps[];
+extern const uint64_t yk_small_tens[YK_TEN_STEP];
 
+// Returns 128 bits, the highest of them set: 10^exponent = (bits + f) * 2^(yk_floor_log2_of_ten(exponent) - 127),
+// 0 <= f < 1. The tool checks at every exponent that 192 bits of a step are enough.
 static inline YkWide yk_power_of_ten(int exponent)
 {
-    return yk_powers_of_ten[exponent - YK_TEN_MIN];
+    unsigned place = (unsigned)(exponent - YK_TEN_STEP_MIN);
+    YkTenStep step = yk_ten_steps[place / YK_TEN_STEP];
+    uint64_t small = yk_small_tens[place % YK_TEN_STEP];
+    YkWide low = yk_wide_add(yk_wide_multiply(step.middle, small), yk_wide_multiply(step.low, small).high);
+    YkWide power = yk_wide_add(yk_wide_multiply(step.high, small), low.high);
+    if (power.high >> 63) return power;
+    return (YkWide){power.high << 1 | power.low >> 63, power.low << 1 | low.low >> 63};
 }
 // 5^55 is the last power of five below 2^128: there f = 0.
 static inline bool yk_power_of_ten_is_exact(int exponent)

@@ -1,6 +1,7 @@
 // Reads decimal numbers, correctly rounded. The first 19 digits times a 128-bit power of ten bound the value from both
 // sides (after Lemire 2021, "Number parsing at a gigabyte per second"). If both bounds round to the same double, that
 // is the answer; otherwise all digits are compared exactly with the midpoint of the two candidates.
+#include "base/letters.h"
 #include "base/number.h"
 #include "base/numbers/big.h"
 #include "base/numbers/decimal.h"
@@ -21,20 +22,15 @@ typedef struct Scan {
     size_t length;     // bytes of the whole number, 0 if there is none
 } Scan;
 
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 static size_t scan_exponent(const char *text, size_t length, size_t at, int64_t *exponent)
 {
     size_t i = at;
     if (i == length || (text[i] != 'e' && text[i] != 'E')) return at;
     bool negative = ++i < length && text[i] == '-';
     if (i < length && (text[i] == '-' || text[i] == '+')) i++;
-    if (i == length || !is_digit(text[i])) return at; // "2em" is the number 2, then a word
+    if (i == length || !yk_is_digit(text[i])) return at; // "2em" is the number 2, then a word
     int64_t value = 0;
-    for (; i < length && is_digit(text[i]); i++)
+    for (; i < length && yk_is_digit(text[i]); i++)
         if (value < EXPONENT_LIMIT / 10) value = 10 * value + (text[i] - '0');
     *exponent += negative ? -value : value;
     return i;
@@ -51,7 +47,7 @@ static Scan scan_number(const char *text, size_t length)
             point = true;
             continue;
         }
-        if (!is_digit(text[i])) break;
+        if (!yk_is_digit(text[i])) break;
         any = true;
         unsigned digit = (unsigned)(text[i] - '0');
         if (kept == MANTISSA_DIGITS) {

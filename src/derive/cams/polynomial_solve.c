@@ -1,6 +1,4 @@
 // Solves a polynomial segment's system in exact fractions.
-#include <stdlib.h>
-#include <string.h>
 #include "base/number.h"
 #include "derive/cams/polynomial.h"
 

@@ -1,7 +1,6 @@
 // The linear system of a polynomial segment.
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/number.h"
 #include "derive/cams/polynomial.h"
 #include "num/dense.h"

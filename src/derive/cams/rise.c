@@ -2,7 +2,6 @@
 // exactly. A fall is the rise run backwards. Sources: Norton 2009, Cam Design and Manufacturing Handbook, ch. 3-4;
 // Rothbart 2004, ch. 2-3.
 #include "derive/cams/cams.h"
-#include "derive/inside.h"
 
 enum { ZONES_MAX = 5 };
 

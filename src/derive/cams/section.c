@@ -1,9 +1,7 @@
 // Section: motion programs and cams - every law segment by segment, what is continuous, and the resulting cams.
-#include <math.h>
 #include <string.h>
 #include "base/number.h"
 #include "derive/cams/cams.h"
-#include "derive/inside.h"
 #include "derive/relations.h"
 #include "derive/sections.h"
 

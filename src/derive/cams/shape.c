@@ -1,12 +1,9 @@
 // Writes the geometry that a cam gets from its law: where the follower stands, pitch curve and contact, pressure angle,
 // radius of curvature. The cam's centre is the origin, theta its angle, sigma = +-1 the sense in which it turns
 // (design/cams/cam.h has the same in numbers). Sources: Angeles & Lopez-Cajun 1991, ch. 3-4; Norton 2009, ch. 7.
-#include <math.h>
 #include <string.h>
 #include "derive/cams/cams.h"
-#include "derive/inside.h"
 #include "derive/relations.h"
-#include "derive/sections.h"
 #include "design/cams/cam.h"
 #include "elementary/elementary.h"
 

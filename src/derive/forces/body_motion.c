@@ -1,6 +1,5 @@
 // Bodies as moving masses: references, velocities, accelerations, and the coordinates of the body form.
 #include "derive/forces/free_bodies.h"
-#include "derive/inside.h"
 
 YkDeriveFreedom yk_derive_freedom(const YkDerivation *d, size_t coordinate)
 {

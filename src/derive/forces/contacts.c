@@ -1,5 +1,4 @@
 // Contacts: what joints and junctions exert on bodies.
-#include <stdlib.h>
 #include "derive/forces/free_bodies.h"
 
 // An unknown of a joint (of a junction: on a body): its symbol.

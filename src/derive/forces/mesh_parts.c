@@ -1,6 +1,5 @@
 // The parts of the forces of gears, racks, belts and cams: unknowns, places, forces and couples on bodies.
 #include "derive/forces/meshes.h"
-#include "derive/inside.h"
 
 void yk_mesh_unknown(YkMeshMaking *m, const char *letter, const int32_t body[2], const char *word)
 {

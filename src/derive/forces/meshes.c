@@ -13,7 +13,6 @@
 // - laws: an effort along the coordinate that follows, and minus the law's slope times it along the other
 // This is the model of free_bodies/meshes.c, derived anew.
 #include "derive/forces/meshes.h"
-#include "derive/inside.h"
 
 // --- Racks and belts
 

@@ -3,7 +3,6 @@
 // Every moving body has two force equations and a moment equation, a junction two force equations; what closes loops
 // gives equations between accelerations. A body whose forces all meet in its centre of mass has a trivial moment
 // equation - its guide's moment is 0 - and both are left out.
-#include <stdlib.h>
 #include "derive/forces/free_bodies.h"
 
 static size_t count_closing(YkDerivation *d)

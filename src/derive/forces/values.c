@@ -1,6 +1,5 @@
 // The forces of a derivation, made at first use, with values from the numeric engine and relations for proofs.
 #include <math.h>
-#include <stdlib.h>
 #include "derive/forces/free_bodies.h"
 #include "dynamics/dynamics.h"
 #include "elementary/elementary.h"

@@ -1,8 +1,6 @@
 // Writes one mesh: the velocity of its pitch point from both sides, as a textbook does with vectors from the centres,
 // and the result in numbers of teeth (Willis 1841).
 #include "derive/gears/gears.h"
-#include "derive/inside.h"
-#include "derive/sections.h"
 
 typedef struct Mesh {
     YkDerivation *d;

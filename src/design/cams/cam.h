@@ -91,5 +91,7 @@ struct YkCamDesign {
 bool yk_cam_gather_loads(YkCamDesign *design);
 // Returns the effort that the cam must give along the coordinate, from the terms that do not grow with speed.
 double yk_cam_static_effort(const YkCamDesign *design, double speed, const YkCamSample *at);
+// cam_law.c
+double yk_cam_law_lift(const YkLaw *law, double angle);
 
 #endif

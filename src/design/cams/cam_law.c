@@ -73,7 +73,7 @@ YkStatus yk_cam_law_factors(const char *law, YkCamFactors *factors)
 
 enum { STROKES_MAX = 64 };
 
-static double lift_at(const YkLaw *law, double angle)
+double yk_cam_law_lift(const YkLaw *law, double angle)
 {
     double d[YK_LAW_ORDER + 1];
     yk_law_eval(law, angle, d);
@@ -89,7 +89,7 @@ static YkLaw *build_with(const YkCamDesign *design, const YkRise *rise, YkArena 
     if (count == 0 || count > STROKES_MAX) return NULL;
     YkLawRange range = yk_law_range(design->law->law);
     double from = fmin(range.from, strokes[0].from), end = from + range.period, close = 1e-12 * range.period;
-    YkLawBuilder *builder = yk_law_builder_new(from, lift_at(design->law->law, from));
+    YkLawBuilder *builder = yk_law_builder_new(from, yk_cam_law_lift(design->law->law, from));
     YkLawFault fault = builder ? YK_LAW_OK : YK_LAW_NO_MEMORY;
     for (size_t i = 0; i < count && fault == YK_LAW_OK; i++) {
         const YkCamStroke *stroke = &strokes[i];

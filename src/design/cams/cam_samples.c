@@ -2,6 +2,7 @@
 // where everything is smooth up to the second derivative; a stretch's last sample has the values just before its end.
 #include <math.h>
 #include <stdlib.h>
+#include "base/sort.h"
 #include "design/cams/cam.h"
 
 enum { SAMPLES = 1440, LEAST = 48, JUMPS_MAX = 400, SECTIONS = 60 };
@@ -10,12 +11,6 @@ typedef struct Breaks {
     double *at;
     size_t count;
 } Breaks;
-
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 // Finds the ends of segments and jumps, ascending, each once; first and last are the ends of the period.
 static bool find_breaks(const YkLaw *law, YkArena *arena, Breaks *breaks)
@@ -33,7 +28,7 @@ static bool find_breaks(const YkLaw *law, YkArena *arena, Breaks *breaks)
     for (size_t i = 1; i < segments; i++) all[count++] = yk_law_segment(law, i).from;
     yk_law_jumps(law, found, jumps);
     for (size_t i = 0; i < jumps; i++) all[count++] = found[i].x;
-    qsort(all, count, sizeof *all, compare);
+    qsort(all, count, sizeof *all, yk_by_size);
     breaks->at = all;
     for (size_t i = 0; i < count; i++) {
         if (breaks->count == 0 || all[i] - all[breaks->count - 1] > close) all[breaks->count++] = all[i];

@@ -102,13 +102,6 @@ static void scan_stretch(const YkCamSamples *samples, size_t stretch, double qui
     if (!moves) end_stroke(strokes, items[first].angle);
 }
 
-static double lift_at(const YkLaw *law, double angle)
-{
-    double d[YK_LAW_ORDER + 1];
-    yk_law_eval(law, angle, d);
-    return d[0];
-}
-
 // Joins a stroke that continues over the end of the period with the one at its beginning.
 static void join_ends(Strokes *strokes, YkLawRange range)
 {
@@ -129,7 +122,7 @@ size_t yk_cam_strokes(const YkCamDesign *design, YkCamStroke *strokes, size_t ca
     end_stroke(&found, range.to);
     join_ends(&found, range);
     for (size_t i = 0; i < found.count && i < capacity; i++) {
-        strokes[i].lift = lift_at(law, strokes[i].to) - lift_at(law, strokes[i].from);
+        strokes[i].lift = yk_cam_law_lift(law, strokes[i].to) - yk_cam_law_lift(law, strokes[i].from);
         strokes[i].factors = factors_of(design, &strokes[i]);
     }
     return found.count;

@@ -1,5 +1,4 @@
 // The equations of a train: which bodies belong to it, the names of teeth and radii, one row for each mesh.
-#include <stdlib.h>
 #include <string.h>
 #include "design/trains/train.h"
 

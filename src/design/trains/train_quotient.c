@@ -4,7 +4,6 @@
 // A polynomial f splits into factors without common variables exactly if, for u in one and v in the other,
 // f f_uv = f_u f_v (Shpilka and Volkovich 2010). Tooth numbers rarely appear twice in a product, so this finds the
 // factors of ratios.
-#include <stdlib.h>
 #include <string.h>
 #include "design/trains/train.h"
 #include "ring/print/write.h"

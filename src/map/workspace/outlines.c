@@ -1,6 +1,5 @@
 // Finds the regions of equal counts in a field and walks round them.
 #include <math.h>
-#include <stdlib.h>
 #include "base/memory.h"
 #include "elementary/elementary.h"
 #include "map/workspace/regions.h"
@@ -97,13 +96,9 @@ static void add_corner(Walk *w, const double *at)
 {
     YkBorder *o = w->outline;
     if (o->count > 0) w->bound_length += yk_hypot(at[0] - w->last[0], at[1] - w->last[1]);
-    if (o->count + 1 > o->capacity) {
-        size_t capacity = 2 * o->capacity + 64;
-        double *points = realloc(o->points, 2 * capacity * sizeof *points);
-        w->has_memory &= points != NULL;
-        if (!points) return;
-        o->points = points;
-        o->capacity = capacity;
+    if (!YK_ROW_ROOM(o->points, 2, o->count, o->capacity)) {
+        w->has_memory = false;
+        return;
     }
     for (int axis = 0; axis < 2; axis++) o->points[2 * o->count + (size_t)axis] = w->last[axis] = at[axis];
     o->count++;

@@ -61,18 +61,6 @@ YkBranch *yk_branch_get(const YkBranch *map, const char *key)
     return index == YK_NONE ? NULL : (YkBranch *)map->node.pairs[index].value;
 }
 
-// An array of the arena with room for one more; the old one stays behind, as long in all as the new.
-static void *grown(YkBuilder *builder, void *items, size_t count, size_t *capacity, size_t size)
-{
-    if (count < *capacity) return items;
-    size_t wanted = *capacity ? 2 * *capacity : 4;
-    void *more = yk_arena_alloc(builder->arena, wanted, size);
-    if (!more) return NULL;
-    if (count > 0) memcpy(more, items, count * size);
-    *capacity = wanted;
-    return more;
-}
-
 static void enter_name(YkBuilder *builder, YkBranch *map, size_t index)
 {
     int32_t existing;
@@ -98,20 +86,15 @@ void yk_branch_put(YkBuilder *builder, YkBranch *map, const char *key, YkBranch 
         return;
     }
     YkBranch *name = yk_branch_scalar(builder, key);
-    YkNodePair *pairs = grown(builder, map->node.pairs, map->node.count, &map->capacity, sizeof *pairs);
-    if (!name || !pairs) return;
-    map->node.pairs = pairs;
-    pairs[map->node.count++] = (YkNodePair){&name->node, &value->node};
+    if (!name || !YK_ROOM_IN(builder->arena, map->node.pairs, map->node.count, map->capacity)) return;
+    map->node.pairs[map->node.count++] = (YkNodePair){&name->node, &value->node};
     enter_names(builder, map);
 }
 
 void yk_branch_add(YkBuilder *builder, YkBranch *list, YkBranch *value)
 {
-    YkNode **items =
-        list && value ? grown(builder, list->node.items, list->node.count, &list->capacity, sizeof *items) : NULL;
-    if (!items) return;
-    list->node.items = items;
-    items[list->node.count++] = &value->node;
+    if (!list || !value || !YK_ROOM_IN(builder->arena, list->node.items, list->node.count, list->capacity)) return;
+    list->node.items[list->node.count++] = &value->node;
 }
 
 void yk_branch_take_away(YkBuilder *builder, YkBranch *map, const char *key)

@@ -145,19 +145,14 @@ bool yk_cam_contact_lift(const void *context, double angle, double d[YK_LAW_ORDE
     return true;
 }
 
-static double argument(YkVec v)
-{
-    return yk_atan2(v.y, v.x);
-}
-
 double yk_cam_contact_angle(const YkCam *cam, YkVec point, YkVec normal)
 {
     YkVec c = yk_add(point, yk_scale(cam->roller, normal)), C;
     double distance = yk_norm(c), a = cam->arm;
     if (cam->face == YK_CAM_FACE_FLAT) {
         double nu = cam->oscillates ? yk_cam_face_angle(cam->pivot, yk_dot(point, normal) + cam->offset, cam->away)
-                                    : argument(cam->along);
-        return cam->turn * (nu - argument(normal));
+                                    : yk_argument(cam->along);
+        return cam->turn * (nu - yk_argument(normal));
     }
     if (cam->oscillates) {
         C = yk_scale(a, yk_unit(yk_cam_arm_angle(cam->pivot, a, distance, cam->away)));
@@ -166,5 +161,5 @@ double yk_cam_contact_angle(const YkCam *cam, YkVec point, YkVec normal)
         double y = sqrt((distance - cam->offset) * (distance + cam->offset));
         C = yk_mul(cam->along, yk_vec(y, -cam->offset));
     }
-    return cam->turn * (argument(C) - argument(c));
+    return cam->turn * (yk_argument(C) - yk_argument(c));
 }

@@ -46,24 +46,18 @@ static void read_face(YkLoader *loader, YkCam *cam, const YkNode *map)
     yk_load_hint_nearest_key(loader, node->text, words);
 }
 
-// Returns the body to which this joint attaches the given one, or YK_NONE.
-static int32_t other_body(const YkJoint *joint, int32_t body)
-{
-    return joint->body[0] == body ? joint->body[1] : joint->body[1] == body ? joint->body[0] : YK_NONE;
-}
-
 // Finds the joints of cam and follower on one body: the pin and the pin or slide. Returns the number of ways.
 static size_t find_joints(const YkModel *model, YkCam *cam, int32_t wanted)
 {
     size_t count = 0;
     for (size_t i = 0; i < model->joint_count; i++) {
         const YkJoint *pin = &model->joints[i];
-        int32_t carrier = pin->kind == YK_PIN ? other_body(pin, cam->cam) : YK_NONE;
+        int32_t carrier = pin->kind == YK_PIN ? yk_joint_other_body(pin, cam->cam) : YK_NONE;
         if (carrier == YK_NONE || carrier == cam->follower || (wanted != YK_NONE && carrier != wanted)) continue;
         for (size_t k = 0; k < model->joint_count; k++) {
             const YkJoint *guide = &model->joints[k];
             if (guide->kind != YK_PIN && guide->kind != YK_SLIDE) continue;
-            if (other_body(guide, cam->follower) != carrier) continue;
+            if (yk_joint_other_body(guide, cam->follower) != carrier) continue;
             if (count++ > 0) continue;
             cam->carrier = carrier;
             cam->cam_joint = (int32_t)i;

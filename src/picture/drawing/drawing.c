@@ -60,25 +60,10 @@ void yk_drawing_free(YkDrawing *drawing)
     free(drawing);
 }
 
-// Makes room for one more row of `size` bytes, by doubling.
-static bool make_room(void **rows, size_t count, size_t *capacity, size_t size)
-{
-    if (count < *capacity) return true;
-    size_t wanted = *capacity ? 2 * *capacity : 4;
-    if (size > 0 && wanted > (size_t)-1 / size) return false;
-    void *moved = realloc(*rows, wanted * size + 1);
-    if (!moved) return false;
-    *rows = moved;
-    *capacity = wanted;
-    return true;
-}
-
 YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state)
 {
     size_t bodies = drawing->model->body_count;
-    void *rows = drawing->frames;
-    if (!make_room(&rows, drawing->pose_count, &drawing->pose_capacity, bodies * sizeof(YkFrame))) return YK_NO_MEMORY;
-    drawing->frames = rows;
+    if (!YK_ROW_ROOM(drawing->frames, bodies, drawing->pose_count, drawing->pose_capacity)) return YK_NO_MEMORY;
     if (!yk_drawing_place(drawing, state, drawing->frames + drawing->pose_count * bodies)) return YK_BAD_ARGUMENT;
     drawing->pose_count++;
     return YK_OK;
@@ -87,9 +72,7 @@ YkStatus yk_drawing_pose(YkDrawing *drawing, const YkState *state)
 YkStatus yk_drawing_trace(YkDrawing *drawing, const YkState *state)
 {
     size_t points = drawing->options.traced_count;
-    void *rows = drawing->traces;
-    if (!make_room(&rows, drawing->trace_count, &drawing->trace_capacity, points * sizeof(YkVec))) return YK_NO_MEMORY;
-    drawing->traces = rows;
+    if (!YK_ROW_ROOM(drawing->traces, points, drawing->trace_count, drawing->trace_capacity)) return YK_NO_MEMORY;
     if (!yk_drawing_place(drawing, state, drawing->placed)) return YK_BAD_ARGUMENT;
     for (size_t i = 0; i < points; i++) {
         const YkPoint *point = &drawing->model->points[drawing->options.traced_points[i]];

@@ -173,5 +173,7 @@ void yk_drawing_joints(YkDrawing *drawing, const YkFrame *frames);
 void yk_drawing_body(YkDrawing *drawing, const YkFrame *frame, size_t body);
 void yk_drawing_body_wheels(YkDrawing *drawing, const YkFrame *frames, int32_t body);
 void yk_drawing_joint_on(YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, int side);
+// drawing_joints.c: the style of a shape with rounded edges.
+void yk_drawing_style(YkText *style, const char *fill, const char *edge, double width);
 
 #endif

@@ -180,14 +180,6 @@ YkVec yk_drawing_rider(const YkDrawing *drawing, const YkFrame *frames, size_t c
 
 // --- Drawing
 
-static void set_style(YkText *style, const char *fill, const char *edge, double width)
-{
-    yk_text_clear(style);
-    yk_text_format(style, "fill=\"%s\" stroke=\"%s\" stroke-width=\"", fill, edge);
-    yk_svg_number(style, width);
-    yk_text_puts(style, "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"");
-}
-
 static void add_curve(YkDrawing *drawing, YkFrame frame, const YkVec *points, size_t count, const YkText *style)
 {
     YkVec *pixels = calloc(count + 1, sizeof *pixels);
@@ -205,7 +197,7 @@ static void add_outline(YkDrawing *drawing, const YkFrame *frames, size_t k, YkT
     YkFrame frame = {carrier_frame(drawing, frames, cam).origin, frames[cam->cam].axis};
     YkColour colour = yk_drawing_colour((size_t)cam->cam);
     yk_drawing_group(drawing, (size_t)cam->cam);
-    set_style(style, cam->is_groove ? "none" : colour.fill, colour.edge, fmin(1.3, 0.2 * drawing->bar));
+    yk_drawing_style(style, cam->is_groove ? "none" : colour.fill, colour.edge, fmin(1.3, 0.2 * drawing->bar));
     add_curve(drawing, frame, own->surface, own->surface_count, style);
     if (own->outer) add_curve(drawing, frame, own->outer, own->outer_count, style);
     yk_drawing_ungroup(drawing);
@@ -222,14 +214,14 @@ static void add_rider(YkDrawing *drawing, const YkFrame *frames, size_t k, YkTex
     YkVec held = yk_drawing_joint(drawing, frames, guide, guide->body[1] == cam->follower);
     double half = 0.6 * cam->base * drawing->scale;
     yk_drawing_group(drawing, (size_t)cam->follower);
-    set_style(style, "none", colour.edge, fmax(1, 0.35 * drawing->bar));
+    yk_drawing_style(style, "none", colour.edge, fmax(1, 0.35 * drawing->bar));
     yk_svg_line(&drawing->svg, at, yk_drawing_pixel(drawing, held), yk_text_get(style));
     if (cam->face == YK_CAM_FACE_FLAT) {
-        set_style(style, "none", colour.edge, fmax(1.5, 0.4 * drawing->bar));
+        yk_drawing_style(style, "none", colour.edge, fmax(1.5, 0.4 * drawing->bar));
         yk_svg_line(&drawing->svg, yk_sub(at, yk_scale(half, along)), yk_add(at, yk_scale(half, along)),
                     yk_text_get(style));
     } else if (cam->roller > 0) {
-        set_style(style, colour.fill, colour.edge, fmin(1.3, 0.2 * drawing->bar));
+        yk_drawing_style(style, colour.fill, colour.edge, fmin(1.3, 0.2 * drawing->bar));
         yk_svg_circle(&drawing->svg, at, cam->roller * drawing->scale, yk_text_get(style));
     }
     yk_drawing_ungroup(drawing);

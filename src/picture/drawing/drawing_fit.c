@@ -1,6 +1,5 @@
 // Finds the scale at which everything fits the page.
 #include "picture/drawing/drawing.h"
-#include <stdlib.h>
 
 enum { MARGIN = YK_DRAWING_MARGIN, HEAD = YK_DRAWING_HEAD, FOOT = 26 }; // px
 

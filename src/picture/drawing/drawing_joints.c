@@ -4,7 +4,7 @@
 #include "picture/svg.h"
 
 // Writes attributes: fill, edge and its width.
-static void set_style(YkText *style, const char *fill, const char *edge, double width)
+void yk_drawing_style(YkText *style, const char *fill, const char *edge, double width)
 {
     yk_text_clear(style);
     yk_text_format(style, "fill=\"%s\" stroke=\"%s\" stroke-width=\"", fill, edge);
@@ -32,7 +32,7 @@ static void add_rod(YkDrawing *drawing, const YkFrame *frames, const YkJoint *jo
         from =
             yk_add(from, yk_scale(drawing->scale * (sign > 0 ? fmin(stretch.low, 0) : fmax(stretch.high, 0)), along));
     }
-    set_style(style, "none", yk_drawing_colour((size_t)joint->body[0]).edge, fmax(1, 0.35 * drawing->bar));
+    yk_drawing_style(style, "none", yk_drawing_colour((size_t)joint->body[0]).edge, fmax(1, 0.35 * drawing->bar));
     yk_svg_line(&drawing->svg, from, yk_add(to, yk_scale(sign * 2.2 * drawing->bar, along)), yk_text_get(style));
 }
 
@@ -43,7 +43,7 @@ static void add_box(YkDrawing *drawing, const YkFrame *frames, const YkJoint *jo
     YkVec across = yk_scale(0.6, yk_quarter(along)), back = yk_sub(at, along), front = yk_add(at, along);
     YkVec corners[4] = {yk_sub(back, across), yk_sub(front, across), yk_add(front, across), yk_add(back, across)};
     YkColour colour = yk_drawing_colour((size_t)joint->body[1]);
-    set_style(style, colour.fill, colour.edge, fmin(1.3, 0.2 * drawing->bar));
+    yk_drawing_style(style, colour.fill, colour.edge, fmin(1.3, 0.2 * drawing->bar));
     yk_svg_polygon(&drawing->svg, corners, 4, yk_text_get(style));
 }
 
@@ -56,18 +56,18 @@ static void add_slot(YkDrawing *drawing, const YkFrame *frames, const YkJoint *j
     YkVec along = yk_scale(0.5 * drawing->bar, page_direction(frames, joint));
     YkVec a = yk_sub(yk_drawing_pixel(drawing, low), along), b = yk_add(yk_drawing_pixel(drawing, high), along);
     YkColour colour = yk_drawing_colour((size_t)joint->body[0]);
-    set_style(style, "none", colour.edge, 1.9 * drawing->bar);
+    yk_drawing_style(style, "none", colour.edge, 1.9 * drawing->bar);
     yk_svg_line(&drawing->svg, a, b, yk_text_get(style));
-    set_style(style, "none", colour.fill, 1.9 * drawing->bar - fmin(2.6, 0.4 * drawing->bar));
+    yk_drawing_style(style, "none", colour.fill, 1.9 * drawing->bar - fmin(2.6, 0.4 * drawing->bar));
     yk_svg_line(&drawing->svg, a, b, yk_text_get(style));
-    set_style(style, "none", "#ffffff", drawing->bar);
+    yk_drawing_style(style, "none", "#ffffff", drawing->bar);
     yk_svg_line(&drawing->svg, a, b, yk_text_get(style));
 }
 
 static void add_pin(YkDrawing *drawing, const YkFrame *frames, const YkJoint *joint, YkText *style)
 {
     YkVec at = yk_drawing_pixel(drawing, yk_drawing_joint(drawing, frames, joint, 1));
-    set_style(style, "#ffffff", "#2b2d30", fmin(1.4, 0.2 * drawing->bar));
+    yk_drawing_style(style, "#ffffff", "#2b2d30", fmin(1.4, 0.2 * drawing->bar));
     yk_svg_circle(&drawing->svg, at, fmax(0.8, 0.36 * drawing->bar), yk_text_get(style));
 }
 
@@ -77,7 +77,7 @@ static void add_weld(YkDrawing *drawing, const YkFrame *frames, const YkJoint *j
     double half = 0.45 * drawing->bar;
     YkVec corners[4] = {
         {at.x - half, at.y - half}, {at.x + half, at.y - half}, {at.x + half, at.y + half}, {at.x - half, at.y + half}};
-    set_style(style, "#2b2d30", "none", 0);
+    yk_drawing_style(style, "#2b2d30", "none", 0);
     yk_svg_polygon(&drawing->svg, corners, 4, yk_text_get(style));
 }
 
@@ -105,7 +105,7 @@ static void add_points(YkDrawing *drawing, const YkFrame *frames, YkText *style)
         const YkPoint *point = &model->points[i];
         if (point->body == 0) continue;
         YkVec at = yk_drawing_pixel(drawing, yk_frame_apply(frames[point->body], point->at));
-        set_style(style, yk_drawing_colour((size_t)point->body).edge, "none", 0);
+        yk_drawing_style(style, yk_drawing_colour((size_t)point->body).edge, "none", 0);
         yk_drawing_group(drawing, (size_t)point->body);
         yk_svg_circle(&drawing->svg, at, fmax(0.5, 0.2 * drawing->bar), yk_text_get(style));
         yk_drawing_ungroup(drawing);

@@ -1,6 +1,5 @@
 // A point through points: bars by random starts and least squares, each judged by the engine on its file.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include "synthesis/paths/path_search.h"
 

@@ -38,9 +38,7 @@ static void write_shaking(YkSession *session, const YkBalancing *b)
     yk_table_head(table, "effort", yk_unit_of(session, effort_of(session)));
     add_peaks(session, table, "before", before);
     add_peaks(session, table, "with counterweights", yk_balancing_after(b));
-    yk_text_puts(&session->out, "\n");
-    yk_table_write(table, 2, &session->out);
-    yk_table_free(table);
+    yk_table_show(table, NULL, &session->out);
     yk_text_puts(&session->out,
                  "\nShaking forces and moments are those of inertia alone. The effort is what the input needs "
                  "under everything\nin the file: weight, loads and friction as well.\n");
@@ -73,9 +71,7 @@ static void write_orders(YkSession *session, const YkBalancing *b)
     yk_table_head(table, "then with", unit);
     yk_table_head(table, "against", unit);
     for (size_t n = 1; n <= last; n++) add_order(session, table, b, n);
-    yk_text_puts(&session->out, "\n");
-    yk_table_write(table, 2, &session->out);
-    yk_table_free(table);
+    yk_table_show(table, NULL, &session->out);
     yk_text_puts(
         &session->out,
         "\nThe shaking force turns with the input and against it, at its rate and multiples of it. A "
@@ -101,9 +97,7 @@ static void write_weights(YkSession *session, const YkBalancing *b)
         yk_table_number(table, yk_shown(session, w.mass, YK_QUANTITY_MASS), YK_DIGITS);
         yk_table_number(table, yk_shown(session, w.radius, YK_QUANTITY_LENGTH), YK_DIGITS);
     }
-    yk_text_puts(&session->out, "\n");
-    yk_table_write(table, 2, &session->out);
-    yk_table_free(table);
+    yk_table_show(table, NULL, &session->out);
 }
 
 static void write_text(YkSession *session, const YkBalancing *b, double fluctuation)

@@ -99,10 +99,7 @@ static void add_ranges(YkJson *json, const char *key, const YkCamRange *ranges, 
 {
     yk_json_list(json, key, YK_JSON_INLINE);
     for (size_t i = 0; i < count && i < YK_CAM_RANGES_MAX; i++) {
-        yk_json_list(json, NULL, YK_JSON_INLINE);
-        yk_json_number(json, NULL, ranges[i].from);
-        yk_json_number(json, NULL, ranges[i].to);
-        yk_json_end(json);
+        yk_json_numbers(json, NULL, (double[]){ranges[i].from, ranges[i].to}, 2);
     }
     yk_json_end(json);
 }
@@ -196,9 +193,7 @@ static void add_rows(const YkCamAnswer *answer, YkJson *json)
     yk_json_list(json, "rows", YK_JSON_LINES);
     for (size_t row = 0; row <= answer->steps && answer->steps > 0; row++) {
         yk_cam_row(answer, yk_cam_row_angle(answer, row), values);
-        yk_json_list(json, NULL, YK_JSON_INLINE);
-        for (size_t c = 0; c < count; c++) yk_json_number(json, NULL, values[c]);
-        yk_json_end(json);
+        yk_json_numbers(json, NULL, values, count);
     }
     yk_json_end(json);
 }

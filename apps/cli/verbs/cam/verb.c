@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/letters.h"
 #include "base/names.h"
 #include "session.h"
 #include "verbs/cam/cam.h"
@@ -102,18 +103,13 @@ static bool read_length(YkSession *session, const char *option, const char *text
            yk_session_refuse(session, YK_CODE_OPTION_VALUE, "the length must be greater than zero, not %q", text);
 }
 
-static bool has_ending(const char *path, const char *ending)
-{
-    size_t length = strlen(path), own = strlen(ending);
-    return length > own && strcmp(path + length - own, ending) == 0;
-}
-
 static bool check_files(YkSession *session)
 {
     const char *plot = session->request->plot, *profile = session->request->profile;
     if (plot && yk_file_kind(plot) == YK_FILE_OTHER)
         return yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--plot writes .svg, .pdf or .png, not %q", plot);
-    if (profile && !has_ending(profile, ".svg") && !has_ending(profile, ".dxf") && !has_ending(profile, ".csv"))
+    if (profile && !yk_has_ending(profile, ".svg") && !yk_has_ending(profile, ".dxf") &&
+        !yk_has_ending(profile, ".csv"))
         return yk_session_refuse(session, YK_CODE_OUTPUT_KIND, "--profile writes .svg, .dxf or .csv, not %q", profile);
     return true;
 }

@@ -111,9 +111,7 @@ static void add_four_bars(const YkCheckAnswer *answer, YkJson *json)
         yk_json_list(json, "bodies", YK_JSON_INLINE);
         for (int k = 0; k < 4; k++) yk_json_string(json, NULL, body(answer, bar->body[k]));
         yk_json_end(json);
-        yk_json_list(json, "lengths", YK_JSON_INLINE);
-        for (int k = 0; k < 4; k++) yk_json_number(json, NULL, bar->length[k]);
-        yk_json_end(json);
+        yk_json_numbers(json, "lengths", bar->length, 4);
         yk_json_end(json);
     }
     yk_json_end(json);

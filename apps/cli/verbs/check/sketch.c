@@ -1,5 +1,4 @@
 // yoke check --sketch: what a machine lacks to move, finished or not.
-#include <stdlib.h>
 #include <yoke/sketch.h>
 #include "session.h"
 #include "verbs/check/check.h"

@@ -59,7 +59,7 @@ int yk_run_check(YkSession *session)
     if (session->request->sketch) return yk_check_sketch(session);
     if (!yk_session_load(session, NULL) || !yk_session_inputs(session)) return YK_EXIT_WRONG;
     YkCheckAnswer *answer = calloc(1, sizeof *answer);
-    size_t *bodies = calloc(yk_model_body_count(session->model) + 1, sizeof *bodies);
+    size_t *bodies = yk_session_alloc(session, yk_model_body_count(session->model) + 1, sizeof *bodies);
     int exit_code = YK_EXIT_WRONG;
     if (answer && bodies) {
         answer->session = session;
@@ -68,7 +68,6 @@ int yk_run_check(YkSession *session)
     } else {
         yk_session_refuse_for_memory(session);
     }
-    free(bodies);
     free(answer);
     return exit_code;
 }

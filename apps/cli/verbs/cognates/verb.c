@@ -67,14 +67,6 @@ static void write_text(YkSession *session, const YkCognates *cognates)
 
 // --- JSON
 
-static void add_two(YkJson *json, const char *key, const double v[2])
-{
-    yk_json_list(json, key, YK_JSON_INLINE);
-    yk_json_number(json, NULL, v[0]);
-    yk_json_number(json, NULL, v[1]);
-    yk_json_end(json);
-}
-
 static void add_cognate(YkJson *json, const YkCandidate *c)
 {
     yk_json_object(json, NULL, YK_JSON_LINES);
@@ -83,14 +75,14 @@ static void add_cognate(YkJson *json, const YkCandidate *c)
     yk_json_string(json, "mechanism", c->mechanism);
     yk_json_string(json, "type", c->type);
     yk_json_list(json, "pivots", YK_JSON_INLINE);
-    add_two(json, NULL, c->pivots[0]);
-    if (c->lengths[0] > 0) add_two(json, NULL, c->pivots[1]);
+    yk_json_numbers(json, NULL, c->pivots[0], 2);
+    if (c->lengths[0] > 0) yk_json_numbers(json, NULL, c->pivots[1], 2);
     yk_json_end(json);
     yk_json_object(json, "lengths", YK_JSON_INLINE);
     for (size_t k = 0; k < 4; k++)
         if (c->lengths[k] > 0) yk_json_number(json, link_names[k], c->lengths[k]);
     yk_json_end(json);
-    add_two(json, "point", c->point);
+    yk_json_numbers(json, "point", c->point, 2);
     yk_json_number(json, "apart", c->worst);
     yk_json_end(json);
 }

@@ -1,5 +1,4 @@
 // yoke derive --svg DIR: draws the free bodies, with one file for each body and junction.
-#include <stdlib.h>
 #include "picture/free_body.h"
 #include "verbs/derive/derive.h"
 #include "write/file_set.h"
@@ -22,14 +21,12 @@ static bool draw_all(YkSession *session, YkFreeBodyDrawings *pictures, YkFileEnt
 static bool write_all(YkSession *session, YkFreeBodyDrawings *pictures)
 {
     size_t count = yk_free_body_drawings_count(pictures);
-    YkFileEntry *files = calloc(count + 1, sizeof *files);
-    YkText *names = calloc(count + 1, sizeof *names);
+    YkFileEntry *files = yk_session_alloc(session, count + 1, sizeof *files);
+    YkText *names = yk_session_alloc(session, count + 1, sizeof *names);
     bool good = files && names ? draw_all(session, pictures, files, names) : yk_session_refuse_for_memory(session);
     good = good && yk_files_write(session->request->svg, files, count, session->problems);
     for (size_t k = 0; k < count && files; k++) yk_text_free(&files[k].text);
     for (size_t k = 0; k < count && names; k++) yk_text_free(&names[k]);
-    free(files);
-    free(names);
     return good;
 }
 

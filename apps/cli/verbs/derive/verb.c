@@ -1,5 +1,4 @@
 // yoke derive: the machine's equations in symbols, and verdicts on equations of others.
-#include <stdlib.h>
 #include <string.h>
 #include "base/names.h"
 #include "reach.h"

@@ -1,5 +1,4 @@
 // yoke draw: the machine as a picture, at one pose or many.
-#include <stdlib.h>
 #include <string.h>
 #include "answer.h"
 #include "certify.h"
@@ -28,7 +27,7 @@ typedef struct Drawer {
 static bool find_points(Drawer *drawer)
 {
     const YkWords *trace = &drawer->session->request->trace;
-    drawer->points = calloc(trace->count + 1, sizeof *drawer->points);
+    drawer->points = yk_session_alloc(drawer->session, trace->count + 1, sizeof *drawer->points);
     if (!drawer->points) return yk_session_refuse_for_memory(drawer->session);
     return yk_session_points(drawer->session, trace, drawer->points);
 }
@@ -331,6 +330,5 @@ int yk_run_draw(YkSession *session)
         if (status >= 0 && !is_drawn) exit_code = yk_lacks_construction(session) ? YK_EXIT_NO_ANSWER : YK_EXIT_WRONG;
     }
     yk_drawing_free(drawer.drawing);
-    free(drawer.points);
     return exit_code;
 }

@@ -8,14 +8,6 @@
 enum { EXACT_MAX = 24, FORMULA_MAX = 100 };
 static const double rpm = 30 / 3.14159265358979323846;
 
-static void write_table(const YkGearsAnswer *answer, const char *title, YkTable *table)
-{
-    YkText *out = &answer->session->out;
-    yk_text_format(out, "\n%s\n", title);
-    yk_table_write(table, 2, out);
-    yk_table_free(table);
-}
-
 static const char *short_exact(const char *exact)
 {
     return exact && strlen(exact) <= EXACT_MAX ? exact : "";
@@ -98,7 +90,8 @@ static void add_speeds(const YkGearsAnswer *answer)
         yk_table_word(table, yk_text_get(&word));
     }
     yk_text_free(&word);
-    write_table(answer, unit ? "Turns for one turn of the input" : "Speeds (counter-clockwise)", table);
+    yk_table_show(table, unit ? "Turns for one turn of the input" : "Speeds (counter-clockwise)",
+                  &answer->session->out);
 }
 
 static void add_racks(const YkGearsAnswer *answer)
@@ -167,7 +160,7 @@ static void add_shift_table(const YkGearsAnswer *answer)
         before = gear.ratio.is_known ? gear.ratio.value : NAN;
     }
     yk_text_format(&title, "Shift table, %s / %s", yk_gears_body(answer, ratio.in), yk_gears_body(answer, ratio.out));
-    write_table(answer, yk_text_get(&title), table);
+    yk_table_show(table, yk_text_get(&title), &answer->session->out);
     yk_text_free(&title);
 }
 

@@ -4,14 +4,6 @@
 #include "verbs/gears/gears.h"
 #include "write/table.h"
 
-static void write_table(const YkGearsAnswer *answer, const char *title, YkTable *table)
-{
-    YkText *out = &answer->session->out;
-    yk_text_format(out, "\n%s\n", title);
-    yk_table_write(table, 2, out);
-    yk_table_free(table);
-}
-
 static double shown(const YkGearsAnswer *answer, double torque)
 {
     return yk_shown(answer->session, torque, YK_QUANTITY_TORQUE);
@@ -33,7 +25,7 @@ static void add_torques(const YkGearsAnswer *answer)
         yk_table_number(table, shown(answer, torque.torque), 6);
         yk_table_number(table, torque.power, 6);
     }
-    write_table(answer, "Torques on the train (a rack's: its force)", table);
+    yk_table_show(table, "Torques on the train (a rack's: its force)", &answer->session->out);
 }
 
 static void add_meshes(const YkGearsAnswer *answer)
@@ -56,7 +48,7 @@ static void add_meshes(const YkGearsAnswer *answer)
         yk_table_number(table, mesh.has_power ? mesh.rolling_power : NAN, 6);
         yk_table_number(table, mesh.has_power ? mesh.loss : NAN, 6);
     }
-    write_table(answer, "Meshes (rolling power as seen from the carrier)", table);
+    yk_table_show(table, "Meshes (rolling power as seen from the carrier)", &answer->session->out);
 }
 
 static void add_power(const YkGearsAnswer *answer)

@@ -7,14 +7,6 @@
 
 enum { EXACT_MAX = 24 }; // longer fractions are shown as decimals
 
-static void write_table(const YkGearsAnswer *answer, const char *title, YkTable *table)
-{
-    YkText *out = &answer->session->out;
-    yk_text_format(out, "\n%s\n", title);
-    yk_table_write(table, 2, out);
-    yk_table_free(table);
-}
-
 static void add_word(YkTable *table, YkText *word)
 {
     yk_table_word(table, yk_text_get(word));
@@ -80,7 +72,7 @@ static void add_meshes(const YkGearsAnswer *answer)
         add_length(answer, table, mesh.distance);
     }
     yk_text_free(&word);
-    write_table(answer, "Meshes", table);
+    yk_table_show(table, "Meshes", &answer->session->out);
 }
 
 static void add_willis(const YkGearsAnswer *answer)
@@ -146,7 +138,7 @@ static void add_tabular(const YkGearsAnswer *answer, size_t index)
     for (int row = 0; row < 3; row++) add_row(table, &t, row, &word);
     yk_text_clear(&word);
     yk_text_format(&word, "Tabular method for the arm %s", yk_gears_body(answer, t.carrier));
-    write_table(answer, yk_text_get(&word), table);
+    yk_table_show(table, yk_text_get(&word), &answer->session->out);
     yk_text_free(&word);
     if (!t.has_speeds) return;
     yk_text_puts(out, "  here x = ");

@@ -1,5 +1,4 @@
 // yoke gears: the speeds and torques of a gear train. It needs the model only, no pose.
-#include <stdlib.h>
 #include "verbs/gears/gears.h"
 
 static const YkPlace nowhere = {0};
@@ -85,7 +84,7 @@ int yk_run_gears(YkSession *session)
 {
     int exit_code = YK_EXIT_WRONG;
     if (!load(session)) return exit_code;
-    YkTrainEffort *efforts = calloc(session->request->effort.count + 1, sizeof *efforts);
+    YkTrainEffort *efforts = yk_session_alloc(session, session->request->effort.count + 1, sizeof *efforts);
     YkTrainOptions options;
     if (!efforts) {
         yk_session_refuse_for_memory(session);
@@ -97,6 +96,5 @@ int yk_run_gears(YkSession *session)
         }
         yk_train_free(train);
     }
-    free(efforts);
     return exit_code;
 }

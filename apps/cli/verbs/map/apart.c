@@ -1,6 +1,6 @@
 // Hints at a coordinate that distinguishes the configurations of --pose.
 #include <math.h>
-#include <stdlib.h>
+#include "session.h"
 #include "verbs/map/map.h"
 
 enum { LISTED_MAX = 8 }; // values: more do not fit a line
@@ -41,7 +41,7 @@ static bool add_values(const YkMapAnswer *answer, const double *given, const dou
 void yk_map_hint_apart(const YkMapAnswer *answer, const double *given, const YkMapPlace *places, size_t count)
 {
     size_t n = yk_coordinate_count(answer->session->mech);
-    double *rows = count <= LISTED_MAX ? calloc(count * n + 1, sizeof *rows) : NULL;
+    double *rows = count <= LISTED_MAX ? yk_session_alloc(answer->session, count * n + 1, sizeof *rows) : NULL;
     YkText text = {0};
     bool good = rows;
     for (size_t k = 0; k < count && good; k++) good = yk_map_coordinates_at(answer->map, places[k], rows + k * n);
@@ -50,5 +50,4 @@ void yk_map_hint_apart(const YkMapAnswer *answer, const double *given, const YkM
     else
         yk_problem_hint(answer->session->problems, "give another coordinate too; `yoke solve --all` lists them");
     yk_text_free(&text);
-    free(rows);
 }

@@ -3,10 +3,7 @@
 
 static void add_range(YkJson *json, const char *key, YkRange range)
 {
-    yk_json_list(json, key, YK_JSON_INLINE);
-    yk_json_number(json, NULL, range.from);
-    yk_json_number(json, NULL, range.to);
-    yk_json_end(json);
+    yk_json_numbers(json, key, (double[]){range.from, range.to}, 2);
 }
 
 static void add_event(const YkMapAnswer *answer, YkJson *json, size_t circuit, size_t k)

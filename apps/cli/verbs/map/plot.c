@@ -1,5 +1,4 @@
 // Draws the map that `yoke map --plot` asks for.
-#include <stdlib.h>
 #include "session.h"
 #include "verbs/map/map.h"
 #include "picture/convert.h"
@@ -22,7 +21,7 @@ bool yk_map_plan(YkMapAnswer *answer)
     YkSession *session = answer->session;
     size_t count = session->request->trace.count;
     if (!session->request->plot) return true;
-    answer->points = calloc(count + 1, sizeof *answer->points);
+    answer->points = yk_session_alloc(answer->session, count + 1, sizeof *answer->points);
     if (!answer->points) return yk_session_refuse_for_memory(session);
     return read_vertical(answer, &answer->vertical) &&
            (count == 0 || yk_session_points(session, &session->request->trace, answer->points));

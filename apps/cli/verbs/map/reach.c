@@ -1,6 +1,5 @@
 // `yoke map --pose ... --reach ...`: whether the machine gets from one pose to the other, and how.
 #include <math.h>
-#include <stdlib.h>
 #include "session.h"
 #include "verbs/map/map.h"
 #include "write/table.h"
@@ -62,8 +61,7 @@ static bool find_way(Reach *r)
             size_t count = yk_map_way(map, r->from.places[a], r->to.places[b], NULL, 0);
             if (count == YK_NOT_FOUND) return false;
             if (count == 0 || (r->way_count > 0 && count >= r->way_count)) continue;
-            free(r->way);
-            r->way = calloc(count, sizeof *r->way);
+            r->way = yk_session_alloc(r->answer->session, count, sizeof *r->way);
             if (!r->way) return false;
             r->way_count = yk_map_way(map, r->from.places[a], r->to.places[b], r->way, count);
             if (r->way_count == YK_NOT_FOUND) return false;
@@ -171,9 +169,7 @@ static void write_json(const Reach *r)
     yk_json_list(&json, "way", YK_JSON_LINES);
     for (size_t k = 0; k < r->way_count; k++) {
         const double *row = r->rows + k * yk_coordinate_count(mech);
-        yk_json_list(&json, NULL, YK_JSON_INLINE);
-        for (size_t c = 0; c < yk_coordinate_count(mech); c++) yk_json_number(&json, NULL, row[c]);
-        yk_json_end(&json);
+        yk_json_numbers(&json, NULL, row, yk_coordinate_count(mech));
     }
     yk_json_end(&json);
     if (r->way_count == 0) {
@@ -187,10 +183,10 @@ static void write_json(const Reach *r)
 static bool make_room(Reach *r)
 {
     size_t n = yk_coordinate_count(r->answer->session->mech) + 1;
-    r->from.values = calloc(n, sizeof *r->from.values);
-    r->to.values = calloc(n, sizeof *r->to.values);
-    r->from.places = calloc(PLACES_MAX, sizeof *r->from.places);
-    r->to.places = calloc(PLACES_MAX, sizeof *r->to.places);
+    r->from.values = yk_session_alloc(r->answer->session, n, sizeof *r->from.values);
+    r->to.values = yk_session_alloc(r->answer->session, n, sizeof *r->to.values);
+    r->from.places = yk_session_alloc(r->answer->session, PLACES_MAX, sizeof *r->from.places);
+    r->to.places = yk_session_alloc(r->answer->session, PLACES_MAX, sizeof *r->to.places);
     if (r->from.values && r->to.values && r->from.places && r->to.places) return true;
     return yk_session_refuse_for_memory(r->answer->session);
 }
@@ -200,7 +196,7 @@ static bool read_way(Reach *r)
 {
     size_t n = yk_coordinate_count(r->answer->session->mech);
     bool good = true;
-    r->rows = calloc(r->way_count * n + 1, sizeof *r->rows);
+    r->rows = yk_session_alloc(r->answer->session, r->way_count * n + 1, sizeof *r->rows);
     for (size_t k = 0; k < r->way_count && r->rows && good; k++)
         good = yk_map_coordinates_at(r->answer->map, r->way[k], r->rows + k * n);
     return r->rows && good;
@@ -239,11 +235,5 @@ int yk_map_reach(YkMapAnswer *answer)
 {
     Reach r = {.answer = answer, .from = {.option = "--pose"}, .to = {.option = "--reach"}};
     int exit_code = answer_reach(&r);
-    free(r.from.values);
-    free(r.to.values);
-    free(r.rows);
-    free(r.from.places);
-    free(r.to.places);
-    free(r.way);
     return exit_code;
 }

@@ -1,5 +1,4 @@
 // `yoke map --over A,B`: the regions of two freedoms in which the number of configurations is constant.
-#include <stdlib.h>
 #include <string.h>
 #include "picture/convert.h"
 #include "ranks.h"
@@ -33,7 +32,7 @@ static size_t point_of(YkSession *session, const char *first, const char *second
 static YkMechanism *compile_carried(const YkRegionsAnswer *answer)
 {
     const YkSession *session = answer->session;
-    const char **names = calloc(2 + session->hold_count, sizeof *names);
+    const char **names = yk_session_alloc(session, 2 + session->hold_count, sizeof *names);
     size_t count = 2;
     if (!names) {
         yk_session_run_out(answer->session);
@@ -50,7 +49,6 @@ static YkMechanism *compile_carried(const YkRegionsAnswer *answer)
     options.inputs = names;
     options.input_count = count;
     YkMechanism *mech = yk_mechanism_compile(answer->model, &options, session->problems);
-    free((void *)names);
     return mech;
 }
 

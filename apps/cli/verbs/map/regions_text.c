@@ -103,10 +103,7 @@ static void add_outline(const YkRegionsAnswer *answer, YkJson *json, const char 
     const double *points = yk_regions_outline(answer->regions, region, outline, &count);
     yk_json_list(json, key, YK_JSON_INLINE);
     for (size_t k = 0; k < count; k++) {
-        yk_json_list(json, NULL, YK_JSON_INLINE);
-        yk_json_number(json, NULL, points[2 * k]);
-        yk_json_number(json, NULL, points[2 * k + 1]);
-        yk_json_end(json);
+        yk_json_numbers(json, NULL, points + 2 * k, 2);
     }
     yk_json_end(json);
 }
@@ -136,10 +133,7 @@ static void add_region(const YkRegionsAnswer *answer, YkJson *json, size_t k)
 
 static void add_pair(YkJson *json, const char *key, double first, double second)
 {
-    yk_json_list(json, key, YK_JSON_INLINE);
-    yk_json_number(json, NULL, first);
-    yk_json_number(json, NULL, second);
-    yk_json_end(json);
+    yk_json_numbers(json, key, (double[]){first, second}, 2);
 }
 
 void yk_map_regions_json(const YkRegionsAnswer *answer)

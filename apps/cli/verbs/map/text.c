@@ -1,8 +1,6 @@
 // `yoke map` for people.
 #include <math.h>
-#include "session.h"
 #include "verbs/map/map.h"
-#include "write/amount.h"
 #include "write/table.h"
 
 enum { EVENT_DIGITS = 12 };
@@ -137,9 +135,7 @@ static void add_events(const YkMapAnswer *answer)
     for (size_t circuit = 0; circuit < yk_map_circuit_count(answer->map); circuit++)
         for (size_t k = 0; k < yk_map_circuit(answer->map, circuit).events; k++)
             add_event_row(answer, table, circuit, k);
-    yk_text_puts(&answer->session->out, "\n");
-    yk_table_write(table, 2, &answer->session->out);
-    yk_table_free(table);
+    yk_table_show(table, NULL, &answer->session->out);
 }
 
 void yk_map_text(const YkMapAnswer *answer)

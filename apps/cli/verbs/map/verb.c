@@ -1,6 +1,5 @@
 // yoke map: all circuits of the motion of a machine with one freedom.
 #include "verbs/map/map.h"
-#include <stdlib.h>
 #include <string.h>
 #include "hand_out.h"
 #include "reach.h"
@@ -127,7 +126,6 @@ static int answer(YkSession *session)
     YkMapAnswer answer = {.session = session, .name = info.name, .quantity = yk_quantity_of(info.is_distance, 0)};
     int exit_code = answer_map(&answer, coordinate);
     yk_map_free(answer.map);
-    free(answer.points);
     return exit_code;
 }
 

@@ -1,5 +1,4 @@
 // yoke report: everything about a machine on one page.
-#include <stdlib.h>
 #include <string.h>
 #include "answer.h"
 #include "certify.h"
@@ -45,7 +44,7 @@ static bool find_points(Reporter *reporter)
 {
     YkSession *session = reporter->session;
     const YkWords *trace = &session->request->trace;
-    reporter->points = calloc(trace->count + 1, sizeof *reporter->points);
+    reporter->points = yk_session_alloc(reporter->session, trace->count + 1, sizeof *reporter->points);
     if (!reporter->points) return yk_session_refuse_for_memory(reporter->session);
     return yk_session_points(session, trace, reporter->points);
 }
@@ -54,7 +53,7 @@ static bool find_points(Reporter *reporter)
 static bool keep_inputs(Reporter *reporter, const char *swept)
 {
     const YkAssignments *at = &reporter->session->request->at;
-    reporter->inputs = calloc(at->count + 1, sizeof *reporter->inputs);
+    reporter->inputs = yk_session_alloc(reporter->session, at->count + 1, sizeof *reporter->inputs);
     if (!reporter->inputs) return yk_session_refuse_for_memory(reporter->session);
     reporter->compile = yk_default_compile_options();
     if (swept) reporter->inputs[reporter->compile.input_count++] = swept;
@@ -129,7 +128,5 @@ int yk_run_report(YkSession *session)
         if (report) exit_code = write_report(&reporter, report);
         yk_report_free(report);
     }
-    free((void *)reporter.inputs);
-    free(reporter.points);
     return exit_code;
 }

@@ -10,9 +10,7 @@ static void add_matrix(YkJson *json, const char *key, const double *entries, siz
 {
     yk_json_list(json, key, YK_JSON_INLINE);
     for (size_t row = 0; row < size; row++) {
-        yk_json_list(json, NULL, YK_JSON_INLINE);
-        for (size_t column = 0; column < size; column++) yk_json_number(json, NULL, entries[row * size + column]);
-        yk_json_end(json);
+        yk_json_numbers(json, NULL, entries + row * size, size);
     }
     yk_json_end(json);
 }
@@ -23,9 +21,7 @@ static void add_mode(const YkRestAnswer *answer, YkJson *json, YkMode mode)
     yk_json_number(json, "frequency", mode.frequency); // rad/s; negative: grows at that rate
     yk_json_number(json, "hertz", yk_mode_hertz(mode));
     yk_json_number(json, "damping_ratio", mode.damping_ratio);
-    yk_json_list(json, "shape", YK_JSON_INLINE);
-    for (size_t k = 0; k < yk_rest_freedom(answer->rest); k++) yk_json_number(json, NULL, mode.shape[k]);
-    yk_json_end(json);
+    yk_json_numbers(json, "shape", mode.shape, yk_rest_freedom(answer->rest));
     yk_json_end(json);
 }
 
@@ -35,10 +31,7 @@ static void add_roots(const YkRestAnswer *answer, YkJson *json, size_t index)
     for (size_t k = 0; k < 2 * yk_rest_freedom(answer->rest); k++) {
         double real, imaginary;
         yk_rest_root(answer->rest, index, k, &real, &imaginary);
-        yk_json_list(json, NULL, YK_JSON_INLINE);
-        yk_json_number(json, NULL, real);
-        yk_json_number(json, NULL, imaginary);
-        yk_json_end(json);
+        yk_json_numbers(json, NULL, (double[]){real, imaginary}, 2);
     }
     yk_json_end(json);
 }

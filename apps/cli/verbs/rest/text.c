@@ -1,6 +1,5 @@
 // `yoke rest` for people.
 #include <math.h>
-#include "session.h"
 #include "verbs/rest/rest.h"
 #include "write/table.h"
 
@@ -9,20 +8,10 @@ static const double damping_noise = 1e-20; // without damping, far less is left
 
 enum { SHAPES_MAX = 8 }; // columns that fit a page; the JSON has all
 
-static void write_table(YkText *out, YkTable *table, bool has_rows)
-{
-    if (has_rows) {
-        yk_text_puts(out, "\n");
-        yk_table_write(table, 2, out);
-    }
-    yk_table_free(table);
-}
-
 static void add_coordinates(const YkRestAnswer *answer, const YkState *state, bool is_distance)
 {
     const YkSession *session = answer->session;
     YkTable *table = yk_table_new(2);
-    size_t count = 0;
     yk_table_head(table, is_distance ? "distance" : "angle", NULL);
     yk_table_head(table, "at rest", yk_unit_of(session, yk_quantity_of(is_distance, 0)));
     for (size_t i = 0; i < yk_coordinate_count(answer->mech); i++) {
@@ -32,9 +21,8 @@ static void add_coordinates(const YkRestAnswer *answer, const YkState *state, bo
         yk_table_number(table,
                         yk_shown(session, yk_state_coordinate(state, i).position, yk_quantity_of(is_distance, 0)),
                         YK_DIGITS);
-        count++;
     }
-    write_table(&answer->session->out, table, count > 0);
+    yk_table_show(table, NULL, &answer->session->out);
 }
 
 static size_t shapes(const YkRestAnswer *answer)
@@ -87,7 +75,7 @@ static void add_modes(const YkRestAnswer *answer, size_t index)
         yk_table_number(table, mode.frequency < 0 ? -mode.frequency : (double)NAN, YK_DIGITS);
         for (size_t i = 0; i < columns; i++) yk_table_number(table, without_noise(mode.shape[i], noise), YK_DIGITS);
     }
-    write_table(&answer->session->out, table, freedom > 0);
+    yk_table_show(table, NULL, &answer->session->out);
     yk_text_free(&words);
 }
 
@@ -109,7 +97,7 @@ static void add_matrix(const YkRestAnswer *answer, const char *name, const doubl
             yk_table_number(table, is_noise ? 0 : entries[row * size + k], YK_DIGITS);
         }
     }
-    write_table(&answer->session->out, table, size > 0);
+    yk_table_show(table, NULL, &answer->session->out);
 }
 
 static void add_equilibrium(const YkRestAnswer *answer, size_t index)

@@ -12,9 +12,7 @@ static void add_rows(const YkSimulationAnswer *answer, YkJson *json)
     yk_json_end(json);
     yk_json_list(json, "rows", YK_JSON_LINES);
     for (size_t row = 0; row < answer->row_count; row++) {
-        yk_json_list(json, NULL, YK_JSON_INLINE);
-        for (size_t c = 0; c < width; c++) yk_json_number(json, NULL, answer->rows[row * width + c]);
-        yk_json_end(json);
+        yk_json_numbers(json, NULL, answer->rows + row * width, width);
     }
     yk_json_end(json);
 }

@@ -1,5 +1,4 @@
 // Plots the columns of a simulation over time, in the file's units.
-#include <stdlib.h>
 #include "picture/plot.h"
 #include "session.h"
 #include "verbs/simulate/simulate.h"
@@ -23,8 +22,8 @@ bool yk_simulate_plot(const YkSimulationAnswer *answer, const char *path)
     YkSession *session = answer->session;
     size_t rows = answer->row_count;
     if (rows == 0 || answer->column_count == 0) return true; // nothing to draw; the reason was reported
-    double *values = calloc((answer->column_count + 1) * rows, sizeof *values);
-    YkPlotColumn *columns = calloc(answer->column_count, sizeof *columns);
+    double *values = yk_session_alloc(answer->session, (answer->column_count + 1) * rows, sizeof *values);
+    YkPlotColumn *columns = yk_session_alloc(answer->session, answer->column_count, sizeof *columns);
     YkText picture = {0};
     bool good = values && columns;
     if (good) {
@@ -42,7 +41,5 @@ bool yk_simulate_plot(const YkSimulationAnswer *answer, const char *path)
     good = good && yk_plot_draw(&plot, yk_file_kind(path), &picture, session->problems) &&
            yk_file_write(path, yk_text_get(&picture), picture.length, session->problems);
     yk_text_free(&picture);
-    free(columns);
-    free(values);
     return good;
 }

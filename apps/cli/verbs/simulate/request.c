@@ -1,6 +1,5 @@
 // Reads the request for a simulation.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include "columns.h"
 #include "session.h"
@@ -129,8 +128,8 @@ static bool read_start(YkSimulationAnswer *answer)
 {
     YkSession *session = answer->session;
     const YkAssignments *at = &session->request->at, *rate = &session->request->rate;
-    answer->values = calloc(at->count + rate->count + 1, sizeof *answer->values);
-    answer->inputs = calloc(at->count + 1, sizeof *answer->inputs);
+    answer->values = yk_session_alloc(answer->session, at->count + rate->count + 1, sizeof *answer->values);
+    answer->inputs = yk_session_alloc(answer->session, at->count + 1, sizeof *answer->inputs);
     if (!answer->values || !answer->inputs) return yk_session_refuse_for_memory(session);
     for (size_t k = 0; k < at->count; k++) {
         if (!read_pair(answer, "--at", at->items[k], false)) return false;
@@ -170,7 +169,7 @@ bool yk_simulate_read(YkSimulationAnswer *answer)
     if (!read_times(answer) || !read_options(answer) || !read_columns(answer) || !read_start(answer)) return false;
     answer->options.start = answer->from;
     answer->options.horizon = answer->to;
-    answer->row = calloc(answer->column_count + 1, sizeof *answer->row);
+    answer->row = yk_session_alloc(answer->session, answer->column_count + 1, sizeof *answer->row);
     return answer->row || yk_session_refuse_for_memory(session);
 }
 

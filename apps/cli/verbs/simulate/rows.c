@@ -1,5 +1,4 @@
 // Writes rows of a simulation as they are computed: lines of text or CSV to the stream, or kept for JSON and plots.
-#include <stdlib.h>
 #include <string.h>
 #include "base/number.h"
 #include "columns.h"
@@ -110,13 +109,8 @@ void yk_simulate_head(YkSimulationAnswer *answer)
 static bool keep_row(YkSimulationAnswer *answer)
 {
     size_t width = answer->column_count + 1;
-    if (answer->row_count == answer->row_capacity) {
-        size_t capacity = answer->row_capacity > 0 ? 2 * answer->row_capacity : 256;
-        double *rows = realloc(answer->rows, capacity * width * sizeof *rows);
-        if (!rows) return yk_session_refuse_for_memory(answer->session);
-        answer->rows = rows;
-        answer->row_capacity = capacity;
-    }
+    if (!YK_ROW_ROOM(answer->rows, width, answer->row_count, answer->row_capacity))
+        return yk_session_refuse_for_memory(answer->session);
     memcpy(answer->rows + answer->row_count * width, answer->row, width * sizeof *answer->row);
     return true;
 }

@@ -235,9 +235,6 @@ int yk_run_simulate(YkSession *session)
     yk_simulation_free(answer.simulation);
     yk_law_watch_free(answer.laws);
     free(answer.columns);
-    free(answer.values);
-    free((void *)answer.inputs);
-    free(answer.row);
     free(answer.rows);
     return exit_code;
 }

@@ -1,5 +1,4 @@
 // yoke solve --centers: the instant centres of a configuration.
-#include "session.h"
 #include "verbs/solve/solve.h"
 #include "write/table.h"
 
@@ -71,9 +70,7 @@ static void add_center(const YkSession *session, YkJson *json, const YkCenter *c
     yk_json_end(json);
     yk_json_string(json, "kind", kinds[c->kind]);
     if (c->kind == YK_CENTER_POINT) {
-        yk_json_list(json, "at", YK_JSON_INLINE);
-        for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, c->at[i]);
-        yk_json_end(json);
+        yk_json_numbers(json, "at", c->at, 2);
     } else if (c->kind == YK_CENTER_AT_INFINITY) {
         yk_json_number(json, "direction", c->direction);
     }

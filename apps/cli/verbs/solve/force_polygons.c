@@ -37,9 +37,7 @@ void yk_force_polygon_text(YkSession *session)
     yk_text_puts(&session->out, "\nForce polygons\n");
     for (size_t k = 0; k < yk_force_polygons_step_count(p); k++)
         yk_text_format(&session->out, "  %z. %s\n", k + 1, yk_force_polygons_step(p, k));
-    yk_text_puts(&session->out, "\n");
-    yk_table_write(table, 2, &session->out);
-    yk_table_free(table);
+    yk_table_show(table, NULL, &session->out);
     yk_force_polygons_free(p);
 }
 
@@ -80,7 +78,5 @@ void yk_force_polygon_json(YkSession *session, YkJson *json)
 
 void yk_polygon_pair(YkJson *json, const char *key, const double value[2])
 {
-    yk_json_list(json, key, YK_JSON_INLINE);
-    for (size_t i = 0; i < 2; i++) yk_json_number(json, NULL, value[i]);
-    yk_json_end(json);
+    yk_json_numbers(json, key, value, 2);
 }

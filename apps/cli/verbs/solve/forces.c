@@ -1,7 +1,6 @@
 // Writes forces of a configuration: reactions, efforts, energy, balances, the count of equations.
 #include <math.h>
 #include "elementary/elementary.h"
-#include "session.h"
 #include "verbs/solve/solve.h"
 #include "write/amount.h"
 #include "write/csv.h"
@@ -17,17 +16,10 @@ void yk_add_count(YkText *text, YkEquationCount c)
 
 // --- JSON
 
-static void add_pair(YkJson *json, const char *key, const double pair[2])
-{
-    yk_json_list(json, key, YK_JSON_INLINE);
-    for (int axis = 0; axis < 2; axis++) yk_json_number(json, NULL, pair[axis]);
-    yk_json_end(json);
-}
-
 static void add_wrench(YkJson *json, const char *key, YkWrench wrench)
 {
     yk_json_object(json, key, YK_JSON_INLINE);
-    add_pair(json, "force", wrench.force);
+    yk_json_numbers(json, "force", wrench.force, 2);
     yk_json_number(json, "moment", wrench.moment);
     yk_json_end(json);
 }
@@ -37,7 +29,7 @@ static void add_reaction(YkSession *session, YkJson *json, const char *name, YkR
     yk_json_object(json, name, YK_JSON_INLINE);
     yk_json_string(json, "by", yk_model_body_name(session->model, r.by));
     yk_json_string(json, "on", yk_model_body_name(session->model, r.on));
-    add_pair(json, "force", r.force);
+    yk_json_numbers(json, "force", r.force, 2);
     yk_json_number(json, "moment", r.moment);
     if (!r.is_determinate) yk_json_bool(json, "determinate", false);
     yk_json_end(json);
@@ -151,15 +143,6 @@ void yk_forces_json(YkSession *session, YkJson *json)
 
 // --- text
 
-static void write_table(YkSession *session, YkTable *table, bool has_rows)
-{
-    if (has_rows) {
-        yk_text_puts(&session->out, "\n");
-        yk_table_write(table, 2, &session->out);
-    }
-    yk_table_free(table);
-}
-
 static void add_reaction_table(YkSession *session)
 {
     size_t joints = yk_model_joint_count(session->model), contacts = yk_dynamics_contact_count(session->dynamics);
@@ -191,7 +174,7 @@ static void add_reaction_table(YkSession *session)
         yk_table_number(table, yk_shown(session, r.moment, YK_QUANTITY_TORQUE), YK_DIGITS);
     }
     yk_text_free(&words);
-    write_table(session, table, joints > 0);
+    yk_table_show(table, NULL, &session->out);
 }
 
 static void add_range(YkSession *session, YkTable *table, YkEffortRange range, YkQuantity quantity)
@@ -211,7 +194,6 @@ static void add_effort_table(YkSession *session, bool is_distance)
 {
     YkQuantity quantity = is_distance ? YK_QUANTITY_FORCE : YK_QUANTITY_TORQUE;
     YkTable *table = yk_table_new(2);
-    size_t count = 0;
     yk_table_head(table, is_distance ? "force along" : "torque along", NULL);
     yk_table_head(table, "", yk_unit_of(session, quantity));
     for (size_t c = 0; c < yk_coordinate_count(session->mech); c++) {
@@ -224,9 +206,8 @@ static void add_effort_table(YkSession *session, bool is_distance)
             yk_table_number(table, yk_shown(session, range.low, quantity), YK_DIGITS);
         else
             add_range(session, table, range, quantity);
-        count++;
     }
-    write_table(session, table, count > 0);
+    yk_table_show(table, NULL, &session->out);
 }
 
 static void explain_ranges(YkSession *session)

@@ -67,9 +67,7 @@ void yk_polygon_text(YkSession *session, const YkState *state)
                    yk_polygon_kind(p) == YK_POLYGON_VELOCITY ? "Velocity" : "Acceleration");
     for (size_t k = 0; k < yk_polygon_step_count(p); k++)
         yk_text_format(&session->out, "  %z. %s\n", k + 1, yk_polygon_step(p, k));
-    yk_text_puts(&session->out, "\n");
-    yk_table_write(table, 2, &session->out);
-    yk_table_free(table);
+    yk_table_show(table, NULL, &session->out);
     yk_polygon_free(p);
 }
 

@@ -7,13 +7,6 @@
 #include "write/amount.h"
 #include "write/table.h"
 
-static void write_table(YkSession *session, YkTable *table)
-{
-    yk_text_puts(&session->out, "\n");
-    yk_table_write(table, 2, &session->out);
-    yk_table_free(table);
-}
-
 static bool is_named(const YkAssignments *pairs, const char *name)
 {
     for (size_t i = 0; i < pairs->count; i++)
@@ -52,7 +45,6 @@ static void add_coordinates(YkSession *session, const YkState *state, bool is_di
 {
     YkTable *table = motion_table(session, is_distance ? "distance" : "angle", is_distance);
     YkText name = {0};
-    size_t count = 0;
     for (size_t i = 0; i < yk_coordinate_count(session->mech); i++) {
         YkCoordinateInfo info = yk_coordinate_info(session->mech, i);
         if (info.is_distance != is_distance) continue;
@@ -61,15 +53,10 @@ static void add_coordinates(YkSession *session, const YkState *state, bool is_di
         yk_scale_of_bodies(session, yk_model_joint_body(session->model, info.joint, 0),
                            yk_model_joint_body(session->model, info.joint, 1));
         add_motion(session, table, state, yk_text_get(&name), yk_state_coordinate(state, i), is_distance, info.name);
-        count++;
     }
     yk_scale_of_bodies(session, 0, 0);
     yk_text_free(&name);
-    if (count > 0) {
-        write_table(session, table);
-    } else {
-        yk_table_free(table);
-    }
+    yk_table_show(table, NULL, &session->out);
 }
 
 static void add_bodies(YkSession *session, const YkState *state)
@@ -81,7 +68,7 @@ static void add_bodies(YkSession *session, const YkState *state)
         add_motion(session, table, state, yk_model_body_name(session->model, i), bodies[i], false, NULL);
     }
     yk_scale_of_bodies(session, 0, 0);
-    write_table(session, table);
+    yk_table_show(table, NULL, &session->out);
 }
 
 static void add_points(YkSession *session, const YkState *state)
@@ -91,11 +78,9 @@ static void add_points(YkSession *session, const YkState *state)
     YkText name = {0};
     yk_table_head(table, "point", NULL);
     for (int i = 0; i < 6; i++) yk_table_head(table, heads[i], yk_unit_of(session, yk_quantity_of(true, i / 2)));
-    size_t count = 0;
     for (size_t p = 0; p < yk_model_point_count(session->model); p++) {
         size_t body = yk_model_point_body(session->model, p);
         if (body == 0) continue; // stands still where the file says
-        count++;
         yk_scale_of_bodies(session, body, 0);
         YkPointMotion m = yk_state_point(state, p);
         const double *values[] = {m.position, m.velocity, m.acceleration};
@@ -111,17 +96,12 @@ static void add_points(YkSession *session, const YkState *state)
     }
     yk_scale_of_bodies(session, 0, 0);
     yk_text_free(&name);
-    if (count > 0) {
-        write_table(session, table);
-    } else {
-        yk_table_free(table);
-    }
+    yk_table_show(table, NULL, &session->out);
 }
 
 static void add_transmission(YkSession *session, const YkState *state)
 {
     YkTable *table = yk_table_new(2);
-    size_t count = 0;
     yk_table_head(table, "transmission angle at", NULL);
     yk_table_head(table, "", yk_unit_of(session, YK_QUANTITY_ANGLE));
     for (size_t i = 0; i < yk_block_count(session->mech); i++) {
@@ -129,13 +109,8 @@ static void add_transmission(YkSession *session, const YkState *state)
         if (block.assur_class != 2 || block.kind == YK_BLOCK_PP) continue;
         yk_table_word(table, block.label);
         yk_table_number(table, yk_shown(session, yk_state_transmission(state, i), YK_QUANTITY_ANGLE), YK_DIGITS);
-        count++;
     }
-    if (count > 0) {
-        write_table(session, table);
-    } else {
-        yk_table_free(table);
-    }
+    yk_table_show(table, NULL, &session->out);
 }
 
 void yk_solve_text_head(YkSession *session, YkStatus status)

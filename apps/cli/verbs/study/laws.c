@@ -1,5 +1,4 @@
 // Finds where the file's own design leaves the range of a law: other designs pass nearly the same poses.
-#include <stdlib.h>
 #include "laws_left.h"
 #include "model/model.h"
 #include "session.h"
@@ -27,7 +26,7 @@ void yk_study_warn_of_laws(YkStudyAnswer *a)
     if (session->model->law_count == 0) return;
     YkLawWatch *watch = yk_session_watch_laws(session);
     YkState *state = yk_session_new_state(session, session->mech);
-    YkMotion *goal = calloc(yk_input_count(session->mech) + 1, sizeof *goal);
+    YkMotion *goal = yk_session_alloc(session, yk_input_count(session->mech) + 1, sizeof *goal);
     bool good = watch && state && goal && yk_state_copy(state, a->timed) >= 0;
     if (good) yk_session_hold(session, state);
     for (size_t k = 0; good && k < a->pose_count && !yk_stop_is_asked(); k++)
@@ -35,5 +34,4 @@ void yk_study_warn_of_laws(YkStudyAnswer *a)
     if (good) yk_warn_of_laws(session, watch, a->over.name, a->over.quantity, ", with the file's own values");
     yk_law_watch_free(watch);
     yk_state_free(state);
-    free(goal);
 }

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-#include "session.h"
 #include "signature.h"
 #include "verbs/study/study.h"
 

@@ -1,5 +1,4 @@
 // Reads the request for a study: which parameters vary and how, at which poses, with which columns.
-#include <stdlib.h>
 #include <string.h>
 #include "columns.h"
 #include "reach.h"
@@ -67,7 +66,7 @@ static bool read_grid(YkStudyAnswer *answer)
 {
     const YkWords *vary = &answer->session->request->vary;
     double designs = 1;
-    answer->axes = calloc(vary->count + 1, sizeof *answer->axes);
+    answer->axes = yk_session_alloc(answer->session, vary->count + 1, sizeof *answer->axes);
     answer->axis_count = vary->count;
     for (size_t k = 0; answer->axes && k < vary->count; k++) {
         if (!read_axis(answer, vary->items[k], &answer->axes[k])) return false;
@@ -101,7 +100,7 @@ static bool read_sample(YkStudyAnswer *answer)
     if (!yk_session_whole(session, "--seed", request->seed, (uint64_t)1 << 53, 0, &seed)) return false;
     if (request->seed) answer->seed = seed;
     answer->axis_count = yk_tolerances_count(answer->tolerances);
-    answer->axes = calloc(answer->axis_count + 1, sizeof *answer->axes);
+    answer->axes = yk_session_alloc(answer->session, answer->axis_count + 1, sizeof *answer->axes);
     for (size_t k = 0; answer->axes && k < answer->axis_count; k++)
         answer->axes[k] = (YkAxis){.name = yk_tolerances_name(answer->tolerances, k),
                                    .distribution = yk_tolerances_at(answer->tolerances, k)};
@@ -132,10 +131,10 @@ static bool read_poses(YkStudyAnswer *answer, size_t steps)
     YkSession *session = answer->session;
     size_t inputs = yk_input_count(session->mech), n = answer->over.name ? steps + 1 : 1;
     answer->pose_count = n;
-    answer->input = calloc(3 * inputs * n + 1, sizeof *answer->input);
-    answer->input_row = calloc(3 * inputs + 1, sizeof *answer->input_row);
+    answer->input = yk_session_alloc(answer->session, 3 * inputs * n + 1, sizeof *answer->input);
+    answer->input_row = yk_session_alloc(answer->session, 3 * inputs + 1, sizeof *answer->input_row);
     bool is_time = answer->over.name && answer->over.coordinate < 0;
-    if (is_time) answer->times = calloc(n, sizeof *answer->times);
+    if (is_time) answer->times = yk_session_alloc(answer->session, n, sizeof *answer->times);
     YkState *state = yk_session_new_state(session, session->mech);
     bool good = answer->input && answer->input_row && state && (!is_time || answer->times);
     if (!good) {
@@ -204,8 +203,8 @@ static bool check_request(YkStudyAnswer *answer)
 static bool make_study(YkStudyAnswer *answer)
 {
     YkSession *session = answer->session;
-    YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
-    const char **names = calloc(answer->axis_count + 1, sizeof *names);
+    YkChannel *channels = yk_session_alloc(answer->session, answer->column_count + 1, sizeof *channels);
+    const char **names = yk_session_alloc(answer->session, answer->axis_count + 1, sizeof *names);
     YkProblems *problems = yk_session_file_problems(session);
     for (size_t c = 0; channels && c < answer->column_count; c++) channels[c] = answer->columns[c].channel;
     for (size_t k = 0; names && k < answer->axis_count; k++) names[k] = answer->axes[k].name;
@@ -224,8 +223,6 @@ static bool make_study(YkStudyAnswer *answer)
     yk_tell_problems(session, problems);
     session->is_told |= problems && !answer->study;
     yk_problems_free(problems);
-    free(channels);
-    free((void *)names);
     return answer->study != NULL;
 }
 

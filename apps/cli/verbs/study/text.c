@@ -5,13 +5,6 @@
 
 enum { ROWS_SHOWN = 60 };
 
-static void write_table(YkText *out, YkTable *table)
-{
-    yk_text_puts(out, "\n");
-    yk_table_write(table, 2, out);
-    yk_table_free(table);
-}
-
 static double shown_parameter(const YkStudyAnswer *a, size_t axis, double value)
 {
     return value / yk_model_parameter_unit(a->session->model, a->axes[axis].name);
@@ -62,7 +55,7 @@ static void add_rows(YkStudyAnswer *a)
             yk_table_number(table, yk_shown(a->session, row[k], yk_study_quantity(a, k - first)), YK_DIGITS);
     }
     yk_text_free(&name);
-    write_table(&a->session->out, table);
+    yk_table_show(table, NULL, &a->session->out);
 }
 
 static void add_moments(const YkStudyAnswer *a)
@@ -82,7 +75,7 @@ static void add_moments(const YkStudyAnswer *a)
             yk_table_number(table, m.count ? yk_shown(a->session, values[v], quantity) : NAN, YK_DIGITS);
     }
     yk_text_free(&name);
-    write_table(&a->session->out, table);
+    yk_table_show(table, NULL, &a->session->out);
 }
 
 // Writes the change of the answer per unit of the parameter, and what each contributes to the worst case.
@@ -114,7 +107,7 @@ static void add_sensitivities(const YkStudyAnswer *a, size_t column)
     else
         yk_text_format(out, "worst case +- %e %s, standard deviation %e %s\n", t.worst / size, unit, t.root / size,
                        unit);
-    write_table(out, table);
+    yk_table_show(table, NULL, out);
 }
 
 void yk_study_text(YkStudyAnswer *a)

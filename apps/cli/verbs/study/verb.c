@@ -10,8 +10,8 @@ static bool find_sensitivities(YkStudyAnswer *a)
 {
     size_t count = a->column_count * a->axis_count + 1;
     if (!a->session->request->sensitivities) return true;
-    a->derivative = calloc(count, sizeof *a->derivative);
-    a->difference = calloc(count, sizeof *a->difference);
+    a->derivative = yk_session_alloc(a->session, count, sizeof *a->derivative);
+    a->difference = yk_session_alloc(a->session, count, sizeof *a->difference);
     if (!a->derivative || !a->difference) return yk_session_refuse_for_memory(a->session);
     a->sensitivity_status = yk_study_sensitivities(a->study, a->input_row, a->derivative, a->difference);
     yk_note_status(a->session, a->sensitivity_status);
@@ -75,8 +75,8 @@ static int write_answer(YkStudyAnswer *a)
 static bool begin(YkStudyAnswer *a)
 {
     a->width = yk_study_first(a) + a->column_count * yk_study_kinds(a);
-    a->sum.moments = calloc(a->width + 1, sizeof *a->sum.moments);
-    a->missing = calloc(a->width + 1, sizeof *a->missing);
+    a->sum.moments = yk_session_alloc(a->session, a->width + 1, sizeof *a->sum.moments);
+    a->missing = yk_session_alloc(a->session, a->width + 1, sizeof *a->missing);
     a->sum.bad = YK_NOT_FOUND;
     if (!yk_partial_is_kept(a->session->request)) a->rows = calloc(a->design_count * a->width + 1, sizeof *a->rows);
     if (!a->sum.moments || !a->missing || (!a->rows && !yk_partial_is_kept(a->session->request)))
@@ -109,8 +109,6 @@ static void end(YkStudyAnswer *a)
 {
     yk_stream_drop(&a->stream);
     yk_partial_close(a, false);
-    free(a->sum.moments);
-    free(a->missing);
 }
 
 static int answer_on_ranks(YkStudyAnswer *a)
@@ -145,15 +143,9 @@ int yk_run_study(YkSession *session)
     yk_study_free(a->study);
     yk_state_free(a->start);
     yk_state_free(a->timed);
-    free(a->times);
     yk_tolerances_free(a->tolerances);
-    free(a->axes);
-    free(a->columns);
-    free(a->input);
-    free((void *)a->input_row);
     free(a->rows);
-    free(a->derivative);
-    free(a->difference);
+    free(a->columns);
     free(a);
     return exit_code;
 }

@@ -1,5 +1,4 @@
 // Says why a design makes no machine: reads the model file with its values, as a user would with --param.
-#include <stdlib.h>
 #include <string.h>
 #include <yoke/builder.h>
 #include "base/number.h"
@@ -9,7 +8,7 @@
 static void read_design(const YkStudyAnswer *a, char (*texts)[YK_NUMBER_SIZE], YkProblems *found)
 {
     const YkSession *session = a->session;
-    YkOverride *overrides = calloc(a->axis_count + 1, sizeof *overrides);
+    YkOverride *overrides = yk_session_alloc(a->session, a->axis_count + 1, sizeof *overrides);
     const char *text = yk_model_text(session->model);
     for (size_t k = 0; overrides && k < a->axis_count; k++) overrides[k] = (YkOverride){a->axes[k].name, texts[k]};
     YkLoadOptions options = {.parameters = overrides, .parameter_count = a->axis_count, .lock = session->request->lock};
@@ -17,7 +16,6 @@ static void read_design(const YkStudyAnswer *a, char (*texts)[YK_NUMBER_SIZE], Y
     if (overrides && text) model = yk_model_parse(text, strlen(text), session->request->file, &options, found);
     if (model) yk_mechanism_free(yk_mechanism_compile(model, NULL, found));
     yk_model_free(model);
-    free(overrides);
 }
 
 static const YkProblem *first_error(const YkProblems *found)
@@ -32,8 +30,8 @@ void yk_study_tell_why(const YkStudyAnswer *a)
     const size_t design = a->sum.bad;
     const YkDesigns designs = yk_study_designs(a);
     if (design == YK_NOT_FOUND) return;
-    double *own = calloc(a->axis_count + 1, sizeof *own);
-    char(*texts)[YK_NUMBER_SIZE] = calloc(a->axis_count + 1, sizeof *texts);
+    double *own = yk_session_alloc(a->session, a->axis_count + 1, sizeof *own);
+    char(*texts)[YK_NUMBER_SIZE] = yk_session_alloc(a->session, a->axis_count + 1, sizeof *texts);
     YkProblems *found = yk_problems_new();
     YkText values = {0};
     if (own) yk_designs_at(&designs, design, own);
@@ -49,6 +47,4 @@ void yk_study_tell_why(const YkStudyAnswer *a)
                         yk_text_get(&values), error->message, error->code);
     yk_text_free(&values);
     yk_problems_free(found);
-    free(texts);
-    free(own);
 }

@@ -1,5 +1,4 @@
 // Rows of a sweep in which the machine stands under dry friction, so that an effort is not unique.
-#include "session.h"
 #include "verbs/sweep/sweep.h"
 #include "write/amount.h"
 

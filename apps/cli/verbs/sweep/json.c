@@ -63,10 +63,7 @@ static void add_ranges(const YkSweepAnswer *answer, YkJson *json)
 {
     yk_json_list(json, "ranges", YK_JSON_INLINE);
     for (size_t i = 0; i < answer->range_count; i++) {
-        yk_json_list(json, NULL, YK_JSON_INLINE);
-        yk_json_number(json, NULL, answer->ranges[i].from);
-        yk_json_number(json, NULL, answer->ranges[i].to);
-        yk_json_end(json);
+        yk_json_numbers(json, NULL, (double[]){answer->ranges[i].from, answer->ranges[i].to}, 2);
     }
     yk_json_end(json);
     yk_json_string(json, "ranges_of", answer->ranges_of);

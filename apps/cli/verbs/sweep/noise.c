@@ -3,9 +3,7 @@
 // without bound.
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include "elementary/elementary.h"
-#include "session.h"
 #include "verbs/sweep/sweep.h"
 
 // Returns the least sine of a transmission angle: near a change point or a dead point it is small.

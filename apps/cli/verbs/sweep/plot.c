@@ -1,5 +1,4 @@
 // Plots the columns of a sweep in the file's units.
-#include <stdlib.h>
 #include "picture/plot.h"
 #include "session.h"
 #include "verbs/sweep/sweep.h"
@@ -40,9 +39,9 @@ bool yk_sweep_plot(const YkSweepAnswer *answer, const char *path)
                    .x_unit = yk_unit_of(session, answer->over.quantity),
                    .rows = answer->sweep ? yk_sweep_row_count(answer->sweep) : 0};
     if (plot.rows == 0 || answer->column_count == 0) return true; // nothing to draw; the reason was reported
-    double *values = calloc((answer->column_count + 1) * plot.rows, sizeof *values);
-    YkPlotColumn *columns = calloc(answer->column_count, sizeof *columns);
-    YkPlotMark *marks = calloc(yk_sweep_event_count(answer->sweep) + 1, sizeof *marks);
+    double *values = yk_session_alloc(answer->session, (answer->column_count + 1) * plot.rows, sizeof *values);
+    YkPlotColumn *columns = yk_session_alloc(answer->session, answer->column_count, sizeof *columns);
+    YkPlotMark *marks = yk_session_alloc(answer->session, yk_sweep_event_count(answer->sweep) + 1, sizeof *marks);
     YkText picture = {0};
     bool good = fill(answer, values, columns, marks, &plot);
     if (!good) yk_session_refuse_for_memory(session);
@@ -50,8 +49,5 @@ bool yk_sweep_plot(const YkSweepAnswer *answer, const char *path)
     good = good && yk_plot_draw(&plot, kind, &picture, session->problems) &&
            yk_file_write(path, yk_text_get(&picture), picture.length, session->problems);
     yk_text_free(&picture);
-    free(marks);
-    free(columns);
-    free(values);
     return good;
 }

@@ -7,15 +7,6 @@
 
 enum { EVENT_DIGITS = 10 };
 
-static void write_table(YkText *out, YkTable *table, bool has_rows)
-{
-    if (has_rows) {
-        yk_text_puts(out, "\n");
-        yk_table_write(table, 2, out);
-    }
-    yk_table_free(table);
-}
-
 // Scales by the whole table: its values, and the pose at its end.
 static void find_scale(const YkSweepAnswer *answer)
 {
@@ -104,7 +95,7 @@ static void add_rows(const YkSweepAnswer *answer)
             yk_table_number(table, shown_in_row(answer, row, c), YK_DIGITS);
     }
     session->scale.blur = 0;
-    write_table(&answer->session->out, table, rows > 0);
+    yk_table_show(table, NULL, &answer->session->out);
 }
 
 // Writes "d5 = 1.2 m", or "at joint C".
@@ -151,7 +142,7 @@ static void add_events(const YkSweepAnswer *answer)
     }
     answer->session->scale.blur = 0;
     yk_text_free(&words);
-    write_table(&answer->session->out, table, count > 0);
+    yk_table_show(table, NULL, &answer->session->out);
     size_t total = answer->sweep ? yk_sweep_event_total(answer->sweep) : 0;
     if (total > count)
         yk_text_format(&answer->session->out, "\n%z more events were found: the first %z are listed\n", total - count,

@@ -146,15 +146,15 @@ static bool run(YkSweepAnswer *answer, size_t steps)
 {
     YkSession *session = answer->session;
     YkState *start = yk_session_new_state(session, session->mech);
-    YkChannel *channels = calloc(answer->column_count + 1, sizeof *channels);
-    answer->strokes = calloc(answer->column_count + 1, sizeof *answer->strokes);
-    answer->held = calloc(answer->column_count + 1, sizeof *answer->held);
+    YkChannel *channels = yk_session_alloc(session, answer->column_count + 1, sizeof *channels);
+    answer->strokes = yk_session_alloc(session, answer->column_count + 1, sizeof *answer->strokes);
+    answer->held = yk_session_alloc(session, answer->column_count + 1, sizeof *answer->held);
     answer->laws = yk_session_watch_laws(session);
     answer->stops = yk_session_watch_stops(session);
     answer->row_capacity = session->request->format == YK_FORMAT_TEXT ? steps + 1 : 0;
-    answer->noise = calloc(answer->row_capacity * answer->column_count + 1, sizeof *answer->noise);
-    answer->sines = calloc(answer->row_capacity + 1, sizeof *answer->sines);
-    answer->values = calloc(answer->column_count + 1, 4 * sizeof *answer->values);
+    answer->noise = yk_session_alloc(session, answer->row_capacity * answer->column_count + 1, sizeof *answer->noise);
+    answer->sines = yk_session_alloc(session, answer->row_capacity + 1, sizeof *answer->sines);
+    answer->values = yk_session_alloc(session, answer->column_count + 1, 4 * sizeof *answer->values);
     answer->beside = yk_state_new(session->mech);
     if (start && channels && answer->strokes && answer->held && answer->noise && answer->sines && answer->values &&
         answer->beside && answer->laws && answer->stops) {
@@ -178,7 +178,6 @@ static bool run(YkSweepAnswer *answer, size_t steps)
             if (answer->status >= 0) find_strokes(answer, start);
         }
     }
-    free(channels);
     yk_state_free(start);
     if (!answer->sweep && yk_problems_error_count(session->problems) == 0) yk_session_refuse_for_memory(session);
     return answer->sweep != NULL;
@@ -268,12 +267,7 @@ int yk_run_sweep(YkSession *session)
     yk_text_free(&answer->message);
     yk_text_free(&answer->label);
     free(answer->columns);
-    free(answer->strokes);
-    free(answer->noise);
-    free(answer->sines);
-    free(answer->values);
     yk_state_free(answer->beside);
-    free(answer->held);
     free(answer);
     return exit_code;
 }

@@ -1,5 +1,4 @@
 // yoke synthesize -o DIR: a model file for each candidate, pictures of all, and the answer as JSON.
-#include <stdlib.h>
 #include "session.h"
 #include "verbs/synthesize/synthesize.h"
 #include "write/file_set.h"
@@ -9,7 +8,7 @@ bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder)
     YkSession *session = answer->session;
     size_t count = yk_synthesis_count(answer->synthesis);
     enum { MORE = 2 + YK_SHEET_FILES };
-    YkFileEntry *files = calloc(count + MORE, sizeof *files);
+    YkFileEntry *files = yk_session_alloc(answer->session, count + MORE, sizeof *files);
     const char *picture = yk_synthesis_picture(answer->synthesis);
     bool good = files && picture;
     size_t written = 0;
@@ -37,6 +36,5 @@ bool yk_synthesis_files(const YkSynthesisAnswer *answer, const char *folder)
     if (!good) yk_session_refuse_for_memory(session);
     good = good && yk_files_write(folder, files, written, session->problems);
     for (size_t k = 0; k < count + MORE && files; k++) yk_text_free(&files[k].text);
-    free(files);
     return good;
 }

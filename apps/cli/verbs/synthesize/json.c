@@ -4,21 +4,13 @@
 #include "verbs/synthesize/synthesize.h"
 #include "write/json.h"
 
-static void add_two(YkJson *json, const char *key, const double v[2])
-{
-    yk_json_list(json, key, YK_JSON_INLINE);
-    yk_json_number(json, NULL, v[0]);
-    yk_json_number(json, NULL, v[1]);
-    yk_json_end(json);
-}
-
 static void add_dyad(YkJson *json, YkDyad dyad)
 {
     static const char *const kinds[] = {"RR", "PR", "RP"};
     yk_json_object(json, NULL, YK_JSON_INLINE);
     yk_json_string(json, "kind", kinds[dyad.kind]);
-    add_two(json, "fixed", dyad.fixed);
-    add_two(json, "moving", dyad.moving);
+    yk_json_numbers(json, "fixed", dyad.fixed, 2);
+    yk_json_numbers(json, "moving", dyad.moving, 2);
     if (dyad.kind == YK_DYAD_RR)
         yk_json_number(json, "length", dyad.length);
     else
@@ -31,15 +23,15 @@ static void add_dimensions(YkJson *json, const YkCandidate *c)
     static const char *const names[] = {"ground", "input", "coupler", "output"};
     bool is_slider = strcmp(c->mechanism, "slider-crank") == 0;
     yk_json_list(json, "pivots", YK_JSON_INLINE);
-    add_two(json, NULL, c->pivots[0]);
-    if (!is_slider) add_two(json, NULL, c->pivots[1]);
+    yk_json_numbers(json, NULL, c->pivots[0], 2);
+    if (!is_slider) yk_json_numbers(json, NULL, c->pivots[1], 2);
     yk_json_end(json);
     yk_json_object(json, "lengths", YK_JSON_INLINE);
     for (size_t k = 0; k < 4; k++) // of those that the machine has
         if (c->lengths[k] > 0) yk_json_number(json, names[k], c->lengths[k]);
     if (is_slider) yk_json_number(json, "offset", c->offset);
     yk_json_end(json);
-    add_two(json, "point", c->point);
+    yk_json_numbers(json, "point", c->point, 2);
     if (c->dyads[0] < 0) return;
     yk_json_list(json, "dyads", YK_JSON_INLINE);
     for (size_t k = 0; k < 2; k++) yk_json_integer(json, NULL, c->dyads[k]);
@@ -53,7 +45,7 @@ void yk_synthesis_json_machine(YkJson *json, const YkCandidate *c)
     yk_json_string(json, "type", c->type);
     yk_json_number(json, "error", c->error);
     yk_json_number(json, "worst", c->worst);
-    add_two(json, "transmission", c->transmission);
+    yk_json_numbers(json, "transmission", c->transmission, 2);
     add_dimensions(json, c);
 }
 
@@ -82,7 +74,7 @@ static void add_candidate(YkJson *json, const YkSynthesis *synthesis, size_t ind
     }
     bool has_dimensions = c.circuits > 0; // an existing machine has parameters alone
     if (has_dimensions) {
-        add_two(json, "transmission", c.transmission);
+        yk_json_numbers(json, "transmission", c.transmission, 2);
         yk_json_number(json, "size", c.size);
         yk_json_integer(json, "circuits", (long long)c.circuits);
     }

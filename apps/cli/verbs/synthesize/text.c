@@ -10,13 +10,6 @@ typedef struct Units {
     double length_size, angle_size;
 } Units;
 
-static void end_table(YkText *out, YkTable *table)
-{
-    yk_text_puts(out, "\n");
-    yk_table_write(table, 2, out);
-    yk_table_free(table);
-}
-
 static void add_number_word(YkTable *table, size_t number)
 {
     YkText word = {0};
@@ -52,7 +45,7 @@ static void add_dyads(YkText *out, const YkSynthesis *synthesis, const Units *u)
             yk_table_number(table, d.direction / u->angle_size, DIGITS);
         }
     }
-    end_table(out, table);
+    yk_table_show(table, NULL, out);
 }
 
 // Returns whether a deviation is an angle: of functions and strokes, but for those of a slider.
@@ -105,7 +98,7 @@ static void add_candidates(YkText *out, const YkSynthesis *synthesis, const Unit
         if (is_evened && isnan(before)) yk_table_word(table, "-");
         if (is_evened && !isnan(before)) yk_table_number(table, before / unit, DIGITS);
     }
-    end_table(out, table);
+    yk_table_show(table, NULL, out);
     yk_text_free(&both);
 }
 
@@ -149,7 +142,7 @@ static void add_machines(YkText *out, const YkSynthesisAnswer *answer)
             yk_table_number(table, value / size, DIGITS);
         }
     }
-    end_table(out, table);
+    yk_table_show(table, NULL, out);
 }
 
 static void add_left_out(YkText *out, const YkSynthesis *synthesis)
@@ -185,7 +178,7 @@ static void add_defects(YkText *out, const YkSynthesis *synthesis, const Units *
         }
         yk_text_free(&pair);
     }
-    end_table(out, table);
+    yk_table_show(table, NULL, out);
     if (count > DEFECTS_SHOWN) yk_text_format(out, "and %z more\n", count - DEFECTS_SHOWN);
 }
 
