@@ -90,9 +90,13 @@ def meets(box, a, b):
     return False
 
 
+def complexes(points):
+    return [complex(*map(float, pair.split(","))) for pair in points.split()]
+
+
 class Picture:
     def __init__(self, path):
-        root = tree.parse(path).getroot()
+        root = self.root = tree.parse(path).getroot()
         self.size = root.get("width"), root.get("height")
         self.arrows = [Arrow(group) for group in root.iter(SVG + "g") if group.find(SVG + "title") is not None]
         texts = [text for text in root.iter(SVG + "text") if text.get("font-size") is None]
@@ -102,8 +106,15 @@ class Picture:
 
 
 class Drawings(Case):
+    drawn = {}  # what `draw` has answered
+
     def draw(self, example):
         """The section's names and the pictures, both by heading; None where the machine has none yet."""
+        if example not in self.drawn:
+            self.drawn[example] = self.draw_anew(example)
+        return self.drawn[example]
+
+    def draw_anew(self, example):
         folder = self.path("of-" + os.path.basename(example))
         run = Run("derive", example, "-q", "--what", "free-bodies", "--format", "json", "--svg", folder)
         if run.code == 1 and "--svg" in run.err:
@@ -177,6 +188,72 @@ class Drawings(Case):
                     self.assertTrue(box[2] <= other[0] or other[2] <= box[0] or box[3] <= other[1] or other[3] <= box[1], name)
             labels += len(boxes)
         self.assertGreater(labels, 40)
+
+    def check_arrow(self, group, spots, what):
+        """A force's head sits on its line, which is as long as all others; a couple's, on its arc of three quarters of a turn. Both
+        act at a point that is marked: a force ends or begins 8 px off it, or 14 px beside that."""
+        tip, *base = complexes(group.find(SVG + "polygon").get("points"))
+        line, arc = group.find(SVG + "line"), group.find(SVG + "polyline")
+        if line is not None:
+            tail, end = (complex(float(line.get("x" + k)), float(line.get("y" + k))) for k in "12")
+            along = (tip - tail) / abs(tip - tail)
+            self.assertAlmostEqual(abs(tip - tail), 62, delta=0.02)
+            self.assertAlmostEqual(abs(tip - 8 * along - end), 0, delta=0.02)  # the line ends within the head
+            off = [min(abs(spot - foot - aside * 1j * along) for aside in (0, 14, -14) for foot in (tail - 8 * along, tip + 8 * along))
+                   for spot in spots]
+            self.assertLess(min(off), 0.05, what)
+        else:
+            turned = complexes(arc.get("points"))
+            center, radius = circle_of(Arrow(group))
+            self.assertLess(max(abs(abs(z - center) - radius) for z in turned + [tip]), 0.1, what)
+            along = tip - turned[-1]
+            along /= abs(along)
+            steps = [((b - center) / (a - center)) for a, b in zip(turned, turned[1:])]
+            angle = sum(math.atan2(step.imag, step.real) for step in steps)
+            self.assertAlmostEqual(abs(angle), math.radians(250), delta=math.radians(5))
+            self.assertGreater((along / (1j * (tip - center))).real * angle, 0, what)  # it goes on the way of its arc
+            self.assertGreater(abs((along / (tip - center) * abs(tip - center)).imag), 0.9, what)
+        self.assertAlmostEqual(abs(sum(base) / 2 - (tip - 10 * along)), 0, delta=1.5 if line is None else 0.02)
+        self.assertAlmostEqual(abs(base[0] - base[1]), 7.2, delta=0.03)
+        self.assertAlmostEqual(abs(base[0] - tip), abs(base[1] - tip), delta=0.03)
+
+    def test_arrows_and_marks_are_whole_and_named(self):
+        """Every mark of a place has a name beside it, marks of centres are crossed, and powers are written as such."""
+        powers = marks = over = 0
+        for example in some(EXAMPLES):
+            _, pictures = self.draw(example)
+            for picture in (pictures or {}).values():
+                root, what = picture.root, example + picture.title
+                circles = [(complex(float(c.get("cx")), float(c.get("cy"))), c) for c in root.iter(SVG + "circle") if c.get("r") in ("3", "4.5")]
+                circles = [(at, c) for at, c in circles if c.get("stroke") == "#fcfcfa" or c.get("fill") == "#fcfcfa"]
+                names = [text for text in root.iter(SVG + "text") if text.get("fill") == "#1c1e21" and text.get("font-size") is None]
+                self.assertEqual(len(names), len(circles), what)
+                shape = list(root)[2:]
+                shape = shape[:next(k for k, e in enumerate(shape) if e.get("stroke-width") == "1.2")]  # the axes begin
+                thick = max([k for k, e in enumerate(shape) if float(e.get("stroke-width")) >= 3] + [-1])  # bars, rods and slots
+                pins = [k for k, e in enumerate(shape) if e.get("fill") == "#ffffff"]
+                self.assertTrue(all(k > thick for k in pins), what)  # nothing lies on a pin
+                over += len(pins) > 0 and thick >= 0
+                marks += len(names)
+                for text in names:
+                    self.assertTrue("".join(text.itertext()).strip(), what)
+                    left, top, right, bottom = label_box(text)
+                    self.assertLess(min(max(0, left - z.real, z.real - right) + max(0, top - z.imag, z.imag - bottom) for z, _ in circles), 60, what)
+                lines = [{complex(float(line.get("x" + k)), float(line.get("y" + k))) for k in "12"} for line in root.iter(SVG + "line")]
+                for at, circle in circles:
+                    if circle.get("r") == "4.5":
+                        for arm in (4.5, 4.5j):
+                            self.assertTrue(any(len(ends) == 2 and all(min(abs(z - at - arm), abs(z - at + arm)) < 0.02 for z in ends) for ends in lines))
+                for group in root.iter(SVG + "g"):
+                    if group.find(SVG + "title") is None:
+                        continue
+                    self.check_arrow(group, [at for at, _ in circles], what)
+                    name = group.find(SVG + "title").text.split(", ")[0]
+                    self.assertNotRegex(name, r"\^[23](?!\d)", what)
+                    powers += "\u00b2" in name
+        self.assertGreater(marks, at_least(400))
+        self.assertGreater(over, at_least(100))
+        self.assertTrue(FEW or powers > 0)
 
     def test_a_known_force_points_as_it_does_and_an_unknown_one_up_and_right(self):
         _, pictures = self.draw(os.path.join(ROOT, "examples", "double-pendulum.yaml"))

@@ -10,7 +10,7 @@ enum { MOST = 20000 };
 
 // A panel's axes: value = first + per * pixel, by the numbers at its grid.
 typedef struct Axis {
-    double first, per;
+    double first, per, step;
     size_t numbers;
 } Axis;
 
@@ -46,8 +46,13 @@ static void read_axes(const char *svg, Drawing *d)
         pixel[panel][axis][which] = axis == 0 ? attribute(at, "x") : attribute(at, "y") - 4; // words stand 4 px lower
         value[panel][axis][which] = number;
         a->numbers++;
-        if (!which) continue;
+        if (a->numbers > 2) { // further numbers stand where the first two say, each at a line of the grid
+            double place = axis == 0 ? attribute(at, "x") : attribute(at, "y") - 4;
+            CHECK_NEAR(a->first + a->per * place, number, 0.02 * fabs(a->per) * (double)a->numbers);
+        }
+        if (!which || a->numbers > 2) continue;
         a->per = (value[panel][axis][1] - value[panel][axis][0]) / (pixel[panel][axis][1] - pixel[panel][axis][0]);
+        a->step = fabs(value[panel][axis][1] - value[panel][axis][0]);
         a->first = value[panel][axis][0] - a->per * pixel[panel][axis][0];
     }
 }
@@ -107,6 +112,13 @@ static void check_map(const Case *c, YkMap *map, const YkMechanism *mech, const 
     double size[2] = {fabs(d.axis[0][0].per), fabs(d.axis[0][1].per)}; // of a pixel
     for (int axis = 0; axis < 2; axis++) assert_true(d.axis[0][axis].numbers > 2 && d.axis[1][axis].numbers > 2);
     assert_true(d.axis[0][0].per > 0 && d.axis[0][1].per < 0);
+    for (int panel = 0; panel < 2; panel++)
+        for (int axis = 0; axis < 2; axis++) { // steps are 1, 2 or 5 times a power of ten, or parts of a turn
+            double step = d.axis[panel][axis].step, digit = step / pow(10, floor(log10(step) + 1e-9));
+            bool is_turn = fabs(remainder(360, step)) < 1e-9;
+            assert_true(is_turn || fabs(digit - 1) < 1e-9 || fabs(digit - 2) < 1e-9 || fabs(digit - 5) < 1e-9);
+            assert_true(d.axis[panel][axis].numbers < 13);
+        }
     CHECK_NEAR(d.axis[1][0].per, -d.axis[1][1].per, 1e-3 * d.axis[1][0].per); // the points' curves are to scale
     for (size_t k = 0; k < yk_map_circuit_count(map); k++) {
         events += yk_map_circuit(map, k).events;
