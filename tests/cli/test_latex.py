@@ -1,5 +1,5 @@
-"""yoke derive --format latex: every example compiles with article and amsmath; one run of LaTeX sees them all. What it says is
-what the formulas say as plain text: worked out with numbers, side by side and entry by entry."""
+"""yoke derive --format latex: every example compiles with article and amsmath; one run of LaTeX sees them all. What it and
+MathML say is what the formulas say as plain text: worked out with numbers, side by side and entry by entry."""
 import glob
 import os
 import re
@@ -105,6 +105,21 @@ def of_latex(text):
     return out
 
 
+def of_mathml(tokens):
+    """The same of what `mathml` reads."""
+    out = []
+    for kind, what in tokens:
+        if kind == "matrix":
+            if out and out[-1] == ("sign", "["):
+                out.pop()
+            out += in_brackets([[of_mathml(cell) for cell in row] for row in what])
+        elif (kind, what) == ("sign", "]") and out and out[-1][0] == "matrix" or (kind, what) == ("sign", ""):
+            continue
+        else:
+            out.append((kind, plain(what) if kind == "name" else what))
+    return out
+
+
 class Symbols(dict):
     """Every name has a number of its own."""
 
@@ -145,26 +160,39 @@ def displayed(document):
 
 
 class Meaning(Case):
-    def test_text_and_latex_are_one_value(self):
+    def test_text_latex_and_mathml_are_one_value(self):
         """Every sixth example in the gate."""
-        compared = 0
+        compared = marked = 0
         for example in sampled(EXAMPLES, 2)[::1 if FULL else 2]:
             answer = Run("derive", example, "-q", "--format", "json")
             sections = answer.json()["sections"] if answer.out else []
             items = [item for section in sections for item in section["items"] if item["kind"] == "formula"]
             document = Run("derive", example, "-q", "--format", "latex").out
             self.assertEqual(displayed(document), [item["latex"] for item in items], example)
-            for item in items:
+            page = re.findall("(?s)<math.*?</math>", Run("derive", example, "-q", "--format", "mathml").out)
+            self.assertEqual(len(page), len(items), example)
+            for item, drawn in zip(items, page):
                 where = (os.path.basename(example), item["text"], item["latex"])
+                for word in re.findall(r"\\mathrm\{([^}]*)\}", item["latex"]):  # letters are slanted, with their number below
+                    self.assertNotRegex(word, r"^[A-Za-z]\d*$", where)
+                    self.assertNotRegex(word, r"^\d+$", where)
                 if "\\text{" in item["latex"]:
                     continue
+                sides = mathml.formula(drawn)
+                third = values(sum(([("sign", "=")] + of_mathml(side) for side in sides), [])[1:])
                 text, latex = values(of_text(item["text"])), values(of_latex(item["latex"]))
+                self.assertEqual(len(third), len(text), where)
+                for a, b in zip(text, third):
+                    if a is not None and b is not None:
+                        self.assertLessEqual(abs(a.value - b.value), a.error + b.error + 1e-12, (where, drawn))
+                        marked += 1
                 self.assertEqual([a is None for a in text], [b is None for b in latex], where)
                 for a, b in zip(text, latex):
                     if a is not None:
                         self.assertLessEqual(abs(a.value - b.value), a.error + b.error + 1e-12, where)
                         compared += 1
         self.assertGreater(compared, at_least(3000))
+        self.assertGreater(marked, at_least(2500))
 
 
 def letters(latex):
