@@ -137,7 +137,7 @@ static void long_sums_fill_their_lines(void **state)
         yk_text_free(&formula);
         yk_text_free(&shown);
     }
-    assert_true(broken > check_cases(100) / 3);
+    assert_true(broken > check_cases(100) / 4);
 }
 
 // --- Matrices
@@ -267,7 +267,8 @@ static void matrices_say_the_same_in_any_size(void **state)
         yk_text_free(&shown);
         yk_text_free(&m.text);
     }
-    assert_true(boxed > 5 && small > 5 && plain > 5);
+    size_t least = check_cases(100) / 20;
+    assert_true(boxed >= least && small >= least && plain >= least);
 }
 
 // Equal entries share a number; what stays in the matrix is narrower than what is numbered.
