@@ -217,11 +217,46 @@ class Drawings(Case):
         self.assertAlmostEqual(abs(base[0] - base[1]), 7.2, delta=0.03)
         self.assertAlmostEqual(abs(base[0] - tip), abs(base[1] - tip), delta=0.03)
 
+    def check_joints(self, shape, body, joints, what):
+        """Each joint of a body is drawn on it: pins as circles, what slides as a box, its line as a rod or a slot."""
+        own = [(joint["kind"], joint["bodies"].index(body)) for joint in joints if body in joint["bodies"]]
+        drawn = [sum(1 for e in shape if e.get("fill") == "#ffffff"),
+                 sum(1 for e in shape if e.tag == SVG + "polygon" and e.get("fill") == "#2b2d30"),
+                 sum(1 for e in shape if e.tag == SVG + "polygon" and 0 < float(e.get("stroke-width")) <= 1.3),
+                 sum(1 for e in shape if e.tag == SVG + "line" and 3 < float(e.get("stroke-width")) < 5),
+                 sum(1 for e in shape if e.tag == SVG + "line" and e.get("stroke") == "#ffffff")]
+        self.assertEqual(drawn, [sum(kind == "pin" or (kind, side) == ("pin-slot", 1) for kind, side in own),
+                                 sum(kind == "weld" for kind, side in own), own.count(("slide", 1)),
+                                 own.count(("slide", 0)), own.count(("pin-slot", 0))], what)
+
+    def check_view(self, shape, marks, what):
+        """The body and all places at which something acts are in the middle, as large as 230 by 170 px let them be."""
+        places = list(marks)
+        for element in shape:
+            width, radius = float(element.get("stroke-width")), element.get("r")
+            if element.tag == SVG + "line" and width < 8 or element.get("fill") == "none" and radius:
+                return 0  # a rod, a wheel: how far they reach is not known here
+            if element.tag == SVG + "line":
+                places += [complex(float(element.get("x" + k)), float(element.get("y" + k))) for k in "12"]
+            elif element.tag == SVG + "polygon":
+                if width <= 1.3:
+                    return 0  # a box, which slides: its couples act anywhere
+                places += complexes(element.get("points"))
+        if len(places) == 0:
+            return 0
+        low = complex(min(z.real for z in places), min(z.imag for z in places))
+        high = complex(max(z.real for z in places), max(z.imag for z in places))
+        self.assertAlmostEqual(abs((low + high) / 2 - (280 + 220j)), 0, delta=0.05, msg=what)
+        if abs(high - low) > 1:
+            self.assertAlmostEqual(max((high - low).real / 230, (high - low).imag / 170), 1, delta=1e-3, msg=what)
+        return 1
+
     def test_arrows_and_marks_are_whole_and_named(self):
         """Every mark of a place has a name beside it, marks of centres are crossed, and powers are written as such."""
-        powers = marks = over = 0
+        powers = marks = over = viewed = 0
         for example in some(EXAMPLES):
             _, pictures = self.draw(example)
+            joints = self.good("check", example, "--format", "json", "-q").json()["joints"] if pictures and example in EXAMPLES[::3] else []
             for picture in (pictures or {}).values():
                 root, what = picture.root, example + picture.title
                 circles = [(complex(float(c.get("cx")), float(c.get("cy"))), c) for c in root.iter(SVG + "circle") if c.get("r") in ("3", "4.5")]
@@ -234,6 +269,9 @@ class Drawings(Case):
                 pins = [k for k, e in enumerate(shape) if e.get("fill") == "#ffffff"]
                 self.assertTrue(all(k > thick for k in pins), what)  # nothing lies on a pin
                 over += len(pins) > 0 and thick >= 0
+                if joints and ", body " in picture.title:
+                    self.check_joints(shape, picture.title.split(", body ")[0], joints, what)
+                viewed += self.check_view(shape, [at for at, _ in circles], what)
                 marks += len(names)
                 for text in names:
                     self.assertTrue("".join(text.itertext()).strip(), what)
@@ -253,6 +291,7 @@ class Drawings(Case):
                     powers += "\u00b2" in name
         self.assertGreater(marks, at_least(400))
         self.assertGreater(over, at_least(100))
+        self.assertGreater(viewed, at_least(100))
         self.assertTrue(FEW or powers > 0)
 
     def test_a_known_force_points_as_it_does_and_an_unknown_one_up_and_right(self):

@@ -120,6 +120,27 @@ def of_mathml(tokens):
     return out
 
 
+def cuts_of_latex(text):
+    """Of each matrix: before which rows it has a line, and columns."""
+    found = []
+    for spec, body in re.findall(r"\\begin\{array\}\{([c|]*)\}(.*?)\\end\{array\}", text, re.S):
+        found.append(([k for k, row in enumerate(body.split("\\\\")) if "\\hline" in row],
+                      [spec[:at].count("c") for at, sign in enumerate(spec) if sign == "|"]))
+    return found
+
+
+def cuts_of_mathml(text):
+    """The same; a cell has the line below or beside it."""
+    found = []
+    for table in re.findall("(?s)<mtable>(.*?)</mtable>", text):
+        cells = [re.findall('<mtd(?: class="([br ]*)")?>', row) for row in re.findall("(?s)<mtr>(.*?)</mtr>", table)]
+        lines = ([k + 1 for k, row in enumerate(cells) if any("b" in cell for cell in row)],
+                 [k + 1 for k in range(len(cells[0])) if any("r" in row[k] for row in cells)])
+        whole = all(("b" in cell, "r" in cell) == (i + 1 in lines[0], k + 1 in lines[1]) for i, row in enumerate(cells) for k, cell in enumerate(row))
+        found.append(lines if whole else None)
+    return found
+
+
 class Symbols(dict):
     """Every name has a number of its own."""
 
@@ -162,7 +183,7 @@ def displayed(document):
 class Meaning(Case):
     def test_text_latex_and_mathml_are_one_value(self):
         """Every sixth example in the gate."""
-        compared = marked = 0
+        compared = marked = cut = 0
         for example in sampled(EXAMPLES, 2)[::1 if FULL else 2]:
             answer = Run("derive", example, "-q", "--format", "json")
             sections = answer.json()["sections"] if answer.out else []
@@ -176,8 +197,12 @@ class Meaning(Case):
                 for word in re.findall(r"\\mathrm\{([^}]*)\}", item["latex"]):  # letters are slanted, with their number below
                     self.assertNotRegex(word, r"^[A-Za-z]\d*$", where)
                     self.assertNotRegex(word, r"^\d+$", where)
+                cuts = [(matrix.get("row_cuts", []), matrix.get("column_cuts", [])) for matrix in item.get("matrices", [])]
+                self.assertEqual((cuts_of_latex(item["latex"]), cuts_of_mathml(drawn)), (cuts, cuts), where)
+                cut += sum(len(rows) + len(columns) for rows, columns in cuts)
                 if "\\text{" in item["latex"]:
                     continue
+                self.assertEqual(item["latex"].count("("), drawn.count("<mo>(</mo>"), (where, drawn))
                 sides = mathml.formula(drawn)
                 third = values(sum(([("sign", "=")] + of_mathml(side) for side in sides), [])[1:])
                 text, latex = values(of_text(item["text"])), values(of_latex(item["latex"]))
@@ -193,6 +218,7 @@ class Meaning(Case):
                         compared += 1
         self.assertGreater(compared, at_least(3000))
         self.assertGreater(marked, at_least(2500))
+        self.assertGreater(cut, at_least(16))
 
 
 def letters(latex):

@@ -126,7 +126,8 @@ static void long_sums_fill_their_lines(void **state)
     size_t broken = 0;
     for (size_t trial = 0; trial < check_cases(100); trial++) {
         YkText formula = {0}, shown = {0};
-        yk_text_puts(&formula, "\\tau = ");
+        yk_text_puts(&formula, trial % 2 ? "\\tau = -" : "\\tau = ");
+        for (size_t k = 0; trial % 5 == 1 && k < 40 + trial; k++) yk_text_puts(&formula, "l_{1} "); // no place to break
         int terms = 1 + (int)(trial % 17);
         for (int k = 0; k < terms; k++) {
             if (k > 0) yk_text_puts(&formula, k % 3 ? " + " : " - ");
