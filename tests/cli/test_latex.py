@@ -280,6 +280,14 @@ class Numbers(Case):
                     shown = re.search(r"(?m)%s = (%s)(?:  .*)?$" % (re.escape(item["text"]), NUMBER), text)
                     self.alike([shown.group(1)], values, item["text"])
             self.alike(numbers_in_text(text), matrices, name)
+            named = [item["matrices"][0] for item in items if len(item.get("matrices", [])) == 1 and "columns" in item["matrices"][0]]
+            words = re.findall(r"(?m)^ {6}columns: (.*)\n {6}rows: (.*)$", text)
+            self.assertEqual(len(words), len(named))
+            for both, matrix in zip(words, named):
+                for line, of in zip(both, ("column", "row")):
+                    parts = line.split(", ")
+                    self.assertEqual([k + 1 for k, part in enumerate(parts) if part.endswith(" |")], matrix.get(of + "_cuts", []))
+                    self.assertEqual([part.removesuffix(" |") for part in parts], matrix[of + "s"])
             self.assertGreater(len(matrices), 30)
 
     def alike(self, shown, values, where):
