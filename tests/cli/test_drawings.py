@@ -298,9 +298,16 @@ class Drawings(Case):
                     if circle.get("r") == "4.5":
                         for arm in (4.5, 4.5j):
                             self.assertTrue(any(len(ends) == 2 and all(min(abs(z - at - arm), abs(z - at + arm)) < 0.02 for z in ends) for ends in lines))
+                tips = [max(complexes(p.get("points")), key=lambda z: z.real - z.imag) for p in root.findall(SVG + "polygon") if p.get("fill") == "#55585c"]
+                self.assertEqual([text.text for _, text in zip(tips, root.findall(SVG + "text"))], ["x", "y"])
+                self.assertAlmostEqual(abs((tips[0] - tips[1]) - (30 + 30j)), 0, delta=0.02)  # each 30 px from one place
+                for tip, text in zip(tips, root.findall(SVG + "text")):  # names of the axes, to the right of their tips
+                    self.assertTrue(3 < float(text.get("x")) - tip.real < 10 and abs(float(text.get("y")) - tip.imag) < 8, what)
                 for group in root.iter(SVG + "g"):
                     if group.find(SVG + "title") is None:
                         continue
+                    if picture.title.startswith("Junction"):  # unknown: for positive components
+                        self.assertTrue(min(part * (-1 if group.find(SVG + "title").text[0] == "-" else 1) for part in Arrow(group).way) > 0.05, what)
                     self.check_arrow(group, [at for at, _ in circles], what)
                     name = group.find(SVG + "title").text.split(", ")[0]
                     self.assertNotRegex(name, r"\^[23](?!\d)", what)

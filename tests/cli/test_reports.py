@@ -249,7 +249,10 @@ class Animate(Case):
             self.good("draw", self.four_bar, "--over", "theta1=0:20deg", "--steps", "6", "--animate", self.path("a." + ending),
                       env=path)
             self.assertEqual(self.read("a." + ending), b"movie\n")
-        self.assertEqual(self.read("pictures").count(b"\x89PNG"), 7 + 5) # to and fro, both ends once
+        pictures = self.read("pictures").split(b"\x89PNG")[1:]
+        self.assertEqual(len(pictures), 7 + 5) # to and fro, both ends once
+        self.assertEqual(len(set(pictures)), 7)
+        self.assertEqual(pictures[7:], pictures[5:0:-1])
 
     def test_what_is_missing_is_told_and_nothing_is_left(self):
         run = self.wrong(710, "draw", self.four_bar, "--animate", self.path("a.gif"), env={"PATH": self.folder})

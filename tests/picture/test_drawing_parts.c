@@ -3,6 +3,7 @@
 #include "check.h"
 #include <stdlib.h>
 #include <yoke/yoke.h>
+#include "base/text.h"
 #include "base/vec.h"
 #include "model/model.h"
 
@@ -230,7 +231,7 @@ static void check_guides(Sheet *s)
 {
     for (size_t j = 0; j < s->model->joint_count; j++) {
         const YkJoint *joint = &s->model->joints[j];
-        if (joint->body[0] != 0 && joint->body[1] != 0) continue;
+        if ((joint->body[0] != 0 && joint->body[1] != 0) || joint->kind == YK_WELD) continue;
         if (joint->kind == YK_PIN)
             check_pedestal(s, joint_pixel(s, 0, joint, joint->body[1] == 0));
         else if (joint->body[0] == 0)
@@ -456,14 +457,11 @@ static void check_fit(const Sheet *s)
     assert_true(low.x > 63.9 && (low.x < 64.1 || fabs(high.y - low.y - (1.1 * s->width - 128)) < 0.1));
 }
 
-static void check_machine(const char *name)
+static void check_machine(const char *name, YkModel *model)
 {
     static Sheet sheet;
     Sheet *s = &sheet;
-    char path[500];
-    *s = (Sheet){0};
-    snprintf(path, sizeof path, "%s/examples/%s.yaml", YOKE_ROOT, name);
-    s->model = yk_model_load(path, NULL, NULL);
+    *s = (Sheet){.model = model};
     s->mech = yk_mechanism_compile(s->model, NULL, NULL);
     s->state = yk_state_new(s->mech);
     assert_true(yk_state_set_time(s->state, 0, NULL) >= 0 && yk_state_assemble(s->state) >= 0);
@@ -512,11 +510,91 @@ static void every_part_is_drawn_where_it_is(void **state)
                                         "slider-crank",
                                         "excavator",
                                         "steam-engine"};
-    for (size_t k = 0; k < sizeof names / sizeof *names; k++) check_machine(names[k]);
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        char path[500];
+        snprintf(path, sizeof path, "%s/examples/%s.yaml", YOKE_ROOT, names[k]);
+        check_machine(names[k], yk_model_load(path, NULL, NULL));
+    }
+}
+
+// Slots and guides of bodies that move over a place of the ground, which has a pedestal; welds, which have none.
+static void guides_may_move_over_the_ground(void **state)
+{
+    (void)state;
+    static const char slot[] = "bodies: {ground: {points: {O: [0, 0], C: [0.3, 0.1], W: [0.1, -0.2]}}, crank: {points: "
+                               "{O: [0, 0], A: [0.1, 0]}}, "
+                               "rod: {points: {A: [0, 0], E: [0.5, 0]}}, flag: {points: {E: [0, 0], F: [0, 0.1]}}, "
+                               "post: {points: {W: [0, 0], X: [0.1, 0]}}}\n"
+                               "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, rod], angle: phi}, "
+                               "C: {pin-slot: [rod, ground], at: C, from: A, along: x}, E: {weld: [rod, flag], at: E}, "
+                               "W: {weld: [ground, post], at: W}}\n"
+                               "start: {theta: 1, phi: -1}\n";
+    static const char guide[] = "bodies: {ground: {points: {G: [0, 0]}}, bar: {points: {S: [0, 0], T: [0.3, 0]}}, "
+                                "arm: {points: {T: [0, 0], Z: [0.1, 0]}}}\n"
+                                "joints: {S: {slide: [bar, ground], along: x, from: S, to: G, distance: s}, "
+                                "T: {pin: [bar, arm], angle: q}, Z: {pin: [arm, tip], at: Z, angle: r}}\n"
+                                "start: {s: 0.1}\n";
+    YkProblems *problems = yk_problems_new();
+    char whole[900];
+    snprintf(whole, sizeof whole, "%s", guide);
+    char *end = strstr(whole, "}}\njoints");
+    char rest[500];
+    snprintf(rest, sizeof rest, "%s", end + 1);
+    snprintf(end + 1, sizeof whole - (size_t)(end + 1 - whole), ", tip: {points: {Z: [0, 0], Y: [0, 0.1]}}%s", rest);
+    const char *const texts[] = {slot, whole};
+    for (int k = 0; k < 2; k++) {
+        YkModel *model = yk_model_parse(texts[k], strlen(texts[k]), "t.yaml", NULL, problems);
+        if (!model) fail_msg("%s", yk_problems_text(problems, 0));
+        check_machine("guide", model);
+    }
+    yk_problems_free(problems);
+}
+
+static size_t count_of(const char *text, const char *word)
+{
+    size_t found = 0;
+    for (const char *at = strstr(text, word); at; at = strstr(at + 1, word)) found++;
+    return found;
+}
+
+// There are names for everything, or, where there are too many, for nothing.
+static void all_parts_are_named_or_none(void **state)
+{
+    (void)state;
+    size_t named = 0;
+    for (int links = 44; links <= 60; links += 2) {
+        YkText text = {0};
+        yk_text_puts(&text, "bodies:\n  ground: {points: {J1: [0, 0]}}\n");
+        for (int k = 1; k <= links; k++)
+            yk_text_format(&text, "  b%d: {points: {J%d: [0, 0], J%d: [1, 0]}}\n", k, k, k + 1);
+        yk_text_puts(&text, "joints:\n");
+        for (int k = 1; k <= links; k++) {
+            yk_text_format(&text, k == 1 ? "  J%d: {pin: [ground" : "  J%d: {pin: [b%d", k, k - 1);
+            yk_text_format(&text, ", b%d], angle: q%d}\n", k, k);
+        }
+        YkModel *model = yk_model_parse(yk_text_get(&text), text.length, "t.yaml", NULL, NULL);
+        YkMechanism *mech = yk_mechanism_compile(model, NULL, NULL);
+        YkState *pose = yk_state_new(mech);
+        assert_true(yk_state_assemble(pose) >= 0);
+        YkDrawing *drawing = yk_drawing_new(mech, NULL);
+        assert_int_equal(yk_drawing_pose(drawing, pose), YK_OK);
+        const char *svg = yk_drawing_svg(drawing);
+        size_t joints = count_of(svg, ">J"), bodies = count_of(svg, ">b");
+        assert_true(joints == bodies && (joints == 0 || joints == (size_t)links));
+        named += joints > 0;
+        yk_drawing_free(drawing);
+        yk_state_free(pose);
+        yk_mechanism_free(mech);
+        yk_model_free(model);
+        yk_text_free(&text);
+    }
+    assert_true(named > 0 && named < 9);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_part_is_drawn_where_it_is)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_part_is_drawn_where_it_is),
+                                       cmocka_unit_test(guides_may_move_over_the_ground),
+                                       cmocka_unit_test(all_parts_are_named_or_none)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
