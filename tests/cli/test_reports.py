@@ -144,6 +144,7 @@ class Report(Case):
         if data is None:
             self.skipTest("built without the script")
         crank, rocker = data["bodies"][1], data["bodies"][3]
+        self.assertEqual([len(data[key]) for key in ("bodies", "middles", "joints")], [4, 4, 4])
         for row in range(25): # the drawing turns clockwise where the machine turns counter-clockwise
             turned = -(crank["turn"][row] - crank["turn"][0])
             self.assertAlmostEqual(turned, data["axis"]["values"][row] - data["axis"]["values"][0], delta=1e-3)

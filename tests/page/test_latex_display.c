@@ -236,7 +236,7 @@ static void matrices_say_the_same_in_any_size(void **state)
     uint64_t seed = 2026;
     size_t boxed = 0, small = 0, plain = 0;
     for (size_t trial = 0; trial < check_cases(100); trial++) {
-        Matrix m = random_matrix(&seed, 1 + (double)(trial % 14));
+        Matrix m = random_matrix(&seed, 1 + trial % 14);
         const char *formula = yk_text_get(&m.text), *head = strstr(strstr(formula, "{array}{") + 8, "}") + 1;
         const char *end = strstr(formula, "\\end{array}");
         CHECK_NEAR(yk_latex_width_of_array(head, end), m.widths, 1e-9);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <yoke/yoke.h>
+#include "base/vec.h"
 
 typedef struct Drawn {
     YkModel *model;
