@@ -94,6 +94,12 @@ def complexes(points):
     return [complex(*map(float, pair.split(","))) for pair in points.split()]
 
 
+def distance(z, a, b):
+    """Of a point from a segment."""
+    part = ((z - a) * (b - a).conjugate()).real / max(abs(b - a) ** 2, 1e-12)
+    return abs(z - a - min(1, max(0, part)) * (b - a))
+
+
 class Picture:
     def __init__(self, path):
         root = self.root = tree.parse(path).getroot()
@@ -217,6 +223,35 @@ class Drawings(Case):
         self.assertAlmostEqual(abs(base[0] - base[1]), 7.2, delta=0.03)
         self.assertAlmostEqual(abs(base[0] - tip), abs(base[1] - tip), delta=0.03)
 
+    @staticmethod
+    def edges_of(element):
+        if element.tag == SVG + "line":
+            return [tuple(complex(float(element.get("x" + k)), float(element.get("y" + k))) for k in "12")]
+        corners = complexes(element.get("points"))
+        return list(zip(corners, corners[1:] + corners[:1]))
+
+    def check_clear(self, group, spots, edges, others, what):
+        """An arrow runs beside the body where it can: not through it if, on its line or beside it, a place is free of everything."""
+        line, tip = group.find(SVG + "line"), complexes(group.find(SVG + "polygon").get("points"))[0]
+        tail = complex(float(line.get("x1")), float(line.get("y1")))
+        along = (tip - tail) / abs(tip - tail)
+        leaves = group.find(SVG + "title").text.startswith("W_")
+
+        def pressed(start, lines):
+            """By how much it comes nearer to lines than 13 px, in the mean, off the end at its point."""
+            ends = (start, start + 62 * along)
+            near, far = ends if min(abs(ends[0] - spot) for spot in spots) < min(abs(ends[1] - spot) for spot in spots) else ends[::-1]
+            samples = [near + (0.2 + 0.8 * k / 8) * (far - near) for k in range(1, 9)]
+            return sum(max(0, 13 - distance(z, *each)) for z in samples for each in lines) + sum(max(0, 60 - z.imag, z.imag - 380) for z in samples)
+
+        foot = min(((spot, aside) for spot in spots for aside in (0, 14, -14)),
+                   key=lambda at: min(abs(at[0] + at[1] * 1j * along + start * along - tail) for start in (8, -70)))[0]
+        free = [20 * (aside != 0) for aside in (0, 14, -14) for start in ((8,) if leaves else (8, -70))
+                if pressed(foot + aside * 1j * along + start * along, edges + others) == 0]
+        if free:
+            self.assertLessEqual(pressed(tail, edges), min(free) + 4, (what, group.find(SVG + "title").text))
+        return len(free) > 0
+
     def check_givers(self, picture, bodies, joints, what):
         """F_23 is what body 2 exerts on body 3: by each on the other, and with the other sign on the first."""
         own = int(picture.title.rsplit(" ", 1)[1])
@@ -268,7 +303,7 @@ class Drawings(Case):
 
     def test_arrows_and_marks_are_whole_and_named(self):
         """Every mark of a place has a name beside it, marks of centres are crossed, and powers are written as such."""
-        powers = marks = over = viewed = self.given = 0
+        powers = marks = over = viewed = cleared = self.given = 0
         for example in some(EXAMPLES):
             _, pictures = self.draw(example)
             checked = self.good("check", example, "--format", "json", "-q").json() if pictures and example in EXAMPLES[::3] else {"joints": []}
@@ -303,9 +338,13 @@ class Drawings(Case):
                 self.assertAlmostEqual(abs((tips[0] - tips[1]) - (30 + 30j)), 0, delta=0.02)  # each 30 px from one place
                 for tip, text in zip(tips, root.findall(SVG + "text")):  # names of the axes, to the right of their tips
                     self.assertTrue(3 < float(text.get("x")) - tip.real < 10 and abs(float(text.get("y")) - tip.imag) < 8, what)
-                for group in root.iter(SVG + "g"):
-                    if group.find(SVG + "title") is None:
-                        continue
+                edges = [line for e in shape if e.tag in (SVG + "line", SVG + "polygon") and float(e.get("stroke-width")) > 8 for line in self.edges_of(e)]
+                whole = all(e.get("fill") == "#ffffff" or float(e.get("stroke-width")) > 8 for e in shape)  # nothing else is in the way
+                groups = [group for group in root.iter(SVG + "g") if group.find(SVG + "title") is not None]
+                for group in groups:
+                    others = [line for other in groups if other is not group and other.find(SVG + "line") is not None for line in self.edges_of(other.find(SVG + "line"))]
+                    if whole and edges and group.find(SVG + "line") is not None:
+                        cleared += self.check_clear(group, [at for at, _ in circles], edges, others, what)
                     if picture.title.startswith("Junction"):  # unknown: for positive components
                         self.assertTrue(min(part * (-1 if group.find(SVG + "title").text[0] == "-" else 1) for part in Arrow(group).way) > 0.05, what)
                     self.check_arrow(group, [at for at, _ in circles], what)
@@ -316,6 +355,7 @@ class Drawings(Case):
         self.assertGreater(over, at_least(100))
         self.assertGreater(viewed, at_least(100))
         self.assertTrue(FEW or self.given > 40, self.given)
+        self.assertTrue(FEW or cleared > 100, cleared)
         self.assertTrue(FEW or powers > 0)
 
     def test_a_known_force_points_as_it_does_and_an_unknown_one_up_and_right(self):

@@ -92,6 +92,14 @@ static void the_peak_effort_is_the_largest_there_is(void **state)
     CHECK_NEAR(told(page.report, "The drive of theta takes at most "), fabs(largest), 1e-4 * fabs(largest));
     CHECK_NEAR(fabs(told(page.report, "the drive takes up ")), fabs(sum / 18000 * 2 * YK_PI),
                2e-2 * fabs(sum / 18000 * 6.28));
+    for (size_t c = 0; c < page.report->column_count; c++) { // over a whole turn its energy comes back
+        if (page.report->columns[c].channel.kind != YK_CHANNEL_ENERGY) continue;
+        double first = yk_report_value(page.report, 0, c),
+               last = yk_report_value(page.report, page.report->row_count - 1, c);
+        CHECK_NEAR(last, first, 1e-6 * fabs(first));
+        assert_true(first > 0);
+        assert_non_null(finding(page.report, " and returns to its value"));
+    }
     yk_sweep_free(sweep);
     yk_dynamics_free(dynamics);
     close_page(&page);
