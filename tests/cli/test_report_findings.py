@@ -297,6 +297,21 @@ class Findings(Case):
         self.assertAlmostEqual(angle, row["pressure angle"], delta=2e-5, msg=str(where))
         self.count["pressure angle"] += 1
 
+    def check_whole(self, text, data, check, path):
+        """How many parts it has; and each coordinate that is not 0 throughout is in one diagram, with what has its unit, but the axis."""
+        told = re.search(r"<p>(\d+) moving bod(?:y|ies), (\d+) joints?, (\d+) loops?</p>", text)
+        self.assertEqual(list(map(int, told.groups())), [len(check["bodies"]) - 1, len(check["joints"]), len(check["loops"])], path)
+        if not data:
+            return
+        shown = [data["columns"][k] for panel in data["panels"] for k in panel["columns"]]
+        for panel in data["panels"]:
+            self.assertEqual({data["columns"][k]["unit"] for k in panel["columns"]}, {panel["unit"]}, path)
+        for coordinate in check["coordinates"]:
+            names = [column["name"] for column in shown if column["name"] == coordinate["name"]]
+            is_axis = coordinate["name"] == data["axis"]["name"]
+            has = any(column["name"] == coordinate["name"] and any(column["values"]) for column in data["columns"])
+            self.assertEqual(len(names), has and not is_axis, (path, coordinate["name"]))
+
     # --- all of it ---------------------------------------------------------------------------------------------------
 
     def check_page(self, text, path):
@@ -312,6 +327,7 @@ class Findings(Case):
             self.check_strokes(finding, path)
             self.check_works(finding)
             self.check_rest(finding, path, pose)
+        self.check_whole(text, data, check, path)
         self.check_turn_work(page)
         self.check_residuals(path, page, check, pose, data)
         self.check_gears(path, page, check, pose)
