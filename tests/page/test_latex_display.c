@@ -1,5 +1,5 @@
-// Formulas on pages of limited width: what their lines, small matrices and numbered parts say is the formula, and they break
-// where they have to, at signs of sums.
+// Formulas on pages of limited width: what their lines, small matrices and numbered parts say is the formula, and they
+// break where they have to, at signs of sums.
 #include "check.h"
 #include <stdbool.h>
 #include <stdlib.h>
@@ -56,8 +56,8 @@ static void add_term(YkText *text, uint64_t *seed, int depth)
     yk_text_puts(text, ")");
 }
 
-// How many brackets of sums each place is in; -1 within braces or a function's argument, and where no sign stands behind a
-// blank.
+// How many brackets of sums each place is in; -1 within braces or a function's argument, and where no sign stands
+// behind a blank.
 static signed char *depths_of(const char *formula)
 {
     size_t length = strlen(formula);

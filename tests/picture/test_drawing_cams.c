@@ -125,8 +125,8 @@ static void equations_keep_the_follower_where_they_have_it(void **state)
     close_machine(&m);
 }
 
-// A follower that slides is moved to where it rides only where the line of its guide begins at the cam's centre, so that
-// the guide's point says where, and where nothing else is attached to it.
+// A follower that slides is moved to where it rides only if the line of its guide begins at the cam's centre, so that
+// the guide's point says where, and if nothing else is attached to it.
 static void only_what_rides_alone_is_moved(void **unused)
 {
     (void)unused;

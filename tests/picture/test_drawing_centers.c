@@ -89,8 +89,8 @@ static void centres_at_infinity_are_told(void **state)
     drawn_free(&d);
 }
 
-// All round: a centre is marked if it is no farther from the machine than that is large, else told in words, and the page
-// holds all marks.
+// All round: a centre is marked if it is no farther from the machine than that is large, else told in words, and the
+// page holds all marks.
 static void near_centres_are_marked_and_far_ones_told(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-// Drawings read back: every pin, box, rod, slot, bar, plate, pedestal, rail and name of the examples is where the state has
-// its body, to one scale, and nothing else is drawn.
+// Drawings read back: every pin, box, rod, slot, bar, plate, pedestal, rail and name of the examples is where the state
+// has its body, to one scale, and nothing else is drawn.
 #include "check.h"
 #include <stdlib.h>
 #include <yoke/yoke.h>

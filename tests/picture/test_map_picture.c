@@ -155,6 +155,7 @@ static void check_map(const Case *c, YkMap *map, const YkMechanism *mech, const 
         }
         for (int axis = 0; axis < 2; axis++)
             if (panel == 1 || (axis == 1 && c->is_distance)) CHECK_NEAR(low[axis] + high[axis], 520, 0.1);
+        assert_true(left + 520 < atof(strstr(svg, "width=\"") + strlen("width=\"")));
         if (panel == 0 && c->is_distance) assert_true(high[1] - low[1] > 0.88 * 520 && high[1] - low[1] < 0.95 * 520);
         if (panel == 1) CHECK_NEAR(fmax(high[0] - low[0], high[1] - low[1]), 520 / 1.1, 0.1);
     }
@@ -178,7 +179,8 @@ static void every_row_is_drawn_where_the_axes_say(void **state)
 {
     (void)state;
     static const Case cases[] = {
-        {"four-bar", "theta4", "theta2", "coupler.P", false},    {"slider-crank", "x", "theta", "rod.B", true},
+        {"four-bar", "theta4", "theta2", "coupler.P", false},
+        {"slider-crank", "x", "theta", "rod.B", true},
         {"non-grashof", "theta4", "theta2", "coupler.B", false},
     };
     size_t tried = 0;

@@ -44,7 +44,7 @@ static void columns_of_one_unit_share_a_panel(void **state)
     yk_text_free(&script);
 }
 
-// Every panel makes the page higher by as much; the page has one shape in all formats, and no two lines have one colour.
+// Every panel makes the page higher by as much, and the page has one shape in all formats.
 static void pages_have_one_shape(void **state)
 {
     (void)state;

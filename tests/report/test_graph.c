@@ -1,4 +1,4 @@
-// The structure as a picture, read back: every body, joint and mesh is where it has to be, and it is the same every time.
+// The structure as a picture, read back: every body, joint and mesh is where it has to be, the same every time.
 #include "check.h"
 #include <stdlib.h>
 #include <yoke/yoke.h>

@@ -39,8 +39,8 @@ static size_t joints_of(const YkModel *model, int32_t body)
     return count;
 }
 
-// Finds the vector from the follower's point in the model at this lift to where it rides. The point is `at:` of one that
-// swings, and the guide's point of one that slides, if the guide's line begins at the cam's centre.
+// Finds the vector from the follower's point in the model at this lift to where it rides. The point is `at:` of one
+// that swings, and the guide's point of one that slides, if the guide's line begins at the cam's centre.
 static void find_shift(const YkModel *model, const YkCam *cam, YkDrawnCam *own)
 {
     const YkJoint *guide = &model->joints[cam->follower_joint], *pin = &model->joints[cam->cam_joint];
