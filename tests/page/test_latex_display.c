@@ -103,9 +103,10 @@ static size_t check_lines(const char *formula, const char *shown)
         size_t length = (size_t)((end && end < stop ? end : stop) - line);
         assert_memory_equal(line, at, length); // nothing is lost
         lines++;
-        const char *cut = at + length, *further = next_break(formula, depths, cut, 1),
-                   *last = further ? further : formula + strlen(formula);
+        const char *cut = at + length;
         if (*cut == '\0') break;
+        const char *further = next_break(formula, depths, cut, 1),
+                   *last = further ? further : formula + strlen(formula);
         int depth = depths[cut - formula];
         assert_true(next_break(formula, depths, cut - 1, 99) == cut && depth >= 0);
         const char *shallow = next_break(formula, depths, at, 1);
