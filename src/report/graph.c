@@ -111,7 +111,7 @@ static void place(Graph *graph)
                 sum = yk_add(sum, yk_scale(w, yk_add(graph->at[j], yk_scale(d / far, away))));
                 weights += w;
             }
-            if (weights > 0) graph->at[i] = yk_scale(1 / weights, sum);
+            graph->at[i] = yk_scale(1 / weights, sum);
         }
 }
 

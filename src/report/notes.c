@@ -13,10 +13,20 @@ void yk_report_note_problems(YkReportPage *report, const YkProblems *problems)
     report->failed |= !problems || yk_problems_ran_out(problems);
 }
 
+// Drops the marks round names in messages, which a page would show.
+static void drop_marks(YkText *text)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < text->length; k++)
+        if (text->data[k] != '`') text->data[kept++] = text->data[k];
+    text->length = kept;
+}
+
 void yk_report_find(YkReportPage *report, YkFindingKind kind, YkText *text)
 {
     report->failed |= text->failed;
     if (text->length == 0) return;
+    drop_marks(text);
     if (!YK_ROOM(report->findings, report->finding_count, report->finding_capacity)) {
         report->failed = true;
         return;

@@ -95,6 +95,38 @@ static void quoted_text_is_cut_at_80_columns(void **state)
     yk_text_free(&text);
 }
 
+// What XML reserves is replaced by names, which name it; what XML has no place for, by one sign; the rest stays.
+static void any_text_comes_back_from_xml(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        char sign;
+    } names[] = {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"\xef\xbf\xbd", '\x01'}};
+    uint64_t seed = 5;
+    for (int trial = 0; trial < 300; trial++) {
+        char data[60], back[60];
+        size_t length = check_random(&seed) % (sizeof data - 1), count = 0;
+        for (size_t k = 0; k < length; k++) data[k] = "&<>\"'abc\x01 ;#"[check_random(&seed) % 13];
+        data[length] = '\0';
+        YkText xml = {0};
+        yk_escape_xml(&xml, data);
+        for (const char *c = yk_text_get(&xml); *c;) {
+            char sign = *c;
+            size_t size = 1;
+            for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+                if (strncmp(c, names[k].name, strlen(names[k].name)) == 0)
+                    sign = names[k].sign, size = strlen(names[k].name);
+            assert_true(size > 1 || (*c >= ' ' && !strchr("&<>\"", *c)));
+            back[count++] = sign;
+            c += size;
+        }
+        back[count] = '\0';
+        assert_string_equal(back, data);
+        yk_text_free(&xml);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -102,6 +134,7 @@ int main(void)
         cmocka_unit_test(what_a_terminal_would_act_upon_is_escaped),
         cmocka_unit_test(the_escape_of_any_bytes_is_printable_utf8),
         cmocka_unit_test(columns_count_terminal_columns),
+        cmocka_unit_test(any_text_comes_back_from_xml),
         cmocka_unit_test(quoted_text_is_cut_at_80_columns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

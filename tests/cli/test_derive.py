@@ -87,6 +87,24 @@ stops: {q: [-2, 2]}
             self.assertEqual(len(names), len(set(names)), names)
             self.assertGreater(len(names), 4)
 
+    def test_lengths_of_springs_are_defined_where_they_are_used(self):
+        """Among the free bodies and the energies, each once; rows of M are the coordinates whose accelerations are its columns."""
+        lengths = 0
+        for name in ("car-axis", "floating-plate", "rocking-four-bar", "spring-slider-crank"):
+            answer = self.good("derive", os.path.join(EXAMPLES, name + ".yaml"), "-q", "--format", "json").json()
+            for section in answer["sections"]:
+                items = [item for item in section["items"] if item["kind"] == "formula"]
+                texts = [item["text"] for item in items]
+                if section["title"] in ("Free bodies", "Energies"):
+                    defined = [text.split("^2 = ")[0] for text in texts if re.match(r"L_\w+\^2 = ", text)]
+                    self.assertEqual(sorted(set(re.findall(r"\bL_\w+", " ".join(texts)))), sorted(defined))
+                    lengths += len(defined)
+                for item in items:
+                    if item["text"].startswith("M = "):
+                        matrix, = item["matrices"]
+                        self.assertEqual([row + "''" for row in matrix["rows"]], matrix["columns"])
+        self.assertEqual(lengths, 12)
+
     def test_all_that_there_is_comes_by_default(self):
         run = self.good("derive", QUICK)
         for title in ("Loop equations", "Jacobian", "Velocities", "Accelerations"):

@@ -90,9 +90,19 @@ def meets(box, a, b):
     return False
 
 
+def complexes(points):
+    return [complex(*map(float, pair.split(","))) for pair in points.split()]
+
+
+def distance(z, a, b):
+    """Of a point from a segment."""
+    part = ((z - a) * (b - a).conjugate()).real / max(abs(b - a) ** 2, 1e-12)
+    return abs(z - a - min(1, max(0, part)) * (b - a))
+
+
 class Picture:
     def __init__(self, path):
-        root = tree.parse(path).getroot()
+        root = self.root = tree.parse(path).getroot()
         self.size = root.get("width"), root.get("height")
         self.arrows = [Arrow(group) for group in root.iter(SVG + "g") if group.find(SVG + "title") is not None]
         texts = [text for text in root.iter(SVG + "text") if text.get("font-size") is None]
@@ -102,8 +112,15 @@ class Picture:
 
 
 class Drawings(Case):
+    drawn = {}  # what `draw` has answered
+
     def draw(self, example):
         """The section's names and the pictures, both by heading; None where the machine has none yet."""
+        if example not in self.drawn:
+            self.drawn[example] = self.draw_anew(example)
+        return self.drawn[example]
+
+    def draw_anew(self, example):
         folder = self.path("of-" + os.path.basename(example))
         run = Run("derive", example, "-q", "--what", "free-bodies", "--format", "json", "--svg", folder)
         if run.code == 1 and "--svg" in run.err:
@@ -177,6 +194,169 @@ class Drawings(Case):
                     self.assertTrue(box[2] <= other[0] or other[2] <= box[0] or box[3] <= other[1] or other[3] <= box[1], name)
             labels += len(boxes)
         self.assertGreater(labels, 40)
+
+    def check_arrow(self, group, spots, what):
+        """A force's head sits on its line, which is as long as all others; a couple's, on its arc of three quarters of a turn. Both
+        act at a point that is marked: a force ends or begins 8 px off it, or 14 px beside that."""
+        tip, *base = complexes(group.find(SVG + "polygon").get("points"))
+        line, arc = group.find(SVG + "line"), group.find(SVG + "polyline")
+        if line is not None:
+            tail, end = (complex(float(line.get("x" + k)), float(line.get("y" + k))) for k in "12")
+            along = (tip - tail) / abs(tip - tail)
+            self.assertAlmostEqual(abs(tip - tail), 62, delta=0.02)
+            self.assertAlmostEqual(abs(tip - 8 * along - end), 0, delta=0.02)  # the line ends within the head
+            off = [min(abs(spot - foot - aside * 1j * along) for aside in (0, 14, -14) for foot in (tail - 8 * along, tip + 8 * along))
+                   for spot in spots]
+            self.assertLess(min(off), 0.05, what)
+        else:
+            turned = complexes(arc.get("points"))
+            center, radius = circle_of(Arrow(group))
+            self.assertLess(max(abs(abs(z - center) - radius) for z in turned + [tip]), 0.1, what)
+            along = tip - turned[-1]
+            along /= abs(along)
+            steps = [((b - center) / (a - center)) for a, b in zip(turned, turned[1:])]
+            angle = sum(math.atan2(step.imag, step.real) for step in steps)
+            self.assertAlmostEqual(abs(angle), math.radians(250), delta=math.radians(5))
+            self.assertGreater((along / (1j * (tip - center))).real * angle, 0, what)  # it goes on the way of its arc
+            self.assertGreater(abs((along / (tip - center) * abs(tip - center)).imag), 0.9, what)
+        self.assertAlmostEqual(abs(sum(base) / 2 - (tip - 10 * along)), 0, delta=1.5 if line is None else 0.02)
+        self.assertAlmostEqual(abs(base[0] - base[1]), 7.2, delta=0.03)
+        self.assertAlmostEqual(abs(base[0] - tip), abs(base[1] - tip), delta=0.03)
+
+    @staticmethod
+    def edges_of(element):
+        if element.tag == SVG + "line":
+            return [tuple(complex(float(element.get("x" + k)), float(element.get("y" + k))) for k in "12")]
+        corners = complexes(element.get("points"))
+        return list(zip(corners, corners[1:] + corners[:1]))
+
+    def check_clear(self, group, spots, edges, others, what):
+        """An arrow runs beside the body where it can: not through it if, on its line or beside it, a place is free of everything."""
+        line, tip = group.find(SVG + "line"), complexes(group.find(SVG + "polygon").get("points"))[0]
+        tail = complex(float(line.get("x1")), float(line.get("y1")))
+        along = (tip - tail) / abs(tip - tail)
+        leaves = group.find(SVG + "title").text.startswith("W_")
+
+        def pressed(start, lines):
+            """By how much it comes nearer to lines than 13 px, in the mean, off the end at its point."""
+            ends = (start, start + 62 * along)
+            near, far = ends if min(abs(ends[0] - spot) for spot in spots) < min(abs(ends[1] - spot) for spot in spots) else ends[::-1]
+            samples = [near + (0.2 + 0.8 * k / 8) * (far - near) for k in range(1, 9)]
+            return sum(max(0, 13 - distance(z, *each)) for z in samples for each in lines) + sum(max(0, 60 - z.imag, z.imag - 380) for z in samples)
+
+        foot = min(((spot, aside) for spot in spots for aside in (0, 14, -14)),
+                   key=lambda at: min(abs(at[0] + at[1] * 1j * along + start * along - tail) for start in (8, -70)))[0]
+        free = [20 * (aside != 0) for aside in (0, 14, -14) for start in ((8,) if leaves else (8, -70))
+                if pressed(foot + aside * 1j * along + start * along, edges + others) == 0]
+        if free:
+            self.assertLessEqual(pressed(tail, edges), min(free) + 4, (what, group.find(SVG + "title").text))
+        return len(free) > 0
+
+    def check_givers(self, picture, bodies, joints, what):
+        """F_23 is what body 2 exerts on body 3: by each on the other, and with the other sign on the first."""
+        own = int(picture.title.rsplit(" ", 1)[1])
+        for group in picture.root.iter(SVG + "g"):
+            title = group.find(SVG + "title")
+            found = title is not None and re.match(r"(-?)[FNM]_(\d)(\d)(?:_\S+)?, by (.+) at \S+$", title.text)
+            if found and len(bodies) <= 10:
+                pair = [int(found.group(2)), int(found.group(3))]
+                if not any(sorted(joint["bodies"]) == sorted(bodies[k] for k in pair) for joint in joints):
+                    continue  # a mesh, whose sum for equal planets their carrier gives
+                self.assertIn(own, pair, what)
+                other = pair[0] if own == pair[1] else pair[1]
+                self.assertEqual((found.group(4), found.group(1)), (bodies[other], "-" if own == pair[0] else ""), (what, title.text))
+                self.given += 1
+
+    def check_joints(self, shape, body, joints, what):
+        """Each joint of a body is drawn on it: pins as circles, what slides as a box, its line as a rod or a slot."""
+        own = [(joint["kind"], joint["bodies"].index(body)) for joint in joints if body in joint["bodies"]]
+        drawn = [sum(1 for e in shape if e.get("fill") == "#ffffff"),
+                 sum(1 for e in shape if e.tag == SVG + "polygon" and e.get("fill") == "#2b2d30"),
+                 sum(1 for e in shape if e.tag == SVG + "polygon" and 0 < float(e.get("stroke-width")) <= 1.3),
+                 sum(1 for e in shape if e.tag == SVG + "line" and 3 < float(e.get("stroke-width")) < 5),
+                 sum(1 for e in shape if e.tag == SVG + "line" and e.get("stroke") == "#ffffff")]
+        self.assertEqual(drawn, [sum(kind == "pin" or (kind, side) == ("pin-slot", 1) for kind, side in own),
+                                 sum(kind == "weld" for kind, side in own), own.count(("slide", 1)),
+                                 own.count(("slide", 0)), own.count(("pin-slot", 0))], what)
+
+    def check_view(self, shape, marks, what):
+        """The body and all places at which something acts are in the middle, as large as 230 by 170 px let them be."""
+        places = list(marks)
+        for element in shape:
+            width, radius = float(element.get("stroke-width")), element.get("r")
+            if element.tag == SVG + "line" and width < 8 or element.get("fill") == "none" and radius:
+                return 0  # a rod, a wheel: how far they reach is not known here
+            if element.tag == SVG + "line":
+                places += [complex(float(element.get("x" + k)), float(element.get("y" + k))) for k in "12"]
+            elif element.tag == SVG + "polygon":
+                if width <= 1.3:
+                    return 0  # a box, which slides: its couples act anywhere
+                places += complexes(element.get("points"))
+        if len(places) == 0:
+            return 0
+        low = complex(min(z.real for z in places), min(z.imag for z in places))
+        high = complex(max(z.real for z in places), max(z.imag for z in places))
+        self.assertAlmostEqual(abs((low + high) / 2 - (280 + 220j)), 0, delta=0.05, msg=what)
+        if abs(high - low) > 1:
+            self.assertAlmostEqual(max((high - low).real / 230, (high - low).imag / 170), 1, delta=1e-3, msg=what)
+        return 1
+
+    def test_arrows_and_marks_are_whole_and_named(self):
+        """Every mark of a place has a name beside it, marks of centres are crossed, and powers are written as such."""
+        powers = marks = over = viewed = cleared = self.given = 0
+        for example in some(EXAMPLES):
+            _, pictures = self.draw(example)
+            checked = self.good("check", example, "--format", "json", "-q").json() if pictures and example in EXAMPLES[::3] else {"joints": []}
+            for picture in (pictures or {}).values():
+                root, what = picture.root, example + picture.title
+                circles = [(complex(float(c.get("cx")), float(c.get("cy"))), c) for c in root.iter(SVG + "circle") if c.get("r") in ("3", "4.5")]
+                circles = [(at, c) for at, c in circles if c.get("stroke") == "#fcfcfa" or c.get("fill") == "#fcfcfa"]
+                names = [text for text in root.iter(SVG + "text") if text.get("fill") == "#1c1e21" and text.get("font-size") is None]
+                self.assertEqual(len(names), len(circles), what)
+                shape = list(root)[2:]
+                shape = shape[:next(k for k, e in enumerate(shape) if e.get("stroke-width") == "1.2")]  # the axes begin
+                thick = max([k for k, e in enumerate(shape) if float(e.get("stroke-width")) >= 3] + [-1])  # bars, rods and slots
+                pins = [k for k, e in enumerate(shape) if e.get("fill") == "#ffffff"]
+                self.assertTrue(all(k > thick for k in pins), what)  # nothing lies on a pin
+                over += len(pins) > 0 and thick >= 0
+                if checked["joints"] and ", body " in picture.title:
+                    self.check_joints(shape, picture.title.split(", body ")[0], checked["joints"], what)
+                    self.check_givers(picture, checked["bodies"], checked["joints"], what)
+                viewed += self.check_view(shape, [at for at, _ in circles], what)
+                marks += len(names)
+                for text in names:
+                    self.assertTrue("".join(text.itertext()).strip(), what)
+                    left, top, right, bottom = label_box(text)
+                    self.assertLess(min(max(0, left - z.real, z.real - right) + max(0, top - z.imag, z.imag - bottom) for z, _ in circles), 60, what)
+                lines = [{complex(float(line.get("x" + k)), float(line.get("y" + k))) for k in "12"} for line in root.iter(SVG + "line")]
+                for at, circle in circles:
+                    if circle.get("r") == "4.5":
+                        for arm in (4.5, 4.5j):
+                            self.assertTrue(any(len(ends) == 2 and all(min(abs(z - at - arm), abs(z - at + arm)) < 0.02 for z in ends) for ends in lines))
+                tips = [max(complexes(p.get("points")), key=lambda z: z.real - z.imag) for p in root.findall(SVG + "polygon") if p.get("fill") == "#55585c"]
+                self.assertEqual([text.text for _, text in zip(tips, root.findall(SVG + "text"))], ["x", "y"])
+                self.assertAlmostEqual(abs((tips[0] - tips[1]) - (30 + 30j)), 0, delta=0.02)  # each 30 px from one place
+                for tip, text in zip(tips, root.findall(SVG + "text")):  # names of the axes, to the right of their tips
+                    self.assertTrue(3 < float(text.get("x")) - tip.real < 10 and abs(float(text.get("y")) - tip.imag) < 8, what)
+                edges = [line for e in shape if e.tag in (SVG + "line", SVG + "polygon") and float(e.get("stroke-width")) > 8 for line in self.edges_of(e)]
+                whole = all(e.get("fill") == "#ffffff" or float(e.get("stroke-width")) > 8 for e in shape)  # nothing else is in the way
+                groups = [group for group in root.iter(SVG + "g") if group.find(SVG + "title") is not None]
+                for group in groups:
+                    others = [line for other in groups if other is not group and other.find(SVG + "line") is not None for line in self.edges_of(other.find(SVG + "line"))]
+                    if whole and edges and group.find(SVG + "line") is not None:
+                        cleared += self.check_clear(group, [at for at, _ in circles], edges, others, what)
+                    if picture.title.startswith("Junction"):  # unknown: for positive components
+                        self.assertTrue(min(part * (-1 if group.find(SVG + "title").text[0] == "-" else 1) for part in Arrow(group).way) > 0.05, what)
+                    self.check_arrow(group, [at for at, _ in circles], what)
+                    name = group.find(SVG + "title").text.split(", ")[0]
+                    self.assertNotRegex(name, r"\^[23](?!\d)", what)
+                    powers += "\u00b2" in name
+        self.assertGreater(marks, at_least(400))
+        self.assertGreater(over, at_least(100))
+        self.assertGreater(viewed, at_least(100))
+        self.assertTrue(FEW or self.given > 40, self.given)
+        self.assertTrue(FEW or cleared > 100, cleared)
+        self.assertTrue(FEW or powers > 0)
 
     def test_a_known_force_points_as_it_does_and_an_unknown_one_up_and_right(self):
         _, pictures = self.draw(os.path.join(ROOT, "examples", "double-pendulum.yaml"))

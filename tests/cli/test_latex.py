@@ -1,5 +1,5 @@
-"""yoke derive --format latex: every example compiles with article and amsmath; one run of LaTeX sees them all. What it says is
-what the formulas say as plain text: worked out with numbers, side by side and entry by entry."""
+"""yoke derive --format latex: every example compiles with article and amsmath; one run of LaTeX sees them all. What it and
+MathML say is what the formulas say as plain text: worked out with numbers, side by side and entry by entry."""
 import glob
 import os
 import re
@@ -105,6 +105,42 @@ def of_latex(text):
     return out
 
 
+def of_mathml(tokens):
+    """The same of what `mathml` reads."""
+    out = []
+    for kind, what in tokens:
+        if kind == "matrix":
+            if out and out[-1] == ("sign", "["):
+                out.pop()
+            out += in_brackets([[of_mathml(cell) for cell in row] for row in what])
+        elif (kind, what) == ("sign", "]") and out and out[-1][0] == "matrix" or (kind, what) == ("sign", ""):
+            continue
+        else:
+            out.append((kind, plain(what) if kind == "name" else what))
+    return out
+
+
+def cuts_of_latex(text):
+    """Of each matrix: before which rows it has a line, and columns."""
+    found = []
+    for spec, body in re.findall(r"\\begin\{array\}\{([c|]*)\}(.*?)\\end\{array\}", text, re.S):
+        found.append(([k for k, row in enumerate(body.split("\\\\")) if "\\hline" in row],
+                      [spec[:at].count("c") for at, sign in enumerate(spec) if sign == "|"]))
+    return found
+
+
+def cuts_of_mathml(text):
+    """The same; a cell has the line below or beside it."""
+    found = []
+    for table in re.findall("(?s)<mtable>(.*?)</mtable>", text):
+        cells = [re.findall('<mtd(?: class="([br ]*)")?>', row) for row in re.findall("(?s)<mtr>(.*?)</mtr>", table)]
+        lines = ([k + 1 for k, row in enumerate(cells) if any("b" in cell for cell in row)],
+                 [k + 1 for k in range(len(cells[0])) if any("r" in row[k] for row in cells)])
+        whole = all(("b" in cell, "r" in cell) == (i + 1 in lines[0], k + 1 in lines[1]) for i, row in enumerate(cells) for k, cell in enumerate(row))
+        found.append(lines if whole else None)
+    return found
+
+
 class Symbols(dict):
     """Every name has a number of its own."""
 
@@ -145,26 +181,44 @@ def displayed(document):
 
 
 class Meaning(Case):
-    def test_text_and_latex_are_one_value(self):
+    def test_text_latex_and_mathml_are_one_value(self):
         """Every sixth example in the gate."""
-        compared = 0
+        compared = marked = cut = 0
         for example in sampled(EXAMPLES, 2)[::1 if FULL else 2]:
             answer = Run("derive", example, "-q", "--format", "json")
             sections = answer.json()["sections"] if answer.out else []
             items = [item for section in sections for item in section["items"] if item["kind"] == "formula"]
             document = Run("derive", example, "-q", "--format", "latex").out
             self.assertEqual(displayed(document), [item["latex"] for item in items], example)
-            for item in items:
+            page = re.findall("(?s)<math.*?</math>", Run("derive", example, "-q", "--format", "mathml").out)
+            self.assertEqual(len(page), len(items), example)
+            for item, drawn in zip(items, page):
                 where = (os.path.basename(example), item["text"], item["latex"])
+                for word in re.findall(r"\\mathrm\{([^}]*)\}", item["latex"]):  # letters are slanted, with their number below
+                    self.assertNotRegex(word, r"^[A-Za-z]\d*$", where)
+                    self.assertNotRegex(word, r"^\d+$", where)
+                cuts = [(matrix.get("row_cuts", []), matrix.get("column_cuts", [])) for matrix in item.get("matrices", [])]
+                self.assertEqual((cuts_of_latex(item["latex"]), cuts_of_mathml(drawn)), (cuts, cuts), where)
+                cut += sum(len(rows) + len(columns) for rows, columns in cuts)
                 if "\\text{" in item["latex"]:
                     continue
+                self.assertEqual(item["latex"].count("("), drawn.count("<mo>(</mo>"), (where, drawn))
+                sides = mathml.formula(drawn)
+                third = values(sum(([("sign", "=")] + of_mathml(side) for side in sides), [])[1:])
                 text, latex = values(of_text(item["text"])), values(of_latex(item["latex"]))
+                self.assertEqual(len(third), len(text), where)
+                for a, b in zip(text, third):
+                    if a is not None and b is not None:
+                        self.assertLessEqual(abs(a.value - b.value), a.error + b.error + 1e-12, (where, drawn))
+                        marked += 1
                 self.assertEqual([a is None for a in text], [b is None for b in latex], where)
                 for a, b in zip(text, latex):
                     if a is not None:
                         self.assertLessEqual(abs(a.value - b.value), a.error + b.error + 1e-12, where)
                         compared += 1
         self.assertGreater(compared, at_least(3000))
+        self.assertGreater(marked, at_least(2500))
+        self.assertGreater(cut, at_least(16))
 
 
 def letters(latex):
@@ -226,6 +280,14 @@ class Numbers(Case):
                     shown = re.search(r"(?m)%s = (%s)(?:  .*)?$" % (re.escape(item["text"]), NUMBER), text)
                     self.alike([shown.group(1)], values, item["text"])
             self.alike(numbers_in_text(text), matrices, name)
+            named = [item["matrices"][0] for item in items if len(item.get("matrices", [])) == 1 and "columns" in item["matrices"][0]]
+            words = re.findall(r"(?m)^ {6}columns: (.*)\n {6}rows: (.*)$", text)
+            self.assertEqual(len(words), len(named))
+            for both, matrix in zip(words, named):
+                for line, of in zip(both, ("column", "row")):
+                    parts = line.split(", ")
+                    self.assertEqual([k + 1 for k, part in enumerate(parts) if part.endswith(" |")], matrix.get(of + "_cuts", []))
+                    self.assertEqual([part.removesuffix(" |") for part in parts], matrix[of + "s"])
             self.assertGreater(len(matrices), 30)
 
     def alike(self, shown, values, where):

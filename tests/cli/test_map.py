@@ -126,10 +126,10 @@ start: {th: %r, ps: %r}
 
     def test_regions_are_drawn_where_they_are(self):
         """Outlines and holes at the numbers along both axes; the legend has the colour of each count that occurs, on the page."""
-        for file, names, units, sizes in ((example("five-bar"), ("reachL.P.x", "reachL.P.y"), ("mm", "mm"), (0.001, 0.001)),
-                                          (self.write("polar.yaml", POLAR), ("theta", "d"), ("deg", "mm"), (math.pi / 180, 0.001))):
+        for machine, names, units, sizes in ((example("five-bar"), ("reachL.P.x", "reachL.P.y"), ("mm", "mm"), (0.001, 0.001)),
+                                             (self.write("polar.yaml", POLAR), ("theta", "d"), ("deg", "mm"), (math.pi / 180, 0.001))):
             svg = self.path("regions.svg")
-            answer = self.good("map", file, "--over", ",".join(names), "--tol", "0.02", "--plot", svg, "--format", "json").json()
+            answer = self.good("map", machine, "--over", ",".join(names), "--tol", "0.02", "--plot", svg, "--format", "json").json()
             with open(svg, encoding="utf-8") as file:
                 text = file.read()
             across = [(float(x), float(word)) for x, word in re.findall(r'<text x="([^"]*)" y="[^"]*" text-anchor="middle"[^>]*>(-?[\d.]+)</text>', text)]
@@ -159,6 +159,20 @@ start: {th: %r, ps: %r}
             self.assertEqual({(colour, count) for _, colour, _, count in legend}, {(colour, count) for colour, _, count in drawn})
             width = float(re.search(r'width="(\d+)"', text).group(1))
             self.assertTrue(legend and all(float(left) > 590 and float(at) + 8 < width for left, _, at, _ in legend))
+            squares = [[complex(*map(float, corner.split(","))) for corner in square.split()]
+                       for square in re.findall(r'<polygon points="([^"]*)" fill="#[^"]*" stroke="#888"/>\n<text', text)]
+            feet = [float(y) for y in re.findall(r'stroke="#888"/>\n<text x="[^"]*" y="([^"]*)"', text)]
+            self.assertEqual(len(squares), len(legend))
+            for square, foot in zip(squares, feet):  # each has four equal sides, round its number's line
+                sides = [b - a for a, b in zip(square, square[1:] + square[:1])]
+                self.assertTrue(all(abs(b - 1j * a) < 0.02 and abs(a) > 8 for a, b in zip(sides, sides[1:])), square)
+                self.assertTrue(square[0].imag < foot - 6 < foot < square[2].imag)
+            self.assertTrue(all(a[2].imag < b[0].imag for a, b in zip(squares, squares[1:])))
+            circle, = re.findall(r'<circle cx="([^"]*)" cy="([^"]*)"', text)  # where the machine stands
+            start = self.good("solve", machine, "--format", "json", "-q").json()["configurations"][0]
+            here = start["points"]["reachL.P"]["position"] if "." in names[0] else [start["coordinates"][name]["position"] for name in names]
+            for got, wanted in zip(circle, pixel(here)):
+                self.assertAlmostEqual(float(got), wanted, delta=0.1)
             for name, unit in zip(names, units):
                 self.assertIn("%s [%s]" % (name, unit), text)
 

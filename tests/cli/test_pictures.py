@@ -187,8 +187,11 @@ units: {length: mm, angle: deg}
         for path in [os.path.join(ROOT, "examples", "tasks", name + ".yaml") for name in names] + [six]:
             folder = self.path("drawn-" + os.path.basename(path)[:-5])
             answer = self.good("synthesize", path, "-o", folder, "--format", "json").json()
-            groups = found(ElementTree.parse(os.path.join(folder, "candidates.svg")), "g", class_="candidate")
+            picture = ElementTree.parse(os.path.join(folder, "candidates.svg")).getroot()
+            groups = found(picture, "g", class_="candidate")
             self.assertEqual(len(groups), len(answer["candidates"]))
+            size = 270 * min(3, len(groups)), 310 * ((len(groups) + 2) // 3)  # of cells with their words
+            self.assertEqual([float(picture.get(key)) for key in ("width", "height")], list(map(float, size)))
             for k, (group, candidate) in enumerate(zip(groups, answer["candidates"])):
                 with self.subTest(path, rank=k + 1):
                     self.check_candidate(group, candidate, os.path.join(folder, candidate["file"]), complex(270 * (k % 3), -310 * (k // 3)))

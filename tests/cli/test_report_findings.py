@@ -5,6 +5,7 @@ where it is said, and time ratios are those of the angles; Grashof's sums are of
 to the change of energy; speeds of gears are those of the linkage's own solution; motion programs of cams are differences of
 where the follower stands; residuals are what points are apart. Without YOKE_FULL every third example is read."""
 import glob
+import html
 import math
 import os
 import re
@@ -297,6 +298,29 @@ class Findings(Case):
         self.assertAlmostEqual(angle, row["pressure angle"], delta=2e-5, msg=str(where))
         self.count["pressure angle"] += 1
 
+    def check_whole(self, text, page, data, check, path):
+        """How many parts it has; and each coordinate that is not 0 throughout is in one diagram, with what has its unit, but the axis."""
+        told = re.search(r"<p>(\d+) moving bod(?:y|ies), (\d+) joints?, (\d+) loops?</p>", text)
+        self.assertEqual(list(map(int, told.groups())), [len(check["bodies"]) - 1, len(check["joints"]), len(check["loops"])], path)
+        rows = [(row["coordinate"], row["is"].split()[-1], row["at joint"], row["it"]) for row in page.table("Coordinates: second")]
+        self.assertEqual(rows, [(c["name"], c["kind"], c["joint"], "is driven" if c["driven"] else "is free" if c["input"] else "follows")
+                                for c in check["coordinates"]][:len(rows)], path)
+        self.assertTrue(len(rows) == len(check["coordinates"]) or len(rows) > 50, path)
+        loops = [html.unescape(loop) for loop in re.findall(r"<li>([^<]*, closed at [^<]*)</li>", text)]
+        self.assertEqual(loops, [" – ".join(loop["bodies"] + loop["bodies"][:1]) + ", closed at " + loop["closed_at"]
+                                 for loop in check["loops"]][:len(loops)], path)
+        self.assertEqual(len(loops) > 0, len(check["loops"]) > 0, path)
+        if not data:
+            return
+        shown = [data["columns"][k] for panel in data["panels"] for k in panel["columns"]]
+        for panel in data["panels"]:
+            self.assertEqual({data["columns"][k]["unit"] for k in panel["columns"]}, {panel["unit"]}, path)
+        for coordinate in check["coordinates"]:
+            names = [column["name"] for column in shown if column["name"] == coordinate["name"]]
+            is_axis = coordinate["name"] == data["axis"]["name"]
+            has = any(column["name"] == coordinate["name"] and any(column["values"]) for column in data["columns"])
+            self.assertEqual(len(names), has and not is_axis, (path, coordinate["name"]))
+
     # --- all of it ---------------------------------------------------------------------------------------------------
 
     def check_page(self, text, path):
@@ -312,6 +336,7 @@ class Findings(Case):
             self.check_strokes(finding, path)
             self.check_works(finding)
             self.check_rest(finding, path, pose)
+        self.check_whole(text, page, data, check, path)
         self.check_turn_work(page)
         self.check_residuals(path, page, check, pose, data)
         self.check_gears(path, page, check, pose)

@@ -144,6 +144,7 @@ class Report(Case):
         if data is None:
             self.skipTest("built without the script")
         crank, rocker = data["bodies"][1], data["bodies"][3]
+        self.assertEqual([len(data[key]) for key in ("bodies", "middles", "joints")], [4, 4, 4])
         for row in range(25): # the drawing turns clockwise where the machine turns counter-clockwise
             turned = -(crank["turn"][row] - crank["turn"][0])
             self.assertAlmostEqual(turned, data["axis"]["values"][row] - data["axis"]["values"][0], delta=1e-3)
@@ -249,7 +250,10 @@ class Animate(Case):
             self.good("draw", self.four_bar, "--over", "theta1=0:20deg", "--steps", "6", "--animate", self.path("a." + ending),
                       env=path)
             self.assertEqual(self.read("a." + ending), b"movie\n")
-        self.assertEqual(self.read("pictures").count(b"\x89PNG"), 7 + 5) # to and fro, both ends once
+        pictures = self.read("pictures").split(b"\x89PNG")[1:]
+        self.assertEqual(len(pictures), 7 + 5) # to and fro, both ends once
+        self.assertEqual(len(set(pictures)), 7)
+        self.assertEqual(pictures[7:], pictures[5:0:-1])
 
     def test_what_is_missing_is_told_and_nothing_is_left(self):
         run = self.wrong(710, "draw", self.four_bar, "--animate", self.path("a.gif"), env={"PATH": self.folder})

@@ -125,11 +125,56 @@ static void equations_keep_the_follower_where_they_have_it(void **state)
     close_machine(&m);
 }
 
+// A follower that slides is moved to where it rides only if the line of its guide begins at the cam's centre, so that
+// the guide's point says where, and if nothing else is attached to it.
+static void only_what_rides_alone_is_moved(void **unused)
+{
+    (void)unused;
+    static const char parts[] =
+        "laws: {lift: {period: 2*pi, segments: [{rise: {to: 120 deg, by: 20 mm, law: cycloidal}}, "
+        "{fall: {to: 360 deg, by: 20 mm, law: cycloidal}}]}}\n"
+        "cams: {c: {cam: shaft, follower: tappet, law: lift, base: 40 mm, roller: 9 mm}}\n"
+        "bodies: {ground: {points: {K: [0, 0], G: [0, 100 mm]}}, shaft: {points: {K: [0, 0]}}, "
+        "tappet: {points: {T: [0, 0]}}%s}\n"
+        "joints: {K: {pin: [ground, shaft], angle: theta}, "
+        "S: {slide: [ground, tappet], along: y, from: %s, to: T, distance: s}%s}\ndrives: {theta: 1 rad/s * t}\n";
+    static const char arm[] = ", arm: {points: {T: [0, 0], Z: [50 mm, 0]}}",
+                      pin[] = ", T: {pin: [tappet, arm], angle: q}";
+    for (int k = 0; k < 4; k++) {
+        char text[1500];
+        snprintf(text, sizeof text, parts, k & 2 ? arm : "", k & 1 ? "G" : "K", k & 2 ? pin : "");
+        YkProblems *problems = yk_problems_new();
+        YkModel *model = yk_model_parse(text, strlen(text), "t.yaml", NULL, problems);
+        assert_non_null(model);
+        YkMechanism *mech = yk_mechanism_compile(model, NULL, problems);
+        YkState *pose = yk_state_new(mech);
+        assert_true(yk_state_set_time(pose, 0.7, problems) >= 0 && yk_state_assemble(pose) >= 0);
+        YkDrawing *drawing = yk_drawing_new(mech, NULL);
+        YkFrame frames[8];
+        assert_true(yk_drawing_place(drawing, pose, frames));
+        size_t own = yk_model_find_point(model, "tappet.T");
+        YkPointMotion there = yk_state_point(pose, own);
+        YkVec drawn = yk_frame_apply(frames[model->points[own].body], model->points[own].at),
+              rider = yk_drawing_rider(drawing, frames, 0);
+        double moved = yk_norm(yk_sub(drawn, yk_vec(there.position[0], there.position[1])));
+        if (k == 0) CHECK_NEAR(yk_norm(yk_sub(drawn, rider)), 0, 1e-12);
+        assert_true(k == 0 ? moved > 1e-3 : moved < 1e-12);
+        double lift = yk_state_coordinate(pose, yk_coordinate_find(mech, "s")).position;
+        CHECK_NEAR(yk_norm(rider), 0.049 + lift, 1e-9); // on the cam in any case
+        yk_drawing_free(drawing);
+        yk_state_free(pose);
+        yk_mechanism_free(mech);
+        yk_model_free(model);
+        yk_problems_free(problems);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rollers_touch_their_cams),
         cmocka_unit_test(a_flat_face_lies_on_its_cam),
+        cmocka_unit_test(only_what_rides_alone_is_moved),
         cmocka_unit_test(equations_keep_the_follower_where_they_have_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

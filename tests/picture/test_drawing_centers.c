@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <yoke/yoke.h>
+#include "base/vec.h"
 
 typedef struct Drawn {
     YkModel *model;
@@ -88,10 +89,54 @@ static void centres_at_infinity_are_told(void **state)
     drawn_free(&d);
 }
 
+// All round: a centre is marked if it is no farther from the machine than that is large, else told in words, and the
+// page holds all marks.
+static void near_centres_are_marked_and_far_ones_told(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"four-bar", "drag-link"};
+    size_t told = 0;
+    for (int trial = 0; trial < 60; trial++) {
+        Drawn d = draw(names[trial % 2]);
+        yk_drawing_free(d.drawing);
+        yk_centers_free(d.centers);
+        YkMotion input = yk_state_input(d.state, 0);
+        input.position += trial * YK_PI / 30;
+        yk_state_set_input(d.state, 0, input);
+        assert_true(yk_state_solve(d.state) >= 0);
+        d.centers = yk_centers_new(d.state, NULL);
+        d.drawing = yk_drawing_new(d.mech, NULL);
+        assert_int_equal(yk_drawing_pose(d.drawing, d.state), YK_OK);
+        assert_int_equal(yk_drawing_centers(d.drawing, d.centers), YK_OK);
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (size_t p = 0; p < yk_model_point_count(d.model); p++)
+            for (int k = 0; k < 2; k++) {
+                low[k] = fmin(low[k], yk_state_point(d.state, p).position[k]);
+                high[k] = fmax(high[k], yk_state_point(d.state, p).position[k]);
+            }
+        double reach = fmax(high[0] - low[0], high[1] - low[1]);
+        size_t near = 0, all = yk_centers_count(d.centers);
+        for (size_t c = 0; c < all; c++) {
+            YkCenter center = yk_centers_at(d.centers, c);
+            bool is_near = center.kind == YK_CENTER_POINT;
+            for (int k = 0; k < 2; k++)
+                is_near = is_near && center.at[k] >= low[k] - reach && center.at[k] <= high[k] + reach;
+            near += is_near;
+        }
+        const char *svg = yk_drawing_svg(d.drawing);
+        assert_true(count(svg, "class=\"center\"") <= near); // one mark for what coincides
+        assert_int_equal(count(svg, "class=\"center-note\""), all - near);
+        told += all - near;
+        drawn_free(&d);
+    }
+    assert_true(told > 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(six_centres_of_a_four_bar_are_marked_where_lines_meet),
+        cmocka_unit_test(near_centres_are_marked_and_far_ones_told),
         cmocka_unit_test(centres_at_infinity_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -86,12 +86,41 @@ static void belts_have_two_straight_runs(void **unused)
     free(without);
 }
 
+// A pinion is a circle as large as its rack says, about its axis, alone or with the rest of the machine.
+static void a_pinion_rolls_on_its_rack(void **unused)
+{
+    (void)unused;
+    static const char machine[] = "bodies: {ground: {points: {A: [0, 0]}}, a: {points: {A: [0, 0], P: [0, 0.09]}}, "
+                                  "bar: {points: {R: [0, 0]}}}\njoints: {A: {pin: [ground, a], angle: x}, "
+                                  "B: {slide: [ground, bar], along: x, distance: s}}\n";
+    static const char rack[] = "racks: {r: {pinion: a, rack: bar, radius: 0.03}}\n";
+    char text[600];
+    snprintf(text, sizeof text, "%s%s", machine, rack);
+    char *with = draw(text, 0.1), *without = draw(machine, 0.1);
+    assert_int_equal(count(with, "<circle"), count(without, "<circle") + 1);
+    double radius = 0, at[2] = {0, 0}, center[2] = {0, 0}, far = 0;
+    for (const char *c = strstr(with, "<circle"); c; c = strstr(c + 1, "<circle")) {
+        const char *end = strchr(c, '>'), *tip;
+        double x = atof(strstr(c, "cx=\"") + 4), y = atof(strstr(c, "cy=\"") + 4), r = atof(strstr(c, " r=\"") + 4);
+        tip = strstr(c, "fill=\"none\"");
+        if (tip && tip < end) radius = r, at[0] = x, at[1] = y;
+        tip = strstr(c, "fill=\"#ffffff\"");
+        if (tip && tip < end) center[0] = x, center[1] = y;
+    }
+    for (const char *c = strstr(with, "<circle"); c; c = strstr(c + 1, "<circle"))
+        far = fmax(far, hypot(atof(strstr(c, "cx=\"") + 4) - center[0], atof(strstr(c, "cy=\"") + 4) - center[1]));
+    CHECK_NEAR(at[0], center[0], 0.02);
+    CHECK_NEAR(at[1], center[1], 0.02);
+    CHECK_NEAR(radius, far / 3, 0.05); // P is 0.09 m away
+    free(with);
+    free(without);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pitch_circles_touch),
-        cmocka_unit_test(every_tooth_has_a_mark),
-        cmocka_unit_test(a_turn_further_looks_the_same),
+        cmocka_unit_test(pitch_circles_touch),           cmocka_unit_test(every_tooth_has_a_mark),
+        cmocka_unit_test(a_turn_further_looks_the_same), cmocka_unit_test(a_pinion_rolls_on_its_rack),
         cmocka_unit_test(belts_have_two_straight_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

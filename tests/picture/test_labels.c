@@ -103,10 +103,34 @@ static void names_round_one_point_do_not_cover_each_other(void **state)
     assert_int_equal(labels.count, YK_LABELS_MAX);
 }
 
+// Where everything is covered a little, a hair more of it costs a hair more: no overlap is too thin to count.
+static void the_price_has_no_steps(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    static YkLabels labels;
+    const double hair = 0.01;
+    for (size_t trial = 0; trial < check_cases(40); trial++) {
+        labels = (YkLabels){.half = 1, .width = 120, .height = 90};
+        for (int k = 0; k < 40; k++) {
+            YkVec middle = {check_uniform(&seed, 0, 120), check_uniform(&seed, 0, 90)};
+            yk_labels_take(&labels, yk_box_at(middle, 30, 20));
+        }
+        double before, price;
+        yk_labels_find(&labels, yk_vec(60, 45), 5, 40, 14, &before);
+        for (int step = 0; step < 30; step++, before = price) {
+            for (size_t k = 0; k < labels.count; k++) labels.boxes[k].left += hair, labels.boxes[k].right += hair;
+            yk_labels_find(&labels, yk_vec(60, 45), 5, 40, 14, &price);
+            CHECK_NEAR(price, before, 40 * 4 * 14 * hair);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_price_is_what_is_covered),
+        cmocka_unit_test(the_price_has_no_steps),
         cmocka_unit_test(names_round_one_point_do_not_cover_each_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -10,7 +10,7 @@ enum { MOST = 20000 };
 
 // A panel's axes: value = first + per * pixel, by the numbers at its grid.
 typedef struct Axis {
-    double first, per;
+    double first, per, step;
     size_t numbers;
 } Axis;
 
@@ -46,8 +46,13 @@ static void read_axes(const char *svg, Drawing *d)
         pixel[panel][axis][which] = axis == 0 ? attribute(at, "x") : attribute(at, "y") - 4; // words stand 4 px lower
         value[panel][axis][which] = number;
         a->numbers++;
-        if (!which) continue;
+        if (a->numbers > 2) { // further numbers stand where the first two say, each at a line of the grid
+            double place = axis == 0 ? attribute(at, "x") : attribute(at, "y") - 4;
+            CHECK_NEAR(a->first + a->per * place, number, 0.02 * fabs(a->per) * (double)a->numbers);
+        }
+        if (!which || a->numbers > 2) continue;
         a->per = (value[panel][axis][1] - value[panel][axis][0]) / (pixel[panel][axis][1] - pixel[panel][axis][0]);
+        a->step = fabs(value[panel][axis][1] - value[panel][axis][0]);
         a->first = value[panel][axis][0] - a->per * pixel[panel][axis][0];
     }
 }
@@ -107,6 +112,13 @@ static void check_map(const Case *c, YkMap *map, const YkMechanism *mech, const 
     double size[2] = {fabs(d.axis[0][0].per), fabs(d.axis[0][1].per)}; // of a pixel
     for (int axis = 0; axis < 2; axis++) assert_true(d.axis[0][axis].numbers > 2 && d.axis[1][axis].numbers > 2);
     assert_true(d.axis[0][0].per > 0 && d.axis[0][1].per < 0);
+    for (int panel = 0; panel < 2; panel++)
+        for (int axis = 0; axis < 2; axis++) { // steps are 1, 2 or 5 times a power of ten, or parts of a turn
+            double step = d.axis[panel][axis].step, digit = step / pow(10, floor(log10(step) + 1e-9));
+            bool is_turn = fabs(remainder(360, step)) < 1e-9;
+            assert_true(is_turn || fabs(digit - 1) < 1e-9 || fabs(digit - 2) < 1e-9 || fabs(digit - 5) < 1e-9);
+            assert_true(d.axis[panel][axis].numbers < 13);
+        }
     CHECK_NEAR(d.axis[1][0].per, -d.axis[1][1].per, 1e-3 * d.axis[1][0].per); // the points' curves are to scale
     for (size_t k = 0; k < yk_map_circuit_count(map); k++) {
         events += yk_map_circuit(map, k).events;
@@ -131,6 +143,22 @@ static void check_map(const Case *c, YkMap *map, const YkMechanism *mech, const 
             }
     }
     assert_true(d.points <= 2 * rows && d.points >= 2 * rows - 2 * d.lines - 20); // but for lines of one point
+    const char *frame = svg;
+    for (int panel = 0; panel < 2; panel++) { // distances fill most of an axis, in its middle
+        frame = strstr(frame + 1, "<polygon points=\"");
+        double left = atof(frame + strlen("<polygon points=\"")), low[2] = {INFINITY, INFINITY}, high[2] = {0, 0};
+        for (size_t i = 0; i < d.points; i++) {
+            if ((d.point[i].x > 620) != panel) continue;
+            assert_true(d.point[i].x >= left - 0.01 && d.point[i].x <= left + 520.01);
+            low[0] = fmin(low[0], d.point[i].x - left), high[0] = fmax(high[0], d.point[i].x - left);
+            low[1] = fmin(low[1], d.point[i].y - 30), high[1] = fmax(high[1], d.point[i].y - 30);
+        }
+        for (int axis = 0; axis < 2; axis++)
+            if (panel == 1 || (axis == 1 && c->is_distance)) CHECK_NEAR(low[axis] + high[axis], 520, 0.1);
+        assert_true(left + 520 < atof(strstr(svg, "width=\"") + strlen("width=\"")));
+        if (panel == 0 && c->is_distance) assert_true(high[1] - low[1] > 0.88 * 520 && high[1] - low[1] < 0.95 * 520);
+        if (panel == 1) CHECK_NEAR(fmax(high[0] - low[0], high[1] - low[1]), 520 / 1.1, 0.1);
+    }
     for (size_t i = 0; i < d.points; i++) { // nothing leaves its panel, and no line crosses it
         assert_true(d.point[i].y >= 30 && d.point[i].y <= 550.01);
         bool goes_on = i > 0 && d.line[i] == d.line[i - 1];
@@ -153,7 +181,6 @@ static void every_row_is_drawn_where_the_axes_say(void **state)
     static const Case cases[] = {
         {"four-bar", "theta4", "theta2", "coupler.P", false},
         {"slider-crank", "x", "theta", "rod.B", true},
-        {"offset-slider-crank", "d", "theta2", "rod.B", true},
         {"non-grashof", "theta4", "theta2", "coupler.B", false},
     };
     size_t tried = 0;

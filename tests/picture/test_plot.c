@@ -44,6 +44,37 @@ static void columns_of_one_unit_share_a_panel(void **state)
     yk_text_free(&script);
 }
 
+// Every panel makes the page higher by as much, and the page has one shape in all formats.
+static void pages_have_one_shape(void **state)
+{
+    (void)state;
+    static const char *const sizes[] = {"font 'sans,13' size ", "size ", "font 'sans,20' size "};
+    static const YkPlotColumn more[] = {{"a", "rad", angle}, {"b", "m", length}, {"c", "N", other}};
+    double size[3][3][2]; // [panels - 1][format]
+    for (size_t panels = 1; panels <= 3; panels++)
+        for (YkFileKind kind = YK_FILE_SVG; kind <= YK_FILE_PNG; kind++) {
+            YkText script = {0};
+            YkPlot plot = example();
+            plot.columns = more;
+            plot.column_count = panels;
+            yk_plot_script(&plot, kind, &script);
+            char *at = strstr(yk_text_get(&script), sizes[kind]) + strlen(sizes[kind]);
+            size[panels - 1][kind][0] = strtod(at, &at);
+            size[panels - 1][kind][1] = strtod(strchr(at, ',') + 1, NULL);
+            assert_int_equal(occurrences(yk_text_get(&script), "set ylabel"), panels);
+            assert_non_null(strstr(yk_text_get(&script), "set xrange [0:2]"));
+            yk_text_free(&script);
+        }
+    for (int kind = 0; kind < 3; kind++) {
+        double panel = size[1][kind][1] - size[0][kind][1];
+        CHECK_NEAR(size[2][kind][1] - size[1][kind][1], panel, 1e-3 * panel);
+        assert_true(panel > 0 && panel < size[0][kind][0] && size[0][kind][1] > panel &&
+                    size[0][kind][1] < 1.5 * panel);
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(size[k][kind][1] / size[k][kind][0], size[k][0][1] / size[k][0][0], 1e-3);
+    }
+}
+
 static void a_value_that_is_none_is_a_gap(void **state)
 {
     (void)state;
@@ -130,6 +161,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_of_one_unit_share_a_panel),
+        cmocka_unit_test(pages_have_one_shape),
         cmocka_unit_test(a_value_that_is_none_is_a_gap),
         cmocka_unit_test(marks_stand_at_their_place),
         cmocka_unit_test(the_same_plot_is_the_same_script),

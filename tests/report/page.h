@@ -14,12 +14,9 @@ typedef struct Page {
     YkReportPage *report;
 } Page;
 
-static inline Page open_page(const char *name, const YkReportOptions *options)
+static inline Page page_of(YkModel *model, YkProblems *problems, const YkReportOptions *options)
 {
-    char path[500];
-    Page page = {.problems = yk_problems_new()};
-    snprintf(path, sizeof path, "%s/examples/%s.yaml", YOKE_ROOT, name);
-    page.model = yk_model_load(path, NULL, page.problems);
+    Page page = {.model = model, .problems = problems};
     assert_non_null(page.model);
     page.mech = yk_mechanism_compile(page.model, NULL, page.problems);
     assert_non_null(page.mech);
@@ -29,6 +26,20 @@ static inline Page open_page(const char *name, const YkReportOptions *options)
     page.report = yk_report_new(page.state, options, page.problems);
     assert_non_null(page.report);
     return page;
+}
+
+static inline Page open_page(const char *name, const YkReportOptions *options)
+{
+    char path[500];
+    YkProblems *problems = yk_problems_new();
+    snprintf(path, sizeof path, "%s/examples/%s.yaml", YOKE_ROOT, name);
+    return page_of(yk_model_load(path, NULL, problems), problems, options);
+}
+
+static inline Page open_text(const char *text, const YkReportOptions *options)
+{
+    YkProblems *problems = yk_problems_new();
+    return page_of(yk_model_parse(text, strlen(text), "test.yaml", NULL, problems), problems, options);
 }
 
 static inline void close_page(Page *page)

@@ -92,6 +92,14 @@ static void the_peak_effort_is_the_largest_there_is(void **state)
     CHECK_NEAR(told(page.report, "The drive of theta takes at most "), fabs(largest), 1e-4 * fabs(largest));
     CHECK_NEAR(fabs(told(page.report, "the drive takes up ")), fabs(sum / 18000 * 2 * YK_PI),
                2e-2 * fabs(sum / 18000 * 6.28));
+    for (size_t c = 0; c < page.report->column_count; c++) { // over a whole turn its energy comes back
+        if (page.report->columns[c].channel.kind != YK_CHANNEL_ENERGY) continue;
+        double first = yk_report_value(page.report, 0, c),
+               last = yk_report_value(page.report, page.report->row_count - 1, c);
+        CHECK_NEAR(last, first, 1e-6 * fabs(first));
+        assert_true(first > 0);
+        assert_non_null(finding(page.report, " and returns to its value"));
+    }
     yk_sweep_free(sweep);
     yk_dynamics_free(dynamics);
     close_page(&page);
@@ -147,6 +155,121 @@ static void the_energy_that_a_simulation_keeps_is_told(void **state)
     close_page(&page);
 }
 
+// --- Laws of all findings
+
+// Every finding is a sentence: it begins with a capital letter, a number or a coordinate's name, and says something
+// behind each colon.
+static void check_sentences(const Page *page)
+{
+    for (size_t i = 0; i < yk_report_finding_count(page->report); i++) {
+        const char *text = yk_report_finding(page->report, i);
+        size_t length = strlen(text);
+        bool begins = (*text >= 'A' && *text <= 'Z') || (*text >= '0' && *text <= '9');
+        for (size_t c = 0; c < yk_coordinate_count(page->mech) && !begins; c++) {
+            const char *name = yk_coordinate_info(page->mech, c).name;
+            begins = strncmp(text, name, strlen(name)) == 0 && text[strlen(name)] == ' ';
+        }
+        if (!begins || length < 12 || text[length - 1] != '.' || strpbrk(text, "`\n") || strstr(text, "  ") ||
+            strstr(text, ": .") || strstr(text, " .") || strstr(text, "..") || strstr(text, "( "))
+            fail_msg("'%s' is no sentence", text);
+    }
+}
+
+// Over less than a turn it is said of every coordinate that turns round, and of nothing else, that it does.
+static size_t check_turning(const Page *page)
+{
+    const YkReportPage *report = page->report;
+    size_t turning = 0;
+    bool is_told = report->motion.kind == YK_REPORT_RANGE || report->motion.kind == YK_REPORT_TIME;
+    for (size_t c = 0; c < report->column_count; c++) {
+        char words[200];
+        bool turns = false;
+        double low = INFINITY, high = -INFINITY;
+        snprintf(words, sizeof words, "%s reverses at ", report->columns[c].name);
+        for (size_t row = 0; row < report->row_count; row++) {
+            low = fmin(low, yk_report_value(report, row, c));
+            high = fmax(high, yk_report_value(report, row, c));
+        }
+        for (size_t row = 3; row < report->row_count; row++) {
+            double before = yk_report_value(report, row - 2, c) - yk_report_value(report, row - 3, c),
+                   after = yk_report_value(report, row, c) - yk_report_value(report, row - 1, c);
+            turns |= before * after < 0 && fmin(fabs(before), fabs(after)) > 1e-6 * (high - low);
+        }
+        bool is_own = report->columns[c].role == YK_ROLE_COORDINATE && report->columns[c].channel.order == 0;
+        const char *found = finding(report, words);
+        if (found && strstr(found, words) != found) found = NULL; // another name that ends alike
+        if ((is_told && is_own && turns) != (found != NULL)) fail_msg("%s", words);
+        turning += found != NULL;
+    }
+    return turning;
+}
+
+static void findings_are_sentences_on_what_turns_round(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"non-grashof", "rocking-four-bar", "five-bar",        "hoeken",
+                                        "excavator",   "elliptic-trammel", "double-pendulum", "geared-five-bar"};
+    size_t turning = 0;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        Page page = open_page(names[k], NULL);
+        check_sentences(&page);
+        turning += check_turning(&page);
+        if (page.report->motion.kind == YK_REPORT_SIMULATION) assert_null(finding(page.report, "The motion ends at t"));
+        close_page(&page);
+    }
+    assert_true(turning > 4);
+}
+
+#define PRESS                                                                                                          \
+    "bodies:\n  ground: {points: {O: [0, 0]}}\n  crank: {points: {O: [0, 0], A: [50, 0]}}\n"                           \
+    "  rod: {points: {A: [0, 0], B: [180, 0]}}\n  ram: {points: {B: [0, 0]}, mass: 2 kg}\n"                            \
+    "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, rod], angle: phi}, B: {pin: [rod, ram]}, "     \
+    "S: {slide: [ground, ram], along: x, distance: s}}\nstart: {phi: -75 deg, s: 200 mm}\n"                            \
+    "units: {length: mm, angle: deg}\n"
+
+// The ram leaves its table of forces on both sides; the first of these is where the motion begins to be beyond it.
+static void a_law_that_is_left_is_told_in_plain_words(void **state)
+{
+    (void)state;
+    Page page = open_text(PRESS "drives: {theta: 60 deg + 300 rpm * t}\n"
+                                "laws: {cutting: {table: [[150 mm, -100 N], [200 mm, -500 N]]}}\n"
+                                "efforts: {s: {law: cutting, of: s}}\n",
+                          NULL);
+    check_sentences(&page);
+    const char *left = finding(page.report, "leaves the range of law cutting, 150 mm to 200 mm");
+    assert_non_null(left);
+    assert_true(strncmp(left, "The effort of s ", 16) == 0);
+    double s = told(page.report, "150 mm to 200 mm: at "), value = told(page.report, "it keeps its end value, ");
+    double at = told(page.report, "(first at theta = ") * degree;
+    assert_true(s < 150 || s > 200);
+    CHECK_NEAR(value, s < 150 ? -100 : -500, 1e-9);
+    double own = 50 * cos(at) + sqrt(180 * 180 - pow(50 * sin(at), 2));
+    CHECK_NEAR(s, own, 1e-3);
+    close_page(&page);
+}
+
+// A motion that cannot begin ends at its start, for a reason; one that ends where a force has no value, there.
+static void where_a_motion_ends_is_told_with_its_reason(void **state)
+{
+    (void)state;
+    Page page =
+        open_text("gravity: [0, -9.81]\nbodies: {ground: {points: {O: [0, 0]}}, arm: {points: {O: [0, 0], A: [1, 0]}, "
+                  "mass: 1, center: [0.5, 0]}, bare: {points: {A: [0, 0]}, mass: 1}}\n"
+                  "joints: {O: {pin: [ground, arm], angle: p}, A: {pin: [arm, bare], angle: q}}\nstart: {p: 0, q: 0}\n",
+                  NULL);
+    check_sentences(&page);
+    const char *end = finding(page.report, "no inertia resists");
+    assert_non_null(end);
+    close_page(&page);
+    page = open_text("bodies: {ground: {}, block: {mass: 1 kg}}\n"
+                     "joints: {S: {slide: [ground, block], along: x, distance: x}}\n"
+                     "start: {x: 0, x.rate: 1 m/s}\nforces: {f: {body: block, value: [sqrt(1 - x / 1 m) * 0 N, 0]}}\n",
+                     NULL);
+    check_sentences(&page);
+    CHECK_NEAR(told(page.report, "The motion ends at t = "), 1, 1e-2); // beyond x = 1 m the force has no value
+    close_page(&page);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -159,6 +282,9 @@ int main(void)
         cmocka_unit_test(near_a_change_point_no_largest_force_is_told),
         cmocka_unit_test(what_rests_is_said_to_rest),
         cmocka_unit_test(gears_and_cams_speak_for_themselves),
+        cmocka_unit_test(findings_are_sentences_on_what_turns_round),
+        cmocka_unit_test(a_law_that_is_left_is_told_in_plain_words),
+        cmocka_unit_test(where_a_motion_ends_is_told_with_its_reason),
         cmocka_unit_test(the_energy_that_a_simulation_keeps_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -66,6 +66,147 @@ static void a_range_stays_within_the_limits_and_near_them(void **state)
     close_page(&page);
 }
 
+// A double rocker whose input has two ranges, apart: the page shows the one in which it stands.
+static void of_two_ranges_the_one_of_the_start_is_shown(void **state)
+{
+    (void)state;
+    for (int way = -1; way <= 1; way += 2) {
+        char text[900];
+        snprintf(text, sizeof text,
+                 "bodies: {ground: {points: {O: [0, 0], C: [100 mm, 0]}}, crank: {points: {O: [0, 0], A: [80 mm, 0]}}, "
+                 "coupler: {points: {A: [0, 0], B: [20 mm, 0]}}, rocker: {points: {C: [0, 0], B: [90 mm, 0]}}}\n"
+                 "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, coupler], angle: phi}, "
+                 "C: {pin: [ground, rocker], angle: psi}, B: {pin: [coupler, rocker]}}\n"
+                 "drives: {theta: %d deg + 1 rad/s * t}\nstart: {phi: 0, psi: %d deg}\n",
+                 way * 60, way * 100);
+        Page page = open_text(text, NULL);
+        const YkReportMotion *motion = &page.report->motion;
+        double low = fmin(motion->from, motion->to), high = fmax(motion->from, motion->to), now = way * YK_PI / 3;
+        assert_int_equal(motion->kind, YK_REPORT_RANGE);
+        assert_int_equal(page.report->range_count, 2);
+        assert_true(motion->is_cut && low < now && now < high);
+        for (size_t k = 0; k < 2; k++) {
+            YkRange range = page.report->ranges[k];
+            bool is_own = range.from < now && now < range.to;
+            assert_true(is_own ? low > range.from && high < range.to && high - low > 0.97 * (range.to - range.from)
+                               : high < range.from || low > range.to);
+        }
+        CHECK_NEAR(motion->duration, high - low, 1e-12); // at 1 rad/s
+        assert_int_equal(page.report->motion_status, YK_OK);
+        close_page(&page);
+    }
+}
+
+// Without loads nothing moves by itself: the first of two free inputs goes once round, at no rate.
+static void without_loads_the_first_input_is_turned(void **state)
+{
+    (void)state;
+    Page page = open_text("bodies: {ground: {points: {O: [0, 0]}}, one: {points: {O: [0, 0], A: [1, 0]}}, "
+                          "two: {points: {A: [0, 0], B: [1, 0]}}}\n"
+                          "joints: {O: {pin: [ground, one], angle: p}, A: {pin: [one, two], angle: q}}\n"
+                          "start: {p: 0.3, q: 1}\n",
+                          NULL);
+    const YkReportMotion *motion = &page.report->motion;
+    assert_int_equal(motion->kind, YK_REPORT_TURN);
+    assert_int_equal(motion->coordinate, yk_coordinate_find(page.mech, "p"));
+    CHECK_NEAR(motion->from, 0.3, 1e-15);
+    CHECK_NEAR(motion->to - motion->from, 2 * YK_PI, 1e-12);
+    CHECK_NEAR(motion->duration, 0, 0);
+    close_page(&page);
+}
+
+// What has a path moves, and no two of them go together from the start on.
+static void paths_are_those_of_points_that_move_apart(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"four-bar", "quick-return", "gas-engine", "hoeken", "peaucellier"};
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        Page page = open_page(names[n], NULL);
+        const YkReportPage *report = page.report;
+        assert_true(report->traced_count > 0 && report->traced_shown > 0 &&
+                    report->traced_shown <= report->traced_count);
+        for (size_t k = 0; k < report->traced_count; k++) {
+            YkPointMotion own = yk_state_point(report->start, report->traced[k]);
+            assert_true(report->model->points[report->traced[k]].body != 0);
+            for (size_t i = 0; i < k; i++) {
+                YkPointMotion other = yk_state_point(report->start, report->traced[i]);
+                assert_true(hypot(own.position[0] - other.position[0], own.position[1] - other.position[1]) > 1e-9);
+            }
+        }
+        for (size_t i = 0; i < report->model->point_count;
+             i++) { // every place of a moving body that is not ground has one
+            YkPointMotion own = yk_state_point(report->start, i);
+            bool is_known = report->model->points[i].body == 0;
+            for (size_t k = 0; k < report->model->point_count + report->traced_count; k++) {
+                bool is_point = k < report->model->point_count;
+                size_t other = is_point ? k : report->traced[k - report->model->point_count];
+                YkPointMotion there = yk_state_point(report->start, other);
+                if (is_point && report->model->points[k].body != 0) continue;
+                is_known |= hypot(own.position[0] - there.position[0], own.position[1] - there.position[1]) < 1e-9;
+            }
+            assert_true(is_known || report->traced_count >= 16);
+        }
+        close_page(&page);
+    }
+}
+
+// The peak of a column is its value there, as large as in any row, and no larger one is near it; forwards and back.
+static void peaks_are_the_largest_around(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"gas-engine", "quick-return"};
+    size_t tried = 0;
+    for (int n = 0; n < 4; n++) {
+        YkReportOptions options = yk_default_report_options();
+        options.has_range = n >= 2;
+        options.coordinate = 0;
+        options.from = 5;
+        options.to = 0.5;
+        options.steps = 40;
+        Page page = open_page(names[n % 2], &options);
+        YkReportPage *report = page.report;
+        YkState *at = yk_state_new(page.mech);
+        assert_true(yk_state_copy(at, report->start) >= 0);
+        for (size_t c = 0; c < report->column_count; c++) {
+            const YkReportColumn *column = &report->columns[c];
+            if (column->role != YK_ROLE_COORDINATE && column->role != YK_ROLE_TRANSMISSION) continue;
+            if (column->role == YK_ROLE_COORDINATE && column->channel.order == 0 && column->of == 0)
+                continue; // the input
+            bool is_least = column->role == YK_ROLE_TRANSMISSION;
+            YkPeak peak = is_least ? yk_report_least(report, c) : yk_report_peak(report, c);
+            double low = fmin(report->motion.from, report->motion.to),
+                   high = fmax(report->motion.from, report->motion.to);
+            double size = 0;
+            if (isnan(peak.value)) continue; // no rate is known
+            assert_true(peak.at >= low - 1e-12 && peak.at <= high + 1e-12);
+            for (size_t row = 0; row < report->row_count; row++) {
+                double value = yk_report_value(report, row, c);
+                assert_true(is_least ? value >= peak.value : fabs(value) <= fabs(peak.value));
+                size = fmax(size, fabs(value));
+            }
+            for (int off = -1; off <= 1; off++) {
+                double place = peak.at + 1e-3 * off;
+                if (place < low || place > high || size == 0) continue;
+                YkMotion input = yk_state_input(report->start, 0);
+                input.position = place;
+                yk_state_set_input(at, 0, input);
+                assert_true(yk_state_solve(at) >= 0);
+                double value = yk_state_channel(at, column->channel);
+                if (column->channel.quantity == YK_QUANTITY_ANGLE && !is_least)
+                    value += 2 * YK_PI * rint((peak.value - value) / (2 * YK_PI));
+                if (off == 0) CHECK_NEAR(value, peak.value, 1e-8 * size);
+                if (off != 0)
+                    assert_true(is_least ? value > peak.value - 1e-9 * size
+                                         : fabs(value) < fabs(peak.value) + 1e-9 * size);
+            }
+            tried++;
+        }
+        yk_state_free(at);
+        close_page(&page);
+    }
+    assert_true(tried > 20);
+}
+
 static void two_drives_run_until_both_come_round(void **state)
 {
     (void)state;
@@ -153,6 +294,10 @@ int main(void)
         cmocka_unit_test(every_kind_of_machine_has_its_motion),
         cmocka_unit_test(rows_are_the_engines),
         cmocka_unit_test(a_range_stays_within_the_limits_and_near_them),
+        cmocka_unit_test(of_two_ranges_the_one_of_the_start_is_shown),
+        cmocka_unit_test(without_loads_the_first_input_is_turned),
+        cmocka_unit_test(paths_are_those_of_points_that_move_apart),
+        cmocka_unit_test(peaks_are_the_largest_around),
         cmocka_unit_test(two_drives_run_until_both_come_round),
         cmocka_unit_test(a_simulation_is_not_too_fast_for_its_rows),
         cmocka_unit_test(a_drive_that_speeds_up_is_shown_for_a_few_turns),

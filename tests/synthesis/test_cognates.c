@@ -110,6 +110,11 @@ static void lengths_are_those_of_cayleys_diagram(void **state)
     }
     YkCandidate left = yk_cognates_at(cognates, 0), right = yk_cognates_at(cognates, 1);
     for (size_t i = 0; i < 2; i++) CHECK_NEAR(left.pivots[1][i], right.pivots[1][i], 1e-14); // the third pivot is one
+    YkCandidate own = yk_cognates_at(cognates, YK_NOT_FOUND), none = yk_cognates_at(cognates, 2);
+    const double lengths[4] = {2, .5, 1.5, 1.25};
+    for (size_t i = 0; i < 4; i++) CHECK_NEAR(own.lengths[i], lengths[i], 1e-14);
+    assert_true(!none.file && none.lengths[0] == 0 && left.file && right.file && strcmp(left.file, right.file) != 0);
+    assert_null(yk_cognates_at(NULL, 0).file);
     yk_cognates_free(cognates);
     standing_free(&s);
 }

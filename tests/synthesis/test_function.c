@@ -6,6 +6,27 @@
 
 static const char power[] = "synthesis: function\nof: x^1.5\nx: [1, 4]\ninput: 90 deg\noutput: 90 deg\n";
 
+// The numbers that are told of a machine are those that its file writes as parameters, in this order, and all of them.
+static void check_written(const YkSynthesis *synthesis, size_t k)
+{
+    const char *at = strstr(yk_synthesis_candidate(synthesis, k).model, "parameters:");
+    assert_non_null(at);
+    at = strchr(at, '{');
+    double value;
+    for (size_t i = 0; *at != '}'; i++) {
+        const char *name = yk_synthesis_parameter(synthesis, k, i, &value);
+        at += strspn(at, "{, ");
+        assert_non_null(name);
+        assert_memory_equal(at, name, strlen(name));
+        at += strlen(name);
+        assert_memory_equal(at, ": ", 2);
+        char *end;
+        CHECK_NEAR(strtod(at + 2, &end), value, 1e-10 * fabs(value));
+        at = end;
+        if (*at == '}') assert_null(yk_synthesis_parameter(synthesis, k, i + 1, NULL));
+    }
+}
+
 static void the_published_four_bars_for_a_power_are_found(void **state)
 {
     (void)state;
@@ -20,6 +41,7 @@ static void the_published_four_bars_for_a_power_are_found(void **state)
     assert_int_equal(yk_synthesis_count(a.synthesis), 3);
     for (size_t k = 0; k < 3; k++) {
         YkCandidate c = yk_synthesis_candidate(a.synthesis, k);
+        check_written(a.synthesis, k);
         CHECK_NEAR(c.lengths[0], 1, 1e-12);
         for (size_t i = 0; i < 3; i++) CHECK_NEAR(c.lengths[i + 1], published[k][i], 1e-9);
         CHECK_NEAR(c.worst / DEG, published[k][3], 6e-7);

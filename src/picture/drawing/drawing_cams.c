@@ -39,8 +39,8 @@ static size_t joints_of(const YkModel *model, int32_t body)
     return count;
 }
 
-// Finds the vector from the follower's point in the model at this lift to where it rides. The point is `at:`, or the
-// guide's point if the guide's line begins at the cam's centre.
+// Finds the vector from the follower's point in the model at this lift to where it rides. The point is `at:` of one
+// that swings, and the guide's point of one that slides, if the guide's line begins at the cam's centre.
 static void find_shift(const YkModel *model, const YkCam *cam, YkDrawnCam *own)
 {
     const YkJoint *guide = &model->joints[cam->follower_joint], *pin = &model->joints[cam->cam_joint];
@@ -58,7 +58,7 @@ static void find_shift(const YkModel *model, const YkCam *cam, YkDrawnCam *own)
             yk_add(base, yk_add(yk_scale(own->lift, cam->along), yk_mul(yk_unit(guide->turned), yk_sub(point, held))));
         YkVec apart = yk_sub(own->at, there);
         bool begins_there = fabs(yk_dot(base, cam->along)) < 1e-9 * cam->base;
-        if (cam->point != YK_NONE || begins_there) own->shift = yk_scale(yk_dot(apart, cam->along), cam->along);
+        if (begins_there) own->shift = yk_scale(yk_dot(apart, cam->along), cam->along);
     }
 }
 
