@@ -1,11 +1,11 @@
-"""What a verb refuses: a value out of range, an option without the one it needs, two that exclude each other, a file of the wrong kind.
-Each is refused at once, with exit code 2, its code and a message that names what was given; nothing is written. Run: YOKE=path/of/yoke
-python3 test_refusals.py"""
+"""What a verb refuses: a value out of range, an option without the one it needs, two that exclude each other, a file of the wrong kind, an
+equation that cannot be read. Each is refused at once, with exit code 2, its code and a message that names what was given; nothing is
+written. Run: YOKE=path/of/yoke python3 test_refusals.py"""
 import os
 import shlex
 import unittest
 
-from harness import Case, ROOT
+from harness import Case, ROOT, Run
 
 # Of each case: the code, the command, and words of the message. A machine NAME is one of the gallery's.
 CASES = """
@@ -150,6 +150,59 @@ class Refusals(Case):
                 run = self.wrong(code, *words, cwd=self.folder)
                 self.assertIn(said, run.err)
                 self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+
+# Equations that cannot be read, with what is said of each; a machine may have names of its own.
+UNREADABLE = {
+    "four-bar": [
+        ("(theta2=0", "this bracket is never closed"), ("[theta2)=0", "`]` is expected here"), ("(theta2]=0", "`)` is expected here"),
+        ("theta2)=0", "an operator or `=` is expected here"), ("theta2^x=0", "unknown name `x`"), ("theta2^0.5=0", "an exponent is a whole number"),
+        ("theta2^99=0", "up to 32"), ("theta2^-99=0", "up to 32"), ("theta2^=0", "a quantity is expected before `=`"),
+        ("sin^0(theta2)=0", "an exponent is a whole number"), ("sin^40(theta2)=0", "up to 32"), ("sin^2 theta2=0", "`(` is expected after `sin`"),
+        ("sqrt((theta2=0", "this bracket is never closed"), ("sqrt(theta2", "this bracket is never closed"), ("sqrt(i)=0", "the root of"),
+        ("sin=0", "`(` is expected after `sin`"), ("sin()=0", "a quantity is expected here"), ("=0", "a quantity is expected before `=`"),
+        ("theta2=", "the equation ends where a quantity is expected"), ("theta2", "there is no `=`"), ("theta2=theta4 @", "an operator is expected here"),
+        ("nothing=0", "unknown name `nothing`"), ("coupler.P.speed=0", "unknown name"), ("B.transmission=0", "unknown name"), ("F_x=0", "unknown name"),
+        ("dtheta2=0", "unknown name"), ("x_P=0", "unknown name"), ("x_Z=0", "unknown name"), ("a=40 mm/s", "the right side a speed"),
+        ("a = 40 kg", "the right side a mass"), ("sin(a)=0", "an angle is expected here"), ("exp(theta2)=0", "an angle here is a sum"),
+        ("e^theta2=0", "unknown name `e`"), ("atan2(1,2)=0", "has many values"), ("1e400=0", "too large"), ("99999999999999999999=a", "too large"),
+        ("\u03b8=0", "this sign cannot be used"), ("\"theta2\"=0", "a quantity is expected here"), ("theta2'''=0", "unknown name"),
+        ("(" * 300 + "theta2" + ")" * 300 + "=theta2", "nested too deeply"),
+    ],
+    "valve-cam": [("alpha=0", "unknown name `alpha`"), ("rho=0", "unknown name `rho`"), ("intake=0", "unknown name `intake`")],
+    "spring-slider-crank": [("k.force=0", "unknown name"), ("q.effort=0", "unknown name"), ("R_A=0", "unknown name")],
+}
+# True of any numbers; with another right side, of none.
+IDENTITIES = [("theta2^(1+1)", "theta2^2"), ("theta2**2", "theta2^2"), ("theta2^-2", "theta2^(-2)"), ("sin^2(theta2) + cos^2(theta2)", "1"),
+              ("tan(theta2)*cos(theta2)", "sin(theta2)"), ("sqrt(4)", "2"), ("sqrt(2/9)", "sqrt(2)/3"), ("2 mm", "0.002 m"), ("i^2", "-1"),
+              ("sin(pi/6)", "1/2"), ("cos(60 deg)", "1/2"), ("pi", "180 deg"), ("a b", "b a"), ("2(a + b)", "2 a + 2 b"), ("a[b + b]", "2 a b"), (".5", "1/2"),
+              ("a\tb", "a b"), ("((a))", "a"), ("-a - (-b)", "b - a"), ("a/(2 b)", "1/2*a/b"), ("coupler.P.x - coupler.P.x", "0 m")]
+
+
+class Equations(Case):
+    def answers(self, machine, code, equations):
+        run = Run("derive", os.path.join(ROOT, "examples", machine + ".yaml"), "--check", "-", stdin="\n".join(equations) + "\n")
+        self.assertEqual(run.code, code, run.err)
+        said = [line for line in run.out.splitlines() if line.strip()]
+        starts = [k for k, line in enumerate(said) if line in equations] + [len(said)]
+        self.assertEqual(len(starts), len(equations) + 1)
+        return [" ".join(said[start + 1:end]) for start, end in zip(starts, starts[1:])], run.err
+
+    def test_what_cannot_be_read_is_told_with_its_place(self):
+        for machine, cases in UNREADABLE.items():
+            answers, told = self.answers(machine, 2, [equation for equation, _ in cases])
+            for row, ((equation, said), answer) in enumerate(zip(cases, answers), 1):
+                self.assertTrue(answer.startswith("  not understood: "), equation + answer)
+                self.assertIn(said, answer, equation)
+                self.assertRegex(told, r"standard input:%d:\d+: error: " % row)
+
+    def test_identities_are_true_and_others_are_not(self):
+        answers, told = self.answers("four-bar", 0, ["%s = %s" % sides for sides in IDENTITIES])
+        for sides, answer in zip(IDENTITIES, answers):
+            self.assertRegex(answer, r"^  true for all dimensions \(an identity", sides)
+        answers, told = self.answers("four-bar", 1, ["%s = 3*(%s) + (%s)" % (left, left, right) for left, right in IDENTITIES[:-1]])
+        for sides, answer in zip(IDENTITIES, answers):
+            self.assertRegex(answer, r"^  false: ", sides)
 
 
 if __name__ == "__main__":
