@@ -5,7 +5,7 @@ import os
 import shlex
 import unittest
 
-from harness import Case, ROOT, Run
+from harness import Case, ROOT, Run, SAMPLED
 
 # Of each case: the code, the command, and words of the message. A machine NAME is one of the gallery's.
 CASES = """
@@ -144,7 +144,8 @@ def parse(line):
 class Refusals(Case):
     def test_what_cannot_be_done_is_refused_at_once_in_words(self):
         before = sorted(os.listdir(self.folder))
-        for line in filter(None, CASES.splitlines()):
+        cases = CASES.strip().splitlines()
+        for line in cases[::4] if SAMPLED else cases:
             code, words, said = parse(line)
             with self.subTest(line):
                 run = self.wrong(code, *words, cwd=self.folder)
