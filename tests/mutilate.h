@@ -24,15 +24,16 @@ static inline void mutilate_read(const char *path, char *text)
 // Tries one text: it is taken, or there are errors, all of which say something about a line of the file.
 static inline void mutilate_check(const char *text, const char *path, MutilatedReader reads)
 {
-    long before = live, lines = 1;
-    size_t errors = 0;
+    long before = live;
+    size_t errors = 0, lines = 1;
     YkProblems *problems = yk_problems_new();
     for (const char *c = text; *c; c++) lines += *c == '\n';
     bool is_taken = reads(text, path, problems);
     for (size_t k = 0; k < yk_problems_count(problems); k++) {
         const YkProblem *p = yk_problems_get(problems, k);
-        bool is_told = p->message[0] != '\0' && p->place.line >= 0 && p->place.line <= lines;
-        if (!is_told || p->code == YK_CODE_OUT_OF_MEMORY) fail_msg("line %d: %s:\n%s", p->place.line, p->message, text);
+        bool is_told = p->message[0] != '\0' && p->place.line <= lines;
+        if (!is_told || p->code == YK_CODE_OUT_OF_MEMORY)
+            fail_msg("line %zu: %s:\n%s", (size_t)p->place.line, p->message, text);
         errors += p->severity == YK_SEVERITY_ERROR;
     }
     if ((errors == 0) != is_taken) fail_msg("%s, with %zu errors:\n%s", is_taken ? "taken" : "refused", errors, text);

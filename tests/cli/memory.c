@@ -175,7 +175,8 @@ static void run_child(int argc, char **argv, long k, bool for_good)
 static Outcome run(int argc, char **argv, long k, bool for_good)
 {
     Outcome outcome = {0};
-    shared->requests = shared->live = shared->has_failed = shared->where_count = 0;
+    shared->requests = shared->live = shared->where_count = 0;
+    shared->has_failed = false;
     for (int i = 0; i < 2; i++) {
         int descriptor = i == 0 ? out_descriptor : err_descriptor;
         assert_int_equal(ftruncate(descriptor, 0), 0);
