@@ -11,13 +11,15 @@
 static atomic_long countdown = -1; // allocations until one fails; below 0: none does
 static atomic_bool fails_for_good; // from the one that fails on, all do
 static atomic_bool has_failed;
-static atomic_long requests;     // since the start
-static atomic_long live;         // blocks not yet freed
-static void (*on_failure)(void); // called where one fails; may be NULL
+static atomic_long requests;            // since the start
+static atomic_long live;                // blocks not yet freed
+static void (*on_failure)(void);        // called where one fails; may be NULL
+static void (*on_request)(long number); // called for each, before it is made; may be NULL
 
 static inline bool must_fail(void)
 {
-    requests++;
+    long number = requests++;
+    if (on_request) on_request(number);
     long left = countdown;
     while (left > 0 && !atomic_compare_exchange_weak(&countdown, &left, left - 1)) {}
     if (left != 0) return false;

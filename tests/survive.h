@@ -2,6 +2,11 @@
 #ifndef TESTS_SURVIVE_H
 #define TESTS_SURVIVE_H
 #include "interposed.h"
+#ifndef IS_SANITIZED // the arena asks for each thing by itself
+#define YOKE_CHUNK_MIN 1
+#define YOKE_CHUNK_MAX 1
+#include "../src/base/memory.c"
+#endif
 
 // Makes `call` again and again while its k-th allocation fails, every one at first and then some, until it needs no
 // more than k. The call returns whether it succeeded, checks its own answer, and has freed everything that it made. It

@@ -91,5 +91,6 @@ void yk_certify_text(const YkSession *session, const char *before, YkText *text)
 {
     if (!session->certifier) return;
     YkMotionCertificate found = yk_certifier_report(session->certifier);
+    if (found.has_run_out) yk_text_fail(text);
     if (found.steps > 0) yk_text_format(text, "%s%s\n", before, found.message);
 }

@@ -63,6 +63,8 @@ YK_API bool yk_blocks_add(YkBlocks *blocks, const double *rows, size_t count, Yk
 // Returns the row of a design, valid until the next call; NULL if it cannot be read. Only one block is in memory: rows
 // in ascending order cost one reading of the file.
 YK_API const double *yk_blocks_row(YkBlocks *blocks, uint64_t design);
+// Returns whether a row could not be read for lack of memory.
+YK_API bool yk_blocks_ran_out(const YkBlocks *blocks);
 // Closes the file; removes it if it has served its purpose.
 YK_API void yk_blocks_close(YkBlocks *blocks, bool is_finished);
 

@@ -5,7 +5,12 @@
 #include <string.h>
 #include "base/text.h"
 
-enum { CHUNK_MIN = 4096, CHUNK_MAX = 1 << 24, ALIGN_SMALL = 16, ALIGN_LARGE = 64, WORK_PER_BYTE = 4 };
+// Tests in which allocations fail make a chunk for each thing, so that none has room by chance.
+#ifndef YOKE_CHUNK_MAX
+#define YOKE_CHUNK_MIN 4096
+#define YOKE_CHUNK_MAX (1 << 24)
+#endif
+enum { CHUNK_MIN = YOKE_CHUNK_MIN, CHUNK_MAX = YOKE_CHUNK_MAX, ALIGN_SMALL = 16, ALIGN_LARGE = 64, WORK_PER_BYTE = 4 };
 
 typedef struct YkChunk {
     _Alignas(ALIGN_SMALL) struct YkChunk *older;

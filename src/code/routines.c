@@ -12,8 +12,10 @@ static void add_result(YkFile *file, YkRoutine *routine, YkChannel channel, cons
     yk_text_vformat(&name, format, arguments);
     va_end(arguments);
     const char *copy = yk_arena_copy(file->program.arena, yk_text_get(&name), name.length);
-    if (!copy) file->program.failed = true;
-    routine->results[routine->count++] = (YkResult){copy, comment, value, channel};
+    if (!copy || !routine->results)
+        file->program.failed = true;
+    else
+        routine->results[routine->count++] = (YkResult){copy, comment, value, channel};
     yk_text_free(&name);
 }
 
@@ -237,6 +239,7 @@ static void add_reactions(YkFile *file, const Rates *r)
     YkForces *f = &file->forces;
     if (!has_bearing(p->model)) return;
     if (f->dry_count == 0) yk_forces_reactions(f, &r->velocities, &r->accelerations);
+    if (p->failed) return;
     if (!f->reaction) {
         if (!f->why_no_reactions) return;
         yk_problem(p->problems, YK_CODE_NOT_PRINTED, (YkPlace){0}, "the reactions in the joints are not printed: %s",

@@ -218,7 +218,7 @@ bool yk_plan_make(YkPlan *plan, YkMechanism *mech, const YkIncidence *incidence,
     yk_plan_coordinate_sums(plan);
     check_leftover_joints(plan);
     count_missing(plan);
-    return !plan->failed && !plan->list.failed;
+    return !plan->failed && !plan->list.failed && !yk_arena_failed(plan->arena);
 }
 
 void yk_plan_end(YkPlan *plan)

@@ -56,7 +56,8 @@ void yk_derive_values(YkDerivation *d, const YkState *state, YkDynamics *dynamic
     for (size_t k = 0; k < d->constant_count; k++) set(values, d->constants[k].symbol, d->constants[k].value);
     fill_bodies(d, state, values);
     fill_coordinates(d, state, values); // a body's angle may be a coordinate: the same number
-    for (size_t k = 0; k < d->source_count; k++) d->sources[k].fill(d->sources[k].context, state, dynamics, values);
+    for (size_t k = 0; k < d->source_count && yk_derivation_is_well(d); k++) // otherwise symbols may be missing
+        d->sources[k].fill(d->sources[k].context, state, dynamics, values);
     yk_ring_complete(d->ring, values);
     for (size_t k = d->change_count - d->definition_count; k < d->change_count; k++)
         set(values, d->changes[k].symbol, yk_ring_value(d->ring, d->changes[k].value, values).x);

@@ -365,6 +365,7 @@ YkMotionCertificate yk_certifier_report(const YkCertifier *c)
         yk_text_format(&text, "not certified: %s", found.why);
     else
         word_message(&found, &text);
+    found.has_run_out |= text.failed;
     yk_text_move(&text, found.message, sizeof found.message);
     return found;
 }

@@ -2,6 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/problems.h"
+#include "dynamics/dynamics.h"
 #include "report/report.h"
 
 enum { PEAK_STEPS = 64, STEPS_MAX = 200000 };
@@ -158,6 +160,7 @@ static bool simulate(YkReportPage *report)
             break;
         }
         take_row(report);
+        report->failed |= yk_simulation_dynamics(report->simulation)->ran_out;
     }
     return report->simulation != NULL;
 }

@@ -201,5 +201,5 @@ bool yk_rest_keep(YkRest *rest)
     p.at.force = rest->force_scale > 0 ? norm(rest, rest->a) / rest->force_scale : 0;
     bool has_modes = yk_rest_linearise(rest, &p);
     if (has_modes && !(p.is_continuous && is_known(rest, &p))) rest->points[rest->count++] = p;
-    return true;
+    return has_modes || !yk_arena_failed(rest->arena);
 }

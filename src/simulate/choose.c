@@ -218,5 +218,6 @@ bool yk_simulation_recoordinate(YkSimulation *sim, bool *changed)
     free(parts.memory);
     free(kept);
     free(chosen);
+    if (!ok) yk_arena_fail(sim->arena);
     return ok;
 }

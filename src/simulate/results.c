@@ -21,6 +21,7 @@ YkDynamics *yk_simulation_dynamics(YkSimulation *sim)
     for (size_t k = 0; k < sim->free_count; k++)
         d->acceleration[sim->free_input[k]] = sim->state->input[3 * sim->free_input[k] + 2];
     YkStatus status = yk_dynamics_apply(d, sim->state);
+    d->ran_out |= status == YK_NO_MEMORY;
     sim->has_forces = true;
     sim->forces_are_known = status >= 0 && status != YK_SINGULAR;
     return d;

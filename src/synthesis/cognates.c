@@ -188,8 +188,9 @@ YkCognates *yk_cognates_new(const YkState *state, size_t point, YkProblems *prob
 {
     YkLinkage ring;
     if (!state || !yk_state_has_pose(state)) return NULL;
-    size_t found = yk_linkage_find(state, point, &ring);
-    if (found == YK_NOT_FOUND) {
+    bool ran_out;
+    size_t found = yk_linkage_find(state, point, &ring, &ran_out);
+    if (found == YK_NOT_FOUND && !ran_out) {
         yk_problem(problems, YK_CODE_NO_COGNATES, (YkPlace){0},
                    point == YK_NOT_FOUND
                        ? "the machine has no four-bar or slider-crank on the ground whose coupler has a point "
@@ -199,7 +200,7 @@ YkCognates *yk_cognates_new(const YkState *state, size_t point, YkProblems *prob
                         "give the coupler a point, as in `coupler: {points: {A: [0, 0], B: [b, 0], P: [px, py]}}`");
         return NULL;
     }
-    YkCognates *c = calloc(1, sizeof *c);
+    YkCognates *c = ran_out ? NULL : calloc(1, sizeof *c);
     if (c) {
         c->model = state->mech->model;
         c->point = found;

@@ -30,11 +30,12 @@ static size_t free_point(const YkState *state, int32_t body, size_t wished, cons
     return YK_NOT_FOUND;
 }
 
-static size_t find_four_bar(const YkState *state, size_t point, YkLinkage *ring)
+static size_t find_four_bar(const YkState *state, size_t point, YkLinkage *ring, bool *ran_out)
 {
     YkFourBar all[RINGS_MAX];
     size_t count = yk_four_bars(state->mech, all, RINGS_MAX);
-    for (size_t k = 0; k < count && k < RINGS_MAX && count != YK_NOT_FOUND; k++) {
+    *ran_out = count == YK_NOT_FOUND;
+    for (size_t k = 0; k < count && k < RINGS_MAX && !*ran_out; k++) {
         if (all[k].body[0] != 0) continue;
         *ring = (YkLinkage){.input = (int32_t)all[k].body[1], .coupler = (int32_t)all[k].body[2]};
         ring->output = (int32_t)all[k].body[3];
@@ -93,8 +94,8 @@ static size_t find_slider_crank(const YkState *state, size_t point, YkLinkage *r
     return YK_NOT_FOUND;
 }
 
-size_t yk_linkage_find(const YkState *state, size_t point, YkLinkage *ring)
+size_t yk_linkage_find(const YkState *state, size_t point, YkLinkage *ring, bool *ran_out)
 {
-    size_t found = find_four_bar(state, point, ring);
-    return found != YK_NOT_FOUND ? found : find_slider_crank(state, point, ring);
+    size_t found = find_four_bar(state, point, ring, ran_out);
+    return found != YK_NOT_FOUND || *ran_out ? found : find_slider_crank(state, point, ring);
 }

@@ -15,7 +15,7 @@ typedef struct YkLinkage {
 // Returns where a point of a body, given in its axes, is in the world.
 YkVec yk_linkage_place(const YkState *state, int32_t body, YkVec at);
 // Finds the first one whose coupler has a point that is not one of its joints (`point`, or any: YK_NOT_FOUND). Returns
-// the point, or YK_NOT_FOUND if there is none.
-size_t yk_linkage_find(const YkState *state, size_t point, YkLinkage *ring);
+// the point, or YK_NOT_FOUND if there is none, or when out of memory (*ran_out).
+size_t yk_linkage_find(const YkState *state, size_t point, YkLinkage *ring, bool *ran_out);
 
 #endif

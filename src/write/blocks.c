@@ -28,6 +28,7 @@ struct YkBlocks {
     uint64_t from;
     size_t count, room;
     off_t next, end; // end: behind the last whole block
+    bool ran_out;    // a row could not be read for lack of memory
 };
 
 // --- opening
@@ -257,9 +258,16 @@ const double *yk_blocks_row(YkBlocks *blocks, uint64_t design)
         uint64_t from = blocks->count == 0 ? 0 : blocks->from + blocks->count;
         off_t place = blocks->count == 0 ? HEAD : blocks->next;
         if (fseeko(blocks->file, place, SEEK_SET) != 0) return NULL;
-        if (read_block(blocks, from, (uint64_t)(blocks->end - place)) != READ_WHOLE) return NULL;
+        Reading reading = read_block(blocks, from, (uint64_t)(blocks->end - place));
+        blocks->ran_out |= reading == READ_NO_MEMORY;
+        if (reading != READ_WHOLE) return NULL;
     }
     return blocks->rows + (size_t)(design - blocks->from) * blocks->width;
+}
+
+bool yk_blocks_ran_out(const YkBlocks *blocks)
+{
+    return blocks && blocks->ran_out;
 }
 
 void yk_blocks_close(YkBlocks *blocks, bool is_finished)

@@ -2,7 +2,8 @@
 // It gives the right answer, byte for byte (exit code, standard output, standard error, files), or it says E0100, exits
 // 2 and leaves no file. Nothing crashes, runs for ever or leaks.
 //
-// The gate tries a seeded sample of k for each command line; YOKE_FULL=1 tries every k. By hand:
+// The gate tries one k for each place in the program (a chain of calls) that allocates and that no earlier command line
+// has tried; YOKE_FULL=1 tries every k. By hand:
 //   test_cli_memory solve        every k of the command lines that contain "solve"; YOKE_SAMPLE=1: a sample of them
 //   YOKE_WHERE=1                 also prints, for each k that went wrong, where in the program the allocation was
 #define _GNU_SOURCE // RTLD addresses for YOKE_WHERE
@@ -17,6 +18,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "memory_runs.h"
+// The arena of this program asks for each thing by itself.
+#define YOKE_CHUNK_MIN 1
+#define YOKE_CHUNK_MAX 1
+#include "../../src/base/memory.c"
 
 int yoke_main(int argc, char **argv); // apps/cli/main.c
 
@@ -27,7 +32,13 @@ bool yk_memory_ran_out(void)
     return false;
 }
 
-enum { WORDS_MAX = 32, WORD_SIZE = 512, FILES_MAX = 16, CPU_SECONDS = 10, SAMPLE = 10, WHERE_MAX = 24 };
+enum { WORDS_MAX = 32, WORD_SIZE = 512, FILES_MAX = 16, CPU_SECONDS = 10, WHERE_MAX = 24 };
+enum { PLACES_MAX = 1 << 22, KNOWN_MAX = 1 << 18, GOOD_EVERY = 20 };
+#ifdef __OPTIMIZE__
+enum { DEPTH = 5 }; // calls that tell one place from another, those of the allocator among them
+#else
+enum { DEPTH = 9 };
+#endif
 
 // What a child leaves for its parent.
 typedef struct Shared {
@@ -35,6 +46,7 @@ typedef struct Shared {
     bool has_failed;
     void *where[WHERE_MAX];
     int where_count;
+    uint64_t places[PLACES_MAX]; // of each allocation: a number of its calls; only where they are asked for
 } Shared;
 static Shared *shared;
 
@@ -117,6 +129,19 @@ static void note_where(void)
     if (shared->where_count == 0) shared->where_count = backtrace(shared->where, WHERE_MAX);
 }
 
+static void note_place(long number)
+{
+    void *calls[DEPTH];
+    uint64_t place = 0;
+    int count = backtrace(calls, DEPTH);
+    for (int i = 0; i < count; i++) place = (place ^ (uintptr_t)calls[i]) * 0x9e3779b97f4a7c15U + (place >> 32);
+    if (number < PLACES_MAX) shared->places[number] = place;
+}
+
+#ifdef YOKE_COVERAGE
+void __gcov_dump(void); // what exit() would do, but _exit() does not
+#endif
+
 // The child: it never returns.
 static void run_child(int argc, char **argv, long k, bool for_good)
 {
@@ -134,18 +159,24 @@ static void run_child(int argc, char **argv, long k, bool for_good)
     has_failed = false;
     fails_for_good = for_good;
     countdown = k;
+    on_request = k < 0 ? note_place : NULL;
     int code = yoke_main(argc, argv);
     countdown = -1;
+    on_request = NULL;
     shared->requests = requests;
     shared->live = live - before;
     shared->has_failed = has_failed;
+#ifdef YOKE_COVERAGE
+    __gcov_dump();
+#endif
     _exit(code);
 }
 
 static Outcome run(int argc, char **argv, long k, bool for_good)
 {
     Outcome outcome = {0};
-    *shared = (Shared){0};
+    shared->requests = shared->live = shared->where_count = 0;
+    shared->has_failed = false;
     for (int i = 0; i < 2; i++) {
         int descriptor = i == 0 ? out_descriptor : err_descriptor;
         assert_int_equal(ftruncate(descriptor, 0), 0);
@@ -249,6 +280,33 @@ static void print_failure(const Run *given, const Outcome *right, Verdict verdic
     printf("\n");
 }
 
+static uint64_t known[KNOWN_MAX]; // places that have been tried; 0: free
+static long known_count;
+
+static bool is_new(uint64_t place)
+{
+    size_t at = place % KNOWN_MAX;
+    while (known[at] != 0 && known[at] != place) at = (at + 1) % KNOWN_MAX;
+    if (known[at] == place) return false;
+    assert_true(++known_count < KNOWN_MAX / 2);
+    known[at] = place;
+    return true;
+}
+
+// The allocations to try: all, or one of each new place, the first or a later one. Returns how many.
+static long choose(long count, bool every, uint64_t seed, long *chosen)
+{
+    long some = 0;
+    for (long k = 0; k < count; k++) {
+        long at = k;
+        if (!every && !is_new(shared->places[k])) continue;
+        for (long later = k + 1; !every && later < count && later < k + 64; later++)
+            if (shared->places[later] == shared->places[k] && check_uniform(&seed, 0, 1) < 0.5) at = later;
+        chosen[some++] = at;
+    }
+    return some;
+}
+
 typedef struct Tally {
     long count[VERDICTS];
 } Tally;
@@ -268,11 +326,12 @@ static long try_all(const Run *given, bool every, Tally *sum)
     }
     uint64_t seed = 20261122;
     for (const char *c = given->words; *c; c++) seed = seed * 31 + (unsigned char)*c;
-    long tries = every || count < SAMPLE ? count : SAMPLE;
+    assert_true(count <= PLACES_MAX);
+    long *chosen = malloc((size_t)count * sizeof *chosen), tries = choose(count, every, seed, chosen);
     for (int for_good = 0; for_good < 2; for_good++) {
         for (long i = 0; i < tries; i++) {
-            double within = tries == count ? 0.5 : check_uniform(&seed, 0, 1);
-            long k = (long)(((double)i + within) * (double)count / (double)tries);
+            long k = chosen[i];
+            if (for_good && !every && i % GOOD_EVERY != 0) continue;
             Outcome outcome = run(argc, argv, k, for_good);
             Verdict verdict = judge(given, &right, live_when_right, &outcome);
             tally.count[verdict]++;
@@ -283,7 +342,8 @@ static long try_all(const Run *given, bool every, Tally *sum)
             forget(&outcome);
         }
     }
-    printf("%6ld of %ld allocations x 2:", tries, count);
+    free(chosen);
+    printf("%6ld of %ld allocations:", tries, count);
     for (int v = 0; v < VERDICTS; v++) {
         sum->count[v] += tally.count[v];
         if (v < WRONG || tally.count[v] > 0) printf(" %ld %s", tally.count[v], verdict_names[v]);

@@ -1,5 +1,4 @@
 // yoke cognates: other machines with the same coupler curve.
-#include <string.h>
 #include "answer.h"
 #include "reach.h"
 #include "write/file_set.h"
@@ -8,17 +7,10 @@
 
 static const char *const link_names[] = {"ground", "input", "coupler", "output"};
 
-static const char *point_name(const YkSession *session, size_t point, char name[YK_NAME_SIZE])
+static void add_point(const YkSession *session, const YkCognates *cognates, YkText *text)
 {
-    YkText text = {0};
-    size_t body = yk_model_point_body(session->model, point);
-    yk_text_format(&text, "%s.%s", yk_model_body_name(session->model, body),
-                   yk_model_point_name(session->model, point));
-    size_t length = text.length < YK_NAME_SIZE - 1 ? text.length : YK_NAME_SIZE - 1;
-    memcpy(name, yk_text_get(&text), length);
-    name[length] = '\0';
-    yk_text_free(&text);
-    return name;
+    size_t point = yk_cognates_point(cognates), body = yk_model_point_body(session->model, point);
+    yk_text_format(text, "%s.%s", yk_model_body_name(session->model, body), yk_model_point_name(session->model, point));
 }
 
 // --- text
@@ -43,12 +35,12 @@ static void add_row(const YkSession *session, YkTable *table, const char *name, 
 
 static void write_text(YkSession *session, const YkCognates *cognates)
 {
-    char name[YK_NAME_SIZE];
     const char *unit = yk_unit_of(session, YK_QUANTITY_LENGTH);
     YkCandidate own = yk_cognates_at(cognates, YK_NOT_FOUND);
-    yk_text_format(&session->out, "%s: %z cognate%s with the curve of %s\n\n", yk_model_name(session->model),
-                   yk_cognates_count(cognates), yk_cognates_count(cognates) == 1 ? "" : "s",
-                   point_name(session, yk_cognates_point(cognates), name));
+    yk_text_format(&session->out, "%s: %z cognate%s with the curve of ", yk_model_name(session->model),
+                   yk_cognates_count(cognates), yk_cognates_count(cognates) == 1 ? "" : "s");
+    add_point(session, cognates, &session->out);
+    yk_text_puts(&session->out, "\n\n");
     YkTable *table = yk_table_new(9);
     yk_table_head(table, "machine", NULL);
     yk_table_head(table, "type", NULL);
@@ -89,12 +81,14 @@ static void add_cognate(YkJson *json, const YkCandidate *c)
 
 static void write_json(YkSession *session, const YkCognates *cognates, YkText *text)
 {
-    char name[YK_NAME_SIZE];
+    YkText point = {0};
     YkJson json = {.text = text};
     yk_json_object(&json, NULL, YK_JSON_LINES);
     yk_json_string(&json, "model", yk_model_name(session->model));
     yk_json_string(&json, "status", "ok");
-    yk_json_string(&json, "of", point_name(session, yk_cognates_point(cognates), name));
+    add_point(session, cognates, &point);
+    yk_json_string(&json, "of", yk_text_get(&point));
+    yk_text_free(&point);
     yk_json_list(&json, "cognates", YK_JSON_LINES);
     for (size_t k = 0; k < yk_cognates_count(cognates); k++) {
         YkCandidate c = yk_cognates_at(cognates, k);

@@ -5,14 +5,14 @@
 #include "reach.h"
 #include "session.h"
 
-// Refuses machines with too few or too many freedoms. --over and --at have made their coordinates inputs.
-static bool has_one_freedom(YkSession *session, size_t mapped)
+// Refuses to map what --at holds. Both have made their coordinates inputs.
+static bool is_left_free(YkSession *session, size_t mapped)
 {
     for (size_t k = 0; k < session->hold_count; k++)
         if (session->holds[k].order == 0 && yk_input_coordinate(session->mech, session->holds[k].input) == mapped)
             return yk_session_refuse(session, YK_CODE_OPTION_REPEATED, "%q is mapped, so --at cannot hold it",
                                      yk_coordinate_info(session->mech, mapped).name);
-    return yk_map_has_freedoms(session, 1);
+    return true;
 }
 
 // --- the verb
@@ -111,7 +111,8 @@ static int answer(YkSession *session)
         coordinate = yk_input_coordinate(session->mech, k);
         break;
     }
-    if (!has_one_freedom(session, coordinate)) return YK_EXIT_NO_ANSWER;
+    if (!is_left_free(session, coordinate)) return YK_EXIT_WRONG;
+    if (!yk_map_has_freedoms(session, 1)) return YK_EXIT_NO_ANSWER;
     if (yk_ranks()) return refuse_ranks(session);
     YkCoordinateInfo info = yk_coordinate_info(session->mech, coordinate);
     if (info.input < 0) {

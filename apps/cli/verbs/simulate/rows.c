@@ -82,6 +82,7 @@ static void add_text_row(YkSimulationAnswer *answer, YkText *head)
         size_t length = is_known ? yk_number_write_digits(value, YK_DIGITS, number) : 1;
         add_right(out, is_known ? number : "-", length, width);
     }
+    yk_text_add(out, yk_text_get(head), 0); // fails where a width is lost
     yk_text_puts(out, "\n");
 }
 

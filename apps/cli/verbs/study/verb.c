@@ -38,7 +38,8 @@ static int finish(YkStudyAnswer *a, int exit_code)
 {
     YkSession *session = a->session;
     bool good = !a->has_missing;
-    if (!good)
+    session->ran_out |= yk_blocks_ran_out(a->blocks);
+    if (!good && !session->ran_out)
         yk_problem(session->problems, YK_CODE_OUTPUT_FAILED, (YkPlace){0},
                    "cannot read %q back: another program or the disk has changed it", a->partial);
     if (!a->blocks && good) return yk_session_finish(session, exit_code);
