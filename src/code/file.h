@@ -31,6 +31,10 @@ typedef struct YkRoutine {
 
 enum { YK_ROUTINES_MAX = 5 };
 
+enum {
+    YK_FILE_SMALL_SYSTEM = 4
+}; // unknowns up to which a determinant tells how far a system is from singular; as solve/group.c
+
 typedef struct YkLeafNote { // of the inputs or the configuration
     const char *name, *comment;
     double value;

@@ -117,6 +117,36 @@ static const char equations[] =
     "    return determinant;\n"
     "}\n\n";
 
+static const char sine[] =
+    "/* In larger systems a determinant, a product of sines, is small even if none of them is. Returns in its place "
+    "the\n"
+    "   least sine of the angle between a column and all others, with its sign: 1 over the lengths of a column and of "
+    "its\n"
+    "   row of the inverse. From what @_equations leaves in a[n][w]; b[n] to work with. */\n"
+    "static $ @_sine(int n, int w, const $ *a, $ *b, $ determinant)\n"
+    "{\n"
+    "    $ most = 0;\n"
+    "    if (!(determinant != 0 && fabs~(determinant) < 0.01~)) return determinant;\n"
+    "    for (int j = 0; j < n; j++) {\n"
+    "        $ row = 0, column = 0;\n"
+    "        for (int i = 0; i < n; i++) {\n"
+    "            $ sum = 0, entry = i <= j ? a[i * w + j] : 0;\n"
+    "            for (int k = 0; k < i; k++) sum += a[k * w + i] * b[k];\n"
+    "            for (int k = 0; k < i && k <= j; k++) entry += a[i * w + k] / a[k * w + k] * a[k * w + j];\n"
+    "            b[i] = ((i == j ? 1 : 0) - sum) / a[i * w + i];\n"
+    "            column += entry * entry;\n"
+    "        }\n"
+    "        for (int i = n - 1; i >= 0; i--) {\n"
+    "            for (int k = i + 1; k < n; k++) b[i] -= a[k * w + i] / a[i * w + i] * b[k];\n"
+    "            row += b[i] * b[i];\n"
+    "        }\n"
+    "        if (!(row * column <= most)) most = row * column;\n"
+    "    }\n"
+    "    const $ least = 1 / sqrt~(most);\n"
+    "    if (!(least > fabs~(determinant))) return determinant;\n"
+    "    return determinant < 0 ? -least : least;\n"
+    "}\n\n";
+
 static const char motion[] =
     "/* Equations of motion: a[n][n + 1], symmetric, the right side behind the matrix, are solved in their place by "
     "L D L^T.\n"
@@ -278,6 +308,7 @@ void yk_file_write_helpers(YkFile *file, const char *body)
                   "    const double turns = ((a - to) * 0.15915494309189535 + to_integer) - to_integer;\n"
                   "    return a - turns * 6.283185307179586;\n}\n\n");
     if (uses[YK_HELPER_SOLVE]) yk_file_template(file, equations);
+    if (uses[YK_HELPER_SINE]) yk_file_template(file, sine);
     if (uses[YK_HELPER_MOTION]) yk_file_template(file, motion);
     if (uses[YK_HELPER_FRICTION]) write_friction(file);
     if (uses[YK_HELPER_LAW]) {

@@ -7,13 +7,13 @@ static const char *call_array(YkPrinter *pr, const YkCall *call)
     return yk_printer_unique(pr, yk_graph_text(pr->graph, "%s_%s", call->name, endings[call->kind]));
 }
 
-// Writes the entries of equations that are not zero.
-static void write_system(YkPrinter *pr, const YkCall *call, const char *name)
+// Writes the entries of equations that are not zero, in an array of so many places.
+static void write_system(YkPrinter *pr, const YkCall *call, const char *name, size_t places)
 {
     if (call->argument_count <= 24) {
-        yk_printer_array(pr, name, call->arguments, call->argument_count, call->result_count);
+        yk_printer_array(pr, name, call->arguments, call->argument_count, places);
     } else {
-        yk_text_format(pr->out, "    %s %s[%d] = {0};\n", yk_printer_real(pr), name, (int)call->result_count);
+        yk_text_format(pr->out, "    %s %s[%d] = {0};\n", yk_printer_real(pr), name, (int)places);
         for (size_t k = 0; k < call->argument_count; k++) {
             if (yk_graph_is_number(pr->graph, call->arguments[k], 0)) continue;
             size_t from = pr->out->length;
@@ -28,16 +28,21 @@ static void write_system(YkPrinter *pr, const YkCall *call, const char *name)
 
 static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
 {
+    int n = (int)call->n, m = (int)call->m, last = n * (n + m);
+    bool is_large = n > YK_FILE_SMALL_SYSTEM;
     pr->uses[YK_HELPER_SOLVE] = true;
-    write_system(pr, call, name);
-    yk_text_format(pr->out, "    %s[%d] = %s_equations(%d, %d, %s);\n", name, (int)call->result_count - 1, pr->prefix,
-                   (int)call->n, (int)call->m, name);
+    pr->uses[YK_HELPER_SINE] |= is_large;
+    write_system(pr, call, name, (size_t)(last + 1 + (is_large ? n : 0)));
+    yk_text_format(pr->out, "    %s[%d] = %s_equations(%d, %d, %s);\n", name, last, pr->prefix, n, m, name);
+    if (!is_large) return;
+    yk_text_format(pr->out, "    %s[%d] = %s_sine(%d, %d, %s, %s + %d, %s[%d]);\n", name, last, pr->prefix, n, n + m,
+                   name, name, last + 1, name, last);
 }
 
 static void call_motion(YkPrinter *pr, const YkCall *call, const char *name)
 {
     pr->uses[YK_HELPER_MOTION] = true;
-    write_system(pr, call, name);
+    write_system(pr, call, name, call->result_count);
     yk_text_format(pr->out, "    %s[%d] = %s_motion(%d, %s);\n", name, (int)call->argument_count, pr->prefix,
                    (int)call->n, name);
 }
@@ -48,6 +53,7 @@ static void call_group(YkPrinter *pr, const YkCall *call, const char *name)
     size_t count = yk_call_known(pr, call, known, YK_PRINTER_KNOWN_MAX);
     const char *given_name = yk_printer_unique(pr, yk_graph_text(pr->graph, "%s_known", call->name));
     pr->uses[YK_HELPER_SOLVE] = true;
+    pr->uses[YK_HELPER_SINE] |= call->n > YK_FILE_SMALL_SYSTEM;
     yk_printer_array(pr, name, call->arguments, call->argument_count, call->result_count);
     if (count == 0) {
         yk_text_format(pr->out, "    const %s %s[1] = {0};\n", yk_printer_real(pr), given_name);

@@ -125,25 +125,35 @@ static void write_newton(YkFile *file, const YkBlock *b, const YkPlaced *placed)
     YkProgram *p = &file->program;
     YkPrinter *pr = &file->printer;
     const char *real = pr->single ? "float" : "double", *name = placed->name;
-    int n = (int)b->column_count;
+    int n = (int)b->column_count, places = n * (n + 1);
+    bool is_large = n > YK_FILE_SMALL_SYSTEM;
     yk_text_format(
         pr->out,
         "/* Newton's method from the guess in x[0..%d]; then x[%d]: the error over the tolerance, x[%d]: the\n"
-        "   determinant over the lengths of the columns. It stops when the error no longer shrinks. */\n",
-        n - 1, n, n + 1);
+        "   determinant over the lengths of the columns%s. It stops when the error no longer shrinks. */\n",
+        n - 1, n, n + 1, is_large ? ",\n   or the least sine" : "");
     yk_text_format(pr->out, "static void %s_solve_%s(const %s_machine *m, const %s *known, %s *x)\n{\n", pr->prefix,
                    name, pr->prefix, real, real);
-    yk_text_format(pr->out, "    %s system[%d], last = -1, determinant = 0;\n", real, n * (n + 1));
+    yk_text_format(pr->out, "    %s system[%d], last = -1, determinant = 0;\n", real, places + (is_large ? n : 0));
     yk_text_format(pr->out, "    %s miss = %s_loops_%s(m, known, x, system);\n", real, pr->prefix, name);
     yk_text_format(pr->out,
                    "    for (int round = 0; round < 30; round++) {\n"
                    "        determinant = %s_equations(%d, 1, system);\n"
-                   "        if (miss == 0 || (last >= 0 && !(miss < last)) || determinant == 0) break;\n"
+                   "        if (miss == 0 || (last >= 0 && !(miss < last)) || determinant == 0) ",
+                   pr->prefix, n);
+    if (is_large)
+        yk_text_format(pr->out,
+                       "{\n            determinant = %s_sine(%d, %d, system, system + %d, determinant);\n            "
+                       "break;\n        }\n",
+                       pr->prefix, n, n + 1, places);
+    else
+        yk_text_puts(pr->out, "break;\n");
+    yk_text_format(pr->out,
                    "        for (int k = 0; k < %d; k++) x[k] += system[k * %d + %d];\n"
                    "        last = miss;\n"
                    "        miss = %s_loops_%s(m, known, x, system);\n"
                    "    }\n",
-                   pr->prefix, n, n, n + 1, n, pr->prefix, name);
+                   n, n + 1, n, pr->prefix, name);
     yk_text_format(pr->out, "    x[%d] = miss / ", n);
     yk_printer_number(pr, (pr->single ? 1e-5 : 1e-12) * yk_program_size(p));
     yk_text_format(pr->out, ";\n    x[%d] = determinant;\n}\n\n", n + 1);

@@ -20,6 +20,7 @@ typedef enum YkHelper {
     YK_HELPER_LAW,
     YK_HELPER_FRICTION,
     YK_HELPER_MOTION,
+    YK_HELPER_SINE,
     YK_HELPER_COUNT
 } YkHelper;
 

@@ -298,5 +298,32 @@ class Chains(Special):
         self.assertEqual({status for status, _ in rows}, {OK})
 
 
+def truss(count, numbers):
+    """Ternary links in a row, each with a leg to the ground and the ends with one more, of which a crank moves the first: one Assur
+    group of 2 count + 2 links. All bodies have the world's axes at the start, so that all angles are 0."""
+    def near(x, y):
+        return "[%.6f, %.6f]" % (x + numbers.uniform(-0.3, 0.3), y + numbers.uniform(-0.3, 0.3))
+    row = [near(2 * k, 2) for k in range(count + 1)]
+    inner, ground = ([near(2 * k + 1, y) for k in range(count)] for y in (1.2, 0))
+    first, last = near(-1.5, 0.5), near(2 * count + 1.5, 0.5)
+    legs = [("e0", "E0", first, "P0", row[0]), ("e1", "E1", last, "P%d" % count, row[-1])]
+    legs += [("l%d" % k, "G%d" % k, ground[k], "L%d" % k, inner[k]) for k in range(count)]
+    mass = "mass: 1, center: %s, inertia: 0.1}"
+    lines = ["gravity: [0, -9.81]", "bodies:", "  ground: {points: {O: [-1.7, 0.2], E1: %s, %s}}" % (last, ", ".join("G%d: %s" % at for at in enumerate(ground))),
+             "  crank: {points: {O: [-1.7, 0.2], E0: %s}, %s" % (first, mass % first)]
+    lines += ["  %s: {points: {%s: %s, %s: %s}, %s" % (*leg, mass % leg[4]) for leg in legs]
+    lines += ["  t%d: {points: {P%d: %s, P%d: %s, L%d: %s}, %s" % (k, k, row[k], k + 1, row[k + 1], k, inner[k], mass % inner[k]) for k in range(count)]
+    lines += ["joints:", "  O: {pin: [ground, crank], angle: q}", "  P0: {pin: [e0, t0]}", "  P%d: {pin: [e1, t%d]}" % (count, count - 1)]
+    lines += ["  %s: {pin: [%s, %s]}" % (leg[1], "crank" if leg[0] == "e0" else "ground", leg[0]) for leg in legs]
+    lines += ["  L%d: {pin: [l%d, t%d]}" % (k, k, k) for k in range(count)] + ["  P%d: {pin: [t%d, t%d]}" % (k, k - 1, k) for k in range(1, count)]
+    return "\n".join(lines + ["start: {q: 0}", ""])
+
+
+class Trusses(Special):
+    def test_a_large_group_is_not_singular_because_its_determinant_is_small(self):
+        text = self.print(self.write("truss.yaml", truss(8, random.Random(2))))
+        self.assertEqual(self.run_test(text, "1e-9").stdout, "m: well\n")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -96,7 +96,7 @@ CASES = """
 550 cam valve-cam --cam nothing | nothing
 706 cam valve-cam --profile outline.txt | .svg, .dxf or .csv
 706 cam valve-cam --plot plot.txt | .svg, .pdf or .png
-806 cam valve-cam --cutter 0mm | length greater than zero
+806 cam valve-cam --cutter 0mm | length must be greater than zero
 559 cam valve-cam --limits width=3mm | pressure=ANGLE
 806 cam valve-cam --limits pressure=0deg | greater than zero
 558 cam valve-cam --compare cyclodal | did you mean `cycloidal`
