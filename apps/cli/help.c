@@ -28,7 +28,7 @@ static const Special specials[] = {
     {"at", " map ", "NAME=VALUE", "hold another coordinate of a machine with more freedoms; repeatable"},
     {"over", " map ", "NAME", "the coordinate that is mapped (default: the drive's)"},
     {"tol", " map ", "NUMBER",
-     "with --over A,B: width of squares that may stay unproved, over the map's extent (default 1e-3)"},
+     "with --over A,B: width of squares that may stay unproved, as a part of the map's extent (default 1e-3)"},
     {"of", " map ", "NAME", "the coordinate that --plot draws over it (default: the first other)"},
     {"plot", " map ", "FILE", "draw the map: FILE.svg, .pdf or .png (the last two need rsvg-convert)"},
     {"trace", " map ", "BODY.POINT", "--plot also draws this point's curves on all circuits; repeatable"},

@@ -33,12 +33,12 @@ typedef struct YkDragged {
 } YkDragged;
 
 // Drags the point towards target[2], world axes, m. With one free input the state ends at the first pose from which the
-// distance would grow, or at the end of the motion, to 1e-9 of the input. With several it follows the descent of the
-// distance. At stops and limits it slides along just inside them, as long as that soon brings it nearer, and may give
-// up (SPENT) before the nearest of their poses. All inputs keep their rates. Returns YK_OK, wherever it ended;
-// YK_STOPPED (yk_state_set_progress); YK_BAD_ARGUMENT for a target that is not finite or a state without a pose.
-// Allocates nothing. Cost with one free input: a few solutions every 8 degrees of the way; with n free inputs, n
-// solutions a step, at most 300 steps.
+// distance would grow, or at the end of the motion, to 1e-9 of the input; a rise that begins and ends within one step
+// of 8 degrees may be passed over. With several it follows the descent of the distance. At stops and limits it slides
+// along just inside them, as long as that soon brings it nearer, and may give up (SPENT) before the nearest of their
+// poses. All inputs keep their rates. Returns YK_OK, wherever it ended; YK_STOPPED (yk_state_set_progress);
+// YK_BAD_ARGUMENT for a target that is not finite or a state without a pose. Allocates nothing. Cost with one free
+// input: a few solutions every 8 degrees of the way; with n free inputs, n solutions a step, at most 300 steps.
 YK_API YkStatus yk_state_drag(YkDrag *drag, const double target[2], YkDragged *dragged);
 
 #ifdef __cplusplus

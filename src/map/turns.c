@@ -17,41 +17,39 @@ static double end_value(const Walk *w, const YkStrand *leaf, int end)
     return yk_map_row_at(w->map, rows, end == 1 ? rows->count - 1 : 0)[w->column];
 }
 
-// Reads the angle of a strand at an input, near the one of a row.
-static double angle_at(Walk *w, size_t leaf, double at, const double *near)
+// Reads the angle at a share of the way from a row of a strand to `span` beyond. About its ends the way goes as the
+// square of the share: at a limit the angle has a slope over the share, not over the input.
+static double angle_on(Walk *w, size_t leaf, const double *row, double span, bool is_end, double share)
 {
-    return yk_map_read_row(w->map, w->map->leaves->items[leaf], at, near, w->row) ? w->row[w->column] : NAN;
+    double at = row[0] + span * (is_end ? share * share : share);
+    return yk_map_read_row(w->map, w->map->leaves->items[leaf], at, row, w->row) ? w->row[w->column] : NAN;
 }
 
 // Returns the largest (sign 1) or smallest (-1) angle about a row, if it is there: the top of a parabola through three
-// poses, which then close in on it. About a row at an end of the strand these are the row, one all but there, and its
-// neighbour: the angle may turn round between them, and the strand goes on beyond its end.
+// poses, which then close in on it; now and then a middle of two comes instead, since near change points the angle has
+// a kink. About a row at an end of the strand these are the row, one all but there, and its neighbour: the angle may
+// turn round between them, and the strand goes on beyond its end.
 static double extreme(Walk *w, size_t leaf, size_t r, double sign)
 {
-    const double ASIDE = 1e-3;
+    enum { STEPS_MAX = 60 };
+    const double ASIDE = 1e-4, CLOSE = 1e-9;
     const YkMapRows *rows = &w->map->strand_rows[leaf];
-    const double *row = yk_map_row_at(w->map, rows, r);
-    double u[3], y[3], own = row[w->column];
     bool is_last = r + 1 == rows->count, is_end = r == 0 || is_last;
-    for (size_t k = 0; k < 3; k++) {
-        size_t beside = is_end ? (is_last ? r - (k < 2) : k == 2) : r + k - 1;
-        u[k] = yk_map_row_at(w->map, rows, beside)[0];
-        y[k] = sign * yk_map_row_at(w->map, rows, beside)[w->column];
-        if (y[k] > sign * own) return own;
-    }
-    if (is_end) {
-        u[1] = row[0] + ASIDE * (u[is_last ? 0 : 2] - row[0]);
-        y[1] = sign * angle_at(w, leaf, u[1], row);
-        if (!(y[1] > sign * own)) return own;
-    }
-    double best = y[1];
-    for (int step = 0; step < 12; step++) {
+    const double *row = yk_map_row_at(w->map, rows, r), *after = yk_map_row_at(w->map, rows, is_last ? r - 1 : r + 1);
+    const double *before = is_end ? row : yk_map_row_at(w->map, rows, r - 1);
+    double own = row[w->column], span = is_end ? after[0] - row[0] : w->map->tracer.scale;
+    double u[3] = {(before[0] - row[0]) / span, is_end ? ASIDE : 0, (after[0] - row[0]) / span};
+    double y[3] = {sign * before[w->column], sign * own, sign * after[w->column]};
+    if (y[0] > y[1] || y[2] > y[1]) return own;
+    if (is_end) y[1] = sign * angle_on(w, leaf, row, span, true, ASIDE);
+    if (is_end && !(y[1] > y[0])) return own;
+    for (int step = 1; step <= STEPS_MAX; step++) {
         double p = (u[1] - u[0]) * (y[1] - y[2]), q = (u[1] - u[2]) * (y[1] - y[0]), under = 2 * (p - q);
         double at = u[1] - ((u[1] - u[0]) * p - (u[1] - u[2]) * q) / under;
-        if (!(at > u[0]) || !(at < u[2]) || fabs(at - u[1]) < 1e-9 * w->map->tracer.scale) break;
-        double value = sign * angle_at(w, leaf, at, row);
+        if (step % 4 == 0) at = 0.5 * (u[1] + (u[2] - u[1] > u[1] - u[0] ? u[2] : u[0]));
+        if (!(at > u[0]) || !(at < u[2]) || fabs(at - u[1]) < CLOSE) break;
+        double value = sign * angle_on(w, leaf, row, span, is_end, at);
         if (!isfinite(value)) break;
-        best = fmax(best, value);
         size_t side = at > u[1] ? 2 : 0; // which of the outer ones is on the side of the new one
         if (value > y[1]) {
             u[2 - side] = u[1];
@@ -63,7 +61,7 @@ static double extreme(Walk *w, size_t leaf, size_t r, double sign)
             y[side] = value;
         }
     }
-    return sign * best;
+    return sign * y[1];
 }
 
 static void visit(Walk *w, size_t leaf, YkMapTurn *turn)

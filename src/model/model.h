@@ -347,12 +347,12 @@ static inline const YkStart *yk_start_of(const YkModel *model, int32_t coordinat
     return NULL;
 }
 
-// Returns the joint that holds one side of a joint: the joint itself; of a free joint the half that has that body.
 // Returns the body to which a joint attaches the given one, or YK_NONE.
 static inline int32_t yk_joint_other_body(const YkJoint *joint, int32_t body)
 {
     return joint->body[0] == body ? joint->body[1] : joint->body[1] == body ? joint->body[0] : YK_NONE;
 }
+// Returns the joint that holds one side of a joint: the joint itself; of a free joint the half that has that body.
 static inline const YkJoint *yk_joint_end(const YkModel *model, size_t joint, int side)
 {
     const YkJoint *j = &model->joints[joint];

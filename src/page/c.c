@@ -71,7 +71,8 @@ static YkRef value_of(Code *code, const YkPoisson *over, const YkPoisson *under)
 static void add_matrix(Code *code, const YkShownMatrix *matrix)
 {
     size_t count = matrix->rows * matrix->columns;
-    if (!add_result(code, matrix->target, -1, matrix->rows, matrix->columns)) return;
+    // A machine without freedom has empty ones, which are nothing that a function could write.
+    if (count == 0 || !add_result(code, matrix->target, -1, matrix->rows, matrix->columns)) return;
     YkRef *entries = calloc(count + 1, sizeof *entries);
     if (!entries) {
         code->failed = true;

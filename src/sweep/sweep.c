@@ -74,15 +74,15 @@ static bool allocate(YkSweep *w)
 {
     size_t rows = w->options.steps + 1;
     YkArena *a = w->arena = yk_arena_new();
-    w->rows = yk_arena_alloc(a, rows * (1 + w->channel_count), sizeof *w->rows);
-    w->row_status = yk_arena_alloc(a, rows, 1);
+    w->rows = calloc(rows * (1 + w->channel_count), sizeof *w->rows); // rows beyond a limit then cost no memory
+    w->row_status = calloc(rows, 1);
     w->slope = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->slope);
     w->slope_at = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->slope_at);
     w->sums = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->sums);
     w->beside = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->beside);
     w->largest = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->largest);
     w->channels = yk_arena_alloc(a, w->channel_count + 1, sizeof *w->channels);
-    return !yk_arena_failed(a);
+    return !yk_arena_failed(a) && w->rows && w->row_status;
 }
 
 static bool are_good(const YkState *state, const YkSweepOptions *o, YkProblems *problems)
@@ -137,6 +137,8 @@ void yk_sweep_free(YkSweep *w)
     if (!w) return;
     yk_walk_end(&w->walk);
     yk_arena_free(w->arena);
+    free(w->rows);
+    free(w->row_status);
     free(w->event_values);
     free(w);
 }

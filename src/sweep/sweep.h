@@ -6,7 +6,7 @@
 #include "sweep/walk.h"
 
 struct YkSweep {
-    YkArena *arena; // of all arrays but event_values
+    YkArena *arena; // of all arrays but the rows and event_values
     YkWalk walk;
     YkSweepOptions options;
     YkChannel *channels;

@@ -261,6 +261,22 @@ static void every_format_prints_the_section(void **state)
     machine_end(&m);
 }
 
+// Its mass matrix is empty, and so a function would have nothing to write.
+static void a_machine_without_freedom_has_no_function_for_its_mass_matrix(void **state)
+{
+    (void)state;
+    Machine m = machine_of("bodies:\n  ground: {points: {O: [0, 0]}}\n  plate: {points: {O: [0, 0]}, mass: 1}\n"
+                           "joints:\n  W: {weld: [ground, plate]}\n");
+    write_section(&m, "lagrange");
+    write_section(&m, "energy");
+    YkText text = {0};
+    assert_true(yk_page_write(&m.page, YK_PAGE_C, "Plate", NULL, &text));
+    assert_non_null(strstr(yk_text_get(&text), "machine_energy("));
+    assert_null(strstr(yk_text_get(&text), "machine_lagrange("));
+    yk_text_free(&text);
+    machine_end(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -276,6 +292,7 @@ int main(void)
         cmocka_unit_test(a_closing_slide_has_an_equation_for_its_distance),
         cmocka_unit_test(printed_equations_read_back_identical),
         cmocka_unit_test(every_format_prints_the_section),
+        cmocka_unit_test(a_machine_without_freedom_has_no_function_for_its_mass_matrix),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,11 +53,14 @@ static void check_turn(YkMapTurn turn, double p, double q, double r, double s, b
     CHECK_NEAR(turn.range.to - turn.range.from, turn.is_full ? 2 * YK_PI : width, 1e-7);
 }
 
-// Checks circuits, ranges, turns and limits of a four-bar against the triangles that its diagonals make of it.
-static void check_four_bar(uint64_t *seed)
+// Checks circuits, ranges, turns and limits of a four-bar against the triangles that its diagonals make of it. With
+// `apart`, one is taken whose links lie in one line but for that.
+static void check_four_bar(uint64_t *seed, double apart)
 {
     double g = check_uniform(seed, 0.5, 3), a = check_uniform(seed, 0.5, 3), b = check_uniform(seed, 0.5, 3),
-           c = check_uniform(seed, 0.5, 3), most = fmax(fmax(g, a), fmax(b, c)), least = fmin(fmin(g, a), fmin(b, c));
+           c = check_uniform(seed, 0.5, 3);
+    if (apart != 0) c = fmax(a + b - g, 0.5) + apart;
+    double most = fmax(fmax(g, a), fmax(b, c)), least = fmin(fmin(g, a), fmin(b, c));
     double outer = angle_at(g, a, b + c), inner = angle_at(g, a, fabs(b - c)), at[4];
     size_t limits = 0, expected_circuits;
     bool is_grashof = 2 * (most + least) < g + a + b + c;
@@ -113,7 +116,16 @@ static void test_four_bars_are_as_grashof_says(void **unused)
 {
     (void)unused;
     uint64_t seed = 18;
-    for (uint64_t k = 0; k < check_cases(60); k++) check_four_bar(&seed);
+    for (uint64_t k = 0; k < check_cases(60); k++) check_four_bar(&seed, 0);
+}
+
+// There joints have their extremes close to limits, and turn round within a small part of the motion.
+static void test_four_bars_near_change_points_turn_as_far_as_their_links_say(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 19;
+    for (uint64_t k = 0; k < check_cases(12); k++)
+        check_four_bar(&seed, pow(-1, (double)k) * pow(10, check_uniform(&seed, -6, -3)));
 }
 
 static void test_a_rocker_turns_back_where_the_links_say(void **unused)
@@ -802,6 +814,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_four_bars_are_as_grashof_says),
+        cmocka_unit_test(test_four_bars_near_change_points_turn_as_far_as_their_links_say),
         cmocka_unit_test(test_a_rocker_turns_back_where_the_links_say),
         cmocka_unit_test(test_every_configuration_is_on_the_map),
         cmocka_unit_test(test_the_double_butterfly_is_mapped),
