@@ -148,11 +148,10 @@ static const char sine[] =
     "}\n\n";
 
 static const char motion[] =
-    "/* Equations of motion: a[n][n + 1], symmetric, the right side behind the matrix, are solved in their place by "
-    "L D L^T.\n"
-    "   Returns the least pivot over the terms of the energy that it is the sum of, 0 where one is not positive. a has "
-    "n\n"
-    "   + 1 places more to work with. */\n"
+    "/* Solves symmetric equations of motion, a[n][n + 1] with the right side in the last column, in place by L D "
+    "L^T.\n"
+    "   Returns the least ratio of a pivot to the terms of the energy that it is the sum of, or 0 if a pivot is not\n"
+    "   positive. Behind the equations, a has n + 1 more places to work with. */\n"
     "static $ @_motion(int n, $ *a)\n"
     "{\n"
     "    const int w = n + 1;\n"

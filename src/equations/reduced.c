@@ -151,7 +151,8 @@ static void substitute(YkReduced *r, double *F, const YkOperation *op)
         substitute_many(r, F, op);
 }
 
-// Tells the unknowns that others depend on how much of what they move may be lost, and what its sums round.
+// Adds what may be lost of all that an operation's own unknowns move, and what its sums round, to the unknowns on which
+// they depend.
 static void pass_on_loss(YkReduced *r, const YkOperation *op)
 {
     uint32_t p = op->own, n = op->neighbours, q = op->given;

@@ -3,7 +3,7 @@
 
 enum { STRAIGHT_MAX = 6 }; // more free inputs are solved in a loop
 
-// Returns which part of the terms that a pivot is the sum of may be rounding alone.
+// Returns how large a pivot may be, relative to the terms that it is the sum of, and still be rounding alone.
 static YkRef rounding(YkProgram *p)
 {
     return yk_graph_number(&p->graph, p->is_single ? 5e-6 : 1e-14);
@@ -37,8 +37,8 @@ static void solve_pair(YkForces *f, const size_t *free, YkRef *b)
     for (size_t k = 0; k < 2; k++) b[k] = yk_graph_multiply(g, b[k], over);
 }
 
-// Returns the terms of the energy that pivot k is the sum of, about: those of the diagonal, as the coordinates before
-// answer a unit of k. Where pivots before are small the answers are large, and so is what rounding makes of them.
+// Returns an estimate of the terms of the energy that pivot k is the sum of: those of the diagonal, for a unit of k and
+// the answers of the coordinates before it. Small pivots make these answers large, and with them what rounding loses.
 static YkRef terms_of(YkForces *f, const size_t *free, size_t k, YkRef L[STRAIGHT_MAX][STRAIGHT_MAX])
 {
     YkGraph *g = &f->program->graph;
