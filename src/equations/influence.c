@@ -1,6 +1,7 @@
 // Carries influence coefficients outwards at a pose, sums over the bodies, and solves for the accelerations.
 #include "equations/influence.h"
 #include "equations/gradient_pose.h"
+#include "equations/tree_noise.h"
 
 // --- outwards: R
 
@@ -213,7 +214,7 @@ static int solve(const YkInfluence *f, Sums *s)
     for (size_t i = 0; i < n; i++) N[i][i] = s->M[i][i];
     for (size_t p = n; p-- > 0;) {
         double h = s->M[p][p], k[YK_INFLUENCE_MAX];
-        if (!(h > 1e-13 * N[p][p]) || !(h > 0)) return f->input[p];
+        if (!(h > YK_LEAST_OVER_NOISE * N[p][p]) || !(h > 0)) return f->input[p];
         for (size_t i = 0; i < p; i++) k[i] = s->M[i][p] / h;
         for (size_t i = 0; i < p; i++) {
             s->g[i] -= k[i] * s->g[p];

@@ -122,7 +122,7 @@ YK_INLINE void inward(const YkTreeLink *link, YkLinkFound *own, YkLinkFound *par
         YkNoise noise = yk_noise_read(&own->noise, i);
         double good = ok[i];
         if (turns) {
-            good = A.J > YK_LEAST_PIVOT * noise.J ? good : 0;
+            good = A.J > YK_LEAST_OVER_NOISE * noise.J ? good : 0;
             double trace = yk_noise_trace(&A);
             YkAnswer found = yk_articulated_release_turn(&A, link->sense * torque[i]);
             own->turn_by[i] = found.by, own->turn_x[i] = found.on.x, own->turn_y[i] = found.on.y;
@@ -133,7 +133,7 @@ YK_INLINE void inward(const YkTreeLink *link, YkLinkFound *own, YkLinkFound *par
         if (slides) {
             YkVec line = yk_vec(own->line_x[i], own->line_y[i]);
             double pivot = yk_dot(line, yk_articulated_times(&A, line));
-            good = pivot > YK_LEAST_PIVOT * yk_noise_along(&noise, line) ? good : 0;
+            good = pivot > YK_LEAST_OVER_NOISE * yk_noise_along(&noise, line) ? good : 0;
             const YkArticulated before = A;
             YkAnswer found = yk_articulated_release_slide(&A, line, force[i]);
             own->slide_by[i] = found.by, own->slide_turn[i] = found.turn;

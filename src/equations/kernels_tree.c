@@ -98,7 +98,7 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
         }
         yk_noise_add_body(&noise, mass, own);
         double now = ((mass > least_mass) & (inertia >= 0)) ? ok[i] : -1;
-        ok[i] = ((A.J > YK_LEAST_PIVOT * noise.J) | (now < 0)) ? now : 0;
+        ok[i] = ((A.J > YK_LEAST_OVER_NOISE * noise.J) | (now < 0)) ? now : 0;
         double trace = yk_noise_trace(&A);
         YkAnswer answer = yk_articulated_release_turn(&A, sense * given.torque[i]);
         link->on_x[i] = answer.on.x;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "equations/gradient_pose.h"
+#include "equations/tree_noise.h"
 
 YkReduced *yk_reduced_new(const YkElimination *e)
 {
@@ -173,7 +174,7 @@ static void pass_on_loss(YkReduced *r, const YkOperation *op)
 static bool has_inertia(YkReduced *r, double h, const YkOperation *op)
 {
     const int32_t *unknown = r->e->index + op->first_index, *entry = unknown + 1 + op->neighbours;
-    if (r->measures) return h > 1e-13 * r->N[entry[0]] && h > 0;
+    if (r->measures) return h > YK_LEAST_OVER_NOISE * r->N[entry[0]] && h > 0;
     r->is_in_doubt |= !(h > 1e-6 * (h + r->lost[unknown[0]]));
     return h > 0;
 }

@@ -6,7 +6,10 @@
 #ifndef EQUATIONS_SHORT_CHAIN_H
 #define EQUATIONS_SHORT_CHAIN_H
 #include "elementary/kernel.h"
-#include "equations/tree_noise.h"
+#include "equations/tree_articulated.h"
+
+// A pivot does not count as inertia unless it exceeds this part of the inertia behind it, times what was lost there.
+#define YK_LEAST_PIVOT 1e-14
 
 enum { YK_CHAIN_MOST = 3 }; // links of a short chain, each on the one before
 

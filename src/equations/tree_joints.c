@@ -72,7 +72,7 @@ static int release(const YkTreeLink *link, Pose *pose, const double *effort)
     YkArticulated *A = &pose->A;
     YkNoise *noise = &pose->noise;
     if (link->angle != YK_NONE) {
-        if (!(A->J > YK_LEAST_PIVOT * noise->J)) return link->angle;
+        if (!(A->J > YK_LEAST_OVER_NOISE * noise->J)) return link->angle;
         double trace = yk_noise_trace(A);
         pose->turn = yk_articulated_release_turn(A, link->sense * along(effort, link->angle));
         yk_noise_release_turn(noise, pose->turn.on, trace);
@@ -81,7 +81,7 @@ static int release(const YkTreeLink *link, Pose *pose, const double *effort)
     A->n += yk_dot(A->h, pose->bias);
     if (link->distance != YK_NONE) {
         double pivot = yk_dot(pose->line, yk_articulated_times(A, pose->line));
-        if (!(pivot > YK_LEAST_PIVOT * yk_noise_along(noise, pose->line))) return link->distance;
+        if (!(pivot > YK_LEAST_OVER_NOISE * yk_noise_along(noise, pose->line))) return link->distance;
         const YkArticulated before = *A;
         pose->slide = yk_articulated_release_slide(A, pose->line, along(effort, link->distance));
         yk_noise_release_slide(noise, pose->line, pose->slide, &before);

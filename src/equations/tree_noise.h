@@ -7,8 +7,8 @@
 #define EQUATIONS_TREE_NOISE_H
 #include "equations/tree_articulated.h"
 
-// A pivot does not count as inertia unless it exceeds this many times its noise.
-#define YK_LEAST_PIVOT 1e-14
+// A pivot does not count as inertia unless it exceeds this many times its noise: then it has about three digits.
+#define YK_LEAST_OVER_NOISE 1e-13
 
 typedef struct YkNoise { // as in YkArticulated
     double J;

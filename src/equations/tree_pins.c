@@ -1,6 +1,7 @@
 // Forward dynamics of open trees of pins.
 #include "equations/tree_pins.h"
 #include "equations/short_chain.h"
+#include "equations/tree_noise.h"
 
 typedef struct Link {     // constant
     YkVec at;             // its pin on the parent, in the parent's axes, relative to the parent's pin
@@ -98,7 +99,7 @@ static int inward(const YkTreePins *pins, const double *effort)
         }
         yk_articulated_add_body(&A, link->mass, yk_mul(yk_vec(c[k], s[k]), link->moment), link->inertia, w[k]);
         yk_noise_add_body(&noise, link->mass, link->inertia);
-        if (!(A.J > YK_LEAST_PIVOT * noise.J)) return t.input;
+        if (!(A.J > YK_LEAST_OVER_NOISE * noise.J)) return t.input;
         double trace = yk_noise_trace(&A);
         YkAnswer answer = yk_articulated_release_turn(&A, torque);
         if (p == 0) { // the ground needs nothing
