@@ -10,7 +10,7 @@ const [, , sources, page] = process.argv;
 // View files: where points stand on the screen.
 const VIEWS = new Set(["canvas/frames.ts", "canvas/view.ts"]);
 const FIRST = ["index.html", "studio.css", "studio.js", "worker.js", "core.wasm"]; // what the first drawing needs
-const LIMIT = 449.5 * 1024; // the contract asks for 450 KB; this keeps it from growing
+const LIMIT = 441 * 1024; // the contract asks for 450 KB; this keeps it from growing
 
 const files = (folder) => readdirSync(folder, { withFileTypes: true, recursive: true }).filter((entry) => entry.isFile()).map((entry) => join(entry.parentPath, entry.name));
 const scripts = files(join(sources, "src")).filter((name) => name.endsWith(".ts"));
