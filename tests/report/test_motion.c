@@ -410,7 +410,7 @@ static void one_input_goes_its_whole_way(void **state)
         assert_true(m.is_cut);
     }
     YkReportMotion m = motion_of(BLOCK("drives: {x: 0.2 m + 0.1 m/s * t}\n"), YK_REPORT_RANGE); // no limits
-    CHECK_NEAR(m.from, 0.2 - 0.25, 1e-12);                                                        // half its size
+    CHECK_NEAR(m.from, 0.2 - 0.25, 1e-12);                                                      // half its size
     CHECK_NEAR(m.to, 0.2 + 0.25, 1e-12);
     assert_false(m.is_cut);
 }
