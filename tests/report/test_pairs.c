@@ -274,6 +274,39 @@ static void a_train_tells_its_ratio_where_it_has_one(void **state)
     check_words(PAIR("other", "[20, 51]"), "ratio", false);
 }
 
+// Without a drive all turns are those for one turn of the input; with one they are speeds.
+static void turns_are_told_where_no_drive_gives_speeds(void **state)
+{
+    (void)state;
+    char text[1000];
+    snprintf(text, sizeof text, "%s", PAIR("output", "[20, 51]"));
+    for (int driven = 1; driven >= 0; driven--) {
+        if (!driven) strstr(text, "drives:")[0] = '#';
+        Page page = open_text(text, NULL);
+        const char *html = yk_report_html(page.report, page.problems);
+        assert_int_equal(strstr(html, "Speeds, counter-clockwise") != NULL, driven);
+        assert_int_equal(strstr(html, "Turns for one turn of the input") != NULL, !driven);
+        const char *row = strstr(strstr(html, driven ? "Speeds, counter" : "Turns for one turn"), "output</");
+        assert_non_null(row);
+        const char *end = strstr(row, "</tr>"), *value = strstr(row, driven ? "1.87241" : "0.196078"); // of 10/51
+        assert_true(value && value < end);
+        close_page(&page);
+    }
+}
+
+// Two rows are a motion, however short.
+static void what_moves_is_not_at_rest(void **state)
+{
+    (void)state;
+    YkReportOptions options = yk_default_report_options();
+    options.steps = 1;
+    Page page = open_page("gas-engine", &options);
+    assert_int_equal(page.report->row_count, 2);
+    assert_null(finding(page.report, "At rest"));
+    assert_non_null(finding(page.report, "The largest force in a joint is "));
+    close_page(&page);
+}
+
 // --- Released
 
 #define BLOCK(more)                                                                                                    \
@@ -397,6 +430,8 @@ int main(void)
         cmocka_unit_test(a_turning_mass_shakes_its_frame),
         cmocka_unit_test(a_cam_is_undercut_or_left_only_if_it_is),
         cmocka_unit_test(a_train_tells_its_ratio_where_it_has_one),
+        cmocka_unit_test(turns_are_told_where_no_drive_gives_speeds),
+        cmocka_unit_test(what_moves_is_not_at_rest),
         cmocka_unit_test(energy_and_works_are_those_of_the_motion),
         cmocka_unit_test(stops_that_are_hit_are_told_with_their_times),
         cmocka_unit_test(only_what_stays_is_said_to_stay),
