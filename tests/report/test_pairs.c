@@ -153,7 +153,8 @@ static void only_what_rocks_has_a_stroke(void **state)
     "gravity: [0, -10]\nbodies: {ground: {points: {O: [0, 0], G: [0.1, 0]}}, drum: {points: {O: [0, 0]}}, "            \
     "load: {mass: 2 kg}}\njoints: {O: {pin: [ground, drum], angle: p}, "                                               \
     "S: {slide: [ground, load], along: y, from: G, distance: h}}\n"                                                    \
-    "racks: {rope: {pinion: drum, rack: load, radius: 0.1}}\ndrives: {p: " rate " * t}\nstart: {h: 0}\n" more
+    "racks: {rope: {pinion: drum, rack: load, radius: 0.1}}\ndrives: {p: 0.5 rad + " rate                              \
+    " * t}\nstart: {h: 0}\n" more
 
 // A drum of 0.1 m lifts 2 kg by 2 pi 0.1 m in a turn: 4 pi joules, with or without a load of 3 N m against the drum or
 // with it. What the drive does and what its energy gains differ by the load's 6 pi.
@@ -219,6 +220,64 @@ static void a_turning_mass_shakes_its_frame(void **state)
     assert_non_null(finding(page.report, " and returns to its value; no load takes or gives any."));
     CHECK_NEAR(told(page.report, "own energy lies between "), 0.5 * (1 + 2 * 0.01) * 400 - 2, 1e-2);
     close_page(&page);
+}
+
+// A flywheel of a million times the mass gives back what it takes up as well: rounding is no work.
+static void no_rounding_is_told_as_work(void **state)
+{
+    (void)state;
+    check_words("gravity: [0, -10]\nbodies: {ground: {points: {O: [0, 0]}}, wheel: {points: {O: [0, 0]}, "
+                "mass: 2e6 kg, center: [0.1, 0.03], inertia: 1e6}}\n"
+                "joints: {O: {pin: [ground, wheel], angle: p}}\ndrives: {p: 0.3 + 20 rad/s * t}\n",
+                "Over one turn the drive does 0 J of work", true);
+}
+
+// A force of 1e-14 N is none of the noise where no other is larger.
+static void small_forces_of_small_machines_are_told(void **state)
+{
+    (void)state;
+    Page page = open_text("gravity: [0, -10]\nbodies: {ground: {points: {O: [0, 0]}}, arm: {points: {O: [0, 0]}, "
+                          "mass: 1e-15 kg, center: [0, -1], inertia: 1e-15}}\n"
+                          "joints: {O: {pin: [ground, arm], angle: p}}\nstart: {p: 0}\n",
+                          NULL);
+    const char *row = strstr(yk_report_html(page.report, page.problems), "Reactions at the start");
+    assert_non_null(row);
+    const char *value = strstr(row, "1e-14"), *end = strstr(row, "</table>");
+    assert_true(value && value < end);
+    close_page(&page);
+}
+
+// One crank drives six rockers: four of their four-bars are told, and that there are two more.
+static void of_many_four_bars_the_first_are_told(void **state)
+{
+    (void)state;
+    for (int count = 4; count <= 6; count++) {
+        char text[4000], words[60];
+        int n = snprintf(text, sizeof text, "bodies:\n  ground: {points: {O: [0, 0]");
+        for (int k = 0; k < count; k++) n += snprintf(text + n, sizeof text - (size_t)n, ", C%d: [%d, 0.1]", k, 10 + k);
+        n += snprintf(text + n, sizeof text - (size_t)n, "}}\n  crank: {points: {O: [0, 0]");
+        for (int k = 0; k < count; k++) n += snprintf(text + n, sizeof text - (size_t)n, ", A%d: [2, 0]", k);
+        n += snprintf(text + n, sizeof text - (size_t)n, "}}\n");
+        for (int k = 0; k < count; k++)
+            n += snprintf(
+                text + n, sizeof text - (size_t)n,
+                "  rod%d: {points: {A%d: [0, 0], B%d: [9, 0]}}\n  out%d: {points: {C%d: [0, 0], B%d: [6, 0]}}\n", k, k,
+                k, k, k, k);
+        n += snprintf(text + n, sizeof text - (size_t)n, "joints:\n  O: {pin: [ground, crank], angle: p}\n");
+        for (int k = 0; k < count; k++)
+            n += snprintf(text + n, sizeof text - (size_t)n,
+                          "  A%d: {pin: [crank, rod%d]}\n  C%d: {pin: [ground, out%d]}\n  B%d: {pin: [rod%d, out%d]}\n",
+                          k, k, k, k, k, k, k);
+        snprintf(text + n, sizeof text - (size_t)n, "drives: {p: 1 rad + 1 rad/s * t}\n");
+        Page page = open_text(text, NULL);
+        int told_of = 0;
+        for (size_t i = 0; i < yk_report_finding_count(page.report); i++)
+            told_of += strstr(yk_report_finding(page.report, i), " are a four-bar, ") != NULL;
+        assert_int_equal(told_of, 4);
+        snprintf(words, sizeof words, "It contains %d more four-bars.", count - 4);
+        assert_int_equal(finding(page.report, words) != NULL, count > 4);
+        close_page(&page);
+    }
 }
 
 // --- Cams
@@ -428,6 +487,9 @@ int main(void)
         cmocka_unit_test(only_what_rocks_has_a_stroke),
         cmocka_unit_test(the_work_of_a_turn_is_that_of_weight_and_loads),
         cmocka_unit_test(a_turning_mass_shakes_its_frame),
+        cmocka_unit_test(no_rounding_is_told_as_work),
+        cmocka_unit_test(small_forces_of_small_machines_are_told),
+        cmocka_unit_test(of_many_four_bars_the_first_are_told),
         cmocka_unit_test(a_cam_is_undercut_or_left_only_if_it_is),
         cmocka_unit_test(a_train_tells_its_ratio_where_it_has_one),
         cmocka_unit_test(turns_are_told_where_no_drive_gives_speeds),
