@@ -60,6 +60,7 @@ static void freedom_is_told_with_its_drives_and_loads(void **state)
          "It has 1 degree of freedom and as many drives: the motion is determined."},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) check_words(cases[k].text, cases[k].words, true);
+    check_words(cases[0].text, "can be assembled in", false); // an open chain: one way alone
 }
 
 // --- Ranges and angles
