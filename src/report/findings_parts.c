@@ -1,5 +1,6 @@
 // Findings on gears and cams.
 #include <math.h>
+#include <string.h>
 #include <yoke/train.h>
 #include "report/report.h"
 
@@ -16,8 +17,11 @@ static void find_train(YkReportPage *report, YkText *text)
     if (ratio.is_known && ratio.in != (size_t)-1 && ratio.out != (size_t)-1 && !ratio.out_stands) {
         yk_text_format(text, "The gear train's ratio of %s to %s is ", model->bodies[ratio.in].name,
                        model->bodies[ratio.out].name);
-        if (ratio.exact) yk_text_format(text, "%s = ", ratio.exact);
-        yk_text_format(text, "%e.", ratio.value);
+        bool is_fraction = ratio.exact && strchr(ratio.exact, '/');
+        if (ratio.exact) yk_text_puts(text, ratio.exact);
+        if (is_fraction) yk_text_puts(text, " = ");
+        if (is_fraction || !ratio.exact) yk_text_format(text, "%e", ratio.value);
+        yk_text_puts(text, ".");
         yk_report_find(report, YK_FINDING_FACT, text);
     }
     if (yk_train_status(train) == YK_TRAIN_STATUS_LOCKED) {

@@ -113,8 +113,9 @@ static double time_of_loads(YkReportPage *report, YkState *scratch)
     double gravity = yk_norm(model->gravity), mass = yk_model_loads(model).mass;
     if (gravity > 0) swing = fmax(swing, full_turn * sqrt(size / gravity));
     for (size_t k = 0; k < model->spring_count; k++) {
-        double stiffness =
-            model->springs[k].stiffness * (model->springs[k].coordinate == YK_NONE ? 1 : 1 / (size * size));
+        int32_t along = model->springs[k].coordinate;
+        bool is_angle = along != YK_NONE && !model->coordinates[along].is_distance;
+        double stiffness = model->springs[k].stiffness * (is_angle ? 1 / (size * size) : 1);
         if (stiffness > 0 && mass > 0) swing = fmax(swing, full_turn * sqrt(mass / stiffness));
     }
     for (size_t i = 0; i < yk_input_count(report->mech) && swing == 0; i++) {

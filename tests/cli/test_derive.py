@@ -105,6 +105,21 @@ stops: {q: [-2, 2]}
                         self.assertEqual([row + "''" for row in matrix["rows"]], matrix["columns"])
         self.assertEqual(lengths, 12)
 
+    def test_teeth_push_only_what_they_touch(self):
+        """A body that acts at a pitch point is in mesh with the free body; what equal planets leave to their carrier has the gears' name."""
+        for name in ("epicyclic-drive", "simple-planetary", "ferguson"):
+            path = os.path.join(EXAMPLES, name + ".yaml")
+            meshes = Run("gears", path, "--format", "json", "-q").json()["meshes"]
+            pairs = [set(mesh["bodies"]) for mesh in meshes.values()]
+            body, found = None, 0
+            for line in self.good("derive", path, "--what", "free-bodies", "-q").out.splitlines():
+                head, act = re.match(r"(\S+), body \d+$", line), re.match(r"  by (\S+) at Q\d+:", line)
+                body = head.group(1) if head else body
+                if act:
+                    self.assertTrue({act.group(1), body} in pairs or act.group(1) in meshes, (name, body, line))
+                    found += 1
+            self.assertGreaterEqual(found, 2 * len(meshes))
+
     def test_all_that_there_is_comes_by_default(self):
         run = self.good("derive", QUICK)
         for title in ("Loop equations", "Jacobian", "Velocities", "Accelerations"):

@@ -267,6 +267,62 @@ class Page(Case):
             return 0
         return self.check_sweep_findings(path, page, data, answer, axis)
 
+    # --- the moving parts ----------------------------------------------------------------------------------------------
+
+    def check_pace(self, page, data, pose):
+        """How long a pass takes, which way, and at which row the machine stands as `solve` finds it."""
+        axis, at = data["axis"], data["axis"]["values"]
+        span, rates = (at[-1] - at[0]) * size_of(axis["unit"]), [c["values"] for c in data["columns"] if c["name"] == axis["name"] + ".rate"]
+        self.assertEqual(data["goes_back"], "Back and forth, " in page.words["motion"])
+        told = re.search(r", (\S+) = %s to %s" % (AMOUNT, AMOUNT), page.words["motion"])
+        self.assertEqual(told.group(1), axis["name"])
+        self.near(amount(told, 2), at[0] * size_of(axis["unit"]), digits=5)
+        self.near(amount(told, 4), at[-1] * size_of(axis["unit"]), digits=5)
+        if any("The motion ends at" in finding for finding in page.findings):
+            return
+        if axis["name"] == "t":
+            self.assertAlmostEqual(data["seconds"], min(max(2.5, span), 15), delta=1e-5 * data["seconds"])
+        elif rates and min(rates[0]) == max(rates[0]) != 0:
+            rate = rates[0][0] * size_of(next(c["unit"] for c in data["columns"] if c["name"] == axis["name"] + ".rate"))
+            self.assertGreater(rate * span, 0)
+            self.assertAlmostEqual(data["seconds"], min(max(2.5, span / rate), 15), delta=1e-5 * data["seconds"])
+        start = at[0] * size_of(axis["unit"]) + data["start"] / (len(at) - 1) * span
+        wanted = 0 if axis["name"] == "t" else pose["coordinates"][axis["name"]]["position"]
+        self.assertLess(abs(start - wanted), 1e-5 * (abs(span) + abs(wanted)))
+
+    def check_script(self, page, data, pose):
+        """What follows the machine: columns that belong to each other by name, and pins and points where `solve` has them."""
+        names = [column["name"] for column in data["columns"]]
+        rows = len(data["axis"]["values"])
+        self.assertEqual({len(column["values"]) for column in data["columns"]}, {rows})
+        readout = [[names[k] for k in columns] for columns in data["readout"]]
+        self.assertEqual(readout, [[n, n + ".rate", n + ".accel"] for n, *_ in readout])
+        self.assertEqual([n for n, *_ in readout], [n for n in pose["coordinates"] if n in names])
+        if "bodies" not in data:
+            return 0
+        self.assertEqual({len(body[key]) for body in data["bodies"] for key in ("x", "y", "turn")}, {rows})
+        self.assertEqual([body["name"] for body in data["bodies"]][1:], [name for name in pose["bodies"] if name != "ground"])
+        self.assertEqual([middle["body"] for middle in data["middles"]], list(range(len(data["bodies"]))))
+        pairs = []
+        for kind, endings in (("joints", (".force.x", ".force.y")), ("points", (".x.rate", ".y.rate"))):
+            for thing in data[kind]:
+                wanted = [thing["name"] + ending for ending in endings if thing["name"] + ending in names]
+                self.assertEqual([names[k] for k in thing["columns"]], wanted)
+                key = thing["name"] if kind == "points" else "%s.%s" % (data["bodies"][thing["body"]]["name"], thing["name"])
+                ends = [p["position"] for name, p in pose["points"].items() if name.split(".", 1)[1] == thing["name"]]
+                if key in pose["points"] and (kind == "points" or len(ends) == 2 and math.dist(*ends) < 1e-9):  # a pin
+                    pairs.append((complex(*thing["at"]), complex(*pose["points"][key]["position"]).conjugate()))
+        self.assertTrue(not data["points"] or any(point["shown"] for point in data["points"]))
+        spread = max([abs(a[1] - b[1]) for a in pairs for b in pairs] + [0])
+        if spread == 0:
+            return 0
+        (p, z), (q, w) = max(((a, b) for a in pairs for b in pairs), key=lambda two: abs(two[0][1] - two[1][1]))
+        scale = (q - p) / (w - z)
+        self.assertLess(abs(scale.imag) * spread, 0.03)
+        for pixel, place in pairs:
+            self.assertLess(abs(pixel - p - scale.real * (place - z)), 0.05)
+        return len(pairs)
+
     # --- gears and cams ----------------------------------------------------------------------------------------------
 
     def check_gears(self, path, page):
@@ -283,10 +339,23 @@ class Page(Case):
                     self.near(row[key], radius)
             for key, body, teeth in zip(("first", "second"), mesh["bodies"], mesh["teeth"] or [None, None]):
                 self.assertEqual(row[key], body + (", %d teeth" % teeth if teeth else ""))
-        for row in page.table("Speeds, counter-clockwise"):
-            wanted = answer["bodies"][row["body"]]
-            if wanted["speed"] is not None:
-                self.near(row["speed"], wanted["speed"], 1)
+            kind = {"gears": ("external", "internal"), "belt": ("crossed belt", "open belt")}.get(mesh["kind"], ("rack", "rack"))
+            self.assertEqual((row["kind"], row["carrier"]), (kind[mesh["internal"]], mesh["carrier"]))
+        for caption, key in (("Speeds, counter-clockwise", "speed"), ("Turns for one turn", "turns")):
+            for row in page.table(caption):
+                wanted = answer["bodies"][row["body"]]
+                self.assertEqual(str(row["exactly"]) == "open", wanted["speed"] is None, row)
+                if wanted["speed"] is not None:
+                    self.near(row[key], wanted["speed"], 1)
+        if not answer["lock"]:
+            self.assertEqual({row["lock"]: row["ratio"] if isinstance(row["ratio"], float) else None
+                              for row in page.table("Ratios, one for each set")},
+                             {lock: gear["ratio"] and gear["ratio"]["value"] and float("%.6g" % gear["ratio"]["value"])
+                              for lock, gear in (answer["shift_table"] or {}).items()})
+        for remark in answer["remarks"]:
+            self.assertIn("%s: %s." % (remark["mesh"], remark["text"]), page.words["gears"])
+            faults = [finding for finding in page.findings if "Mesh %s: %s." % (remark["mesh"], remark["text"]) in finding]
+            self.assertEqual(len(faults), remark["fault"])
         return len(told)
 
     def check_cams(self, path, page):
@@ -310,7 +379,7 @@ class Page(Case):
     # --- all of it ---------------------------------------------------------------------------------------------------
 
     def test_every_number_of_the_page_is_what_the_verbs_say(self):
-        with_forces = findings = labels = meshes = rows = 0
+        with_forces = findings = labels = meshes = rows = places = 0
         sample = EXAMPLES if FULL else third(EXAMPLES, 0)
         for path in EXAMPLES:
             with self.subTest(os.path.basename(path)):
@@ -325,6 +394,9 @@ class Page(Case):
                 rows += self.check_cams(path, page)
                 if data:
                     labels += self.check_labels(page, data)
+                    if len(data["axis"]["values"]) > 1:
+                        self.check_pace(page, data, pose)
+                        places += self.check_script(page, data, pose)
                 if path in sample:
                     findings += self.check_motion(path, page, data)
         self.assertGreater(with_forces, 20) # nothing was left out by a change of words
@@ -332,6 +404,7 @@ class Page(Case):
         self.assertGreater(rows, 20)
         if data_of(Run("report", self.four_bar).out): # built with the script
             self.assertGreater(labels, 200)
+            self.assertGreater(places, 200)
             self.assertGreater(findings, 60 if FULL else 20)
 
 

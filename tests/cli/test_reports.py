@@ -125,6 +125,7 @@ class Report(Case):
             self.assertIn('<a href="#%s"' % name, page)
         self.assertNotIn('<section id="gears"', page)
         self.assertIn("crank-rocker (Grashof)", page)
+        self.assertIn("After the last equals sign: the value at the start.", page)
 
     def test_values_of_the_page_are_those_of_solve(self):
         data = data_of(self.good("report", self.four_bar, "--steps", "24").out)
@@ -163,6 +164,7 @@ class Report(Case):
         self.assertEqual(faults(run.out), [])
         self.assertIn("cannot be assembled", run.out)
         self.assertIn('<section id="topology"', run.out)
+        self.assertNotIn("After the last equals sign", run.out)
 
     @unittest.skipUnless(shutil.which("gnuplot"), "needs gnuplot")
     def test_a_plain_page_has_pictures_and_no_script(self):

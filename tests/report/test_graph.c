@@ -219,11 +219,8 @@ static void check_steps(const Picture *picture, const YkMechanism *mech)
     assert_int_equal(numbered, solved);
 }
 
-static size_t check_picture(const char *name)
+static size_t check_picture(YkModel *model)
 {
-    char path[500];
-    snprintf(path, sizeof path, "%s/examples/%s.yaml", YOKE_ROOT, name);
-    YkModel *model = yk_model_load(path, NULL, NULL);
     YkMechanism *mech = model ? yk_mechanism_compile(model, NULL, NULL) : NULL;
     assert_non_null(mech);
     YkText svg = {0}, again = {0};
@@ -254,12 +251,30 @@ static void pictures_are_readable(void **state)
     static const char *const names[] = {"four-bar",  "quick-return",    "jansen",    "andrews",  "pendulum",
                                         "epicyclic", "geared-five-bar", "valve-cam", "excavator"};
     size_t links = 0;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) links += check_picture(names[i]);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char path[500];
+        snprintf(path, sizeof path, "%s/examples/%s.yaml", YOKE_ROOT, names[i]);
+        links += check_picture(yk_model_load(path, NULL, NULL));
+    }
     assert_true(links > 40);
+}
+
+// A belt and a rack are lines between the bodies that they tie.
+static void belts_and_racks_are_drawn(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "bodies: {ground: {points: {A: [0, 0], B: [2, 0], G: [2.5, 0]}}, motor: {}, drum: {}, load: {}}\n"
+        "joints: {A: {pin: [ground, motor], angle: p}, B: {pin: [ground, drum], angle: q}, "
+        "S: {slide: [ground, load], along: y, from: G, distance: h}}\n"
+        "belts: {belt: {between: [motor, drum], radii: [0.2, 0.4]}}\n"
+        "racks: {rope: {pinion: drum, rack: load, radius: 0.5}}\n";
+    assert_int_equal(check_picture(yk_model_parse(text, strlen(text), "test.yaml", NULL, NULL)), 5);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pictures_are_readable)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pictures_are_readable),
+                                       cmocka_unit_test(belts_and_racks_are_drawn)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -278,14 +278,179 @@ static void what_is_asked_for_is_shown(void **state)
 static void a_movie_has_so_many_poses_a_second(void **state)
 {
     (void)state;
-    YkReportOptions options = yk_default_report_options();
-    options.pose_rate = 20;
-    Page page = open_page("gas-engine", &options);
-    double seconds = yk_report_seconds(page.report);
-    assert_int_equal(page.report->posed, 1 + (size_t)ceil(20 * seconds));
-    assert_int_equal(yk_report_finding_count(page.report), 0);
-    assert_non_null(yk_report_drawing(page.report));
+    static const double rates[] = {20, 0.7}; // a second
+    for (int k = 0; k < 2; k++) {
+        YkReportOptions options = yk_default_report_options();
+        options.pose_rate = rates[k];
+        Page page = open_page("gas-engine", &options);
+        double seconds = yk_report_seconds(page.report);
+        assert_int_equal(page.report->posed, 1 + (size_t)ceil(rates[k] * seconds));
+        assert_int_equal(yk_report_finding_count(page.report), 0);
+        assert_non_null(yk_report_drawing(page.report));
+        close_page(&page);
+    }
+}
+
+// --- How long
+
+#define ARM(gravity, inertia, more)                                                                                    \
+    "gravity: [0, " gravity "]\nbodies: {ground: {points: {O: [0, 0]}}, arm: {points: {O: [0, 0], A: [2, 0]}, "        \
+    "mass: 3 kg, center: [2, 0], inertia: " inertia "}}\njoints: {O: {pin: [ground, arm], angle: p}}\n" more
+#define BLOCK(more)                                                                                                    \
+    "bodies: {ground: {points: {O: [0, 0]}}, block: {mass: 3 kg, points: {P: [0, 0.5 m]}}}\n"                          \
+    "joints: {S: {slide: [ground, block], along: x, distance: x}}\n" more
+
+static YkReportMotion motion_of(const char *text, YkReportMotionKind kind)
+{
+    Page page = open_text(text, NULL);
+    YkReportMotion motion = page.report->motion;
+    if (motion.kind != kind) fail_msg("kind %d of %s", (int)motion.kind, text);
+    if (kind == YK_REPORT_TIME || kind == YK_REPORT_SIMULATION) {
+        CHECK_NEAR(motion.to - motion.from, motion.duration, 1e-12);
+        CHECK_NEAR(page.report->at[page.report->row_count - 1], motion.to, 1e-12);
+    }
     close_page(&page);
+    return motion;
+}
+
+// Three swings of what swings slowest, by closed forms: on a spring 2 pi sqrt(m/k), under gravity 2 pi sqrt(l/g); three
+// turns at the rate of the start, or three lengths of the machine. Without any of them five seconds; at most a minute.
+static void a_released_machine_is_shown_for_three_swings(void **state)
+{
+    (void)state;
+    const double swing = 2 * YK_PI;
+    const struct {
+        const char *text;
+        double seconds;
+    } cases[] = {
+        {BLOCK("springs: {k: {along: x, stiffness: 12 N/m}}\nstart: {x: 0.1}\n"), 3 * swing * sqrt(3 / 12.0)},
+        {BLOCK("springs: {k: {along: x, stiffness: 12 N/m}, s: {along: x, stiffness: 6 N/m}}\nstart: {x: 0.1}\n"),
+         3 * swing * sqrt(3 / 6.0)},
+        {BLOCK("springs: {k: {along: x, stiffness: 6 N/m}, s: {along: x, stiffness: 12 N/m}}\nstart: {x: 0.1}\n"),
+         3 * swing * sqrt(3 / 6.0)},
+        {BLOCK("springs: {k: {between: [ground.O, block.P], stiffness: 12 N/m}}\nstart: {x: 0.1}\n"),
+         3 * swing * sqrt(3 / 12.0)},
+        {BLOCK("springs: {k: {along: x, damping: 1 N*s/m}}\nstart: {x: 0, x.rate: 0.1}\n"), 3 * 0.5 / 0.1},
+        {BLOCK("springs: {k: {along: x, damping: 1 N*s/m}}\nstart: {x: 0, x.rate: -0.1}\n"), 3 * 0.5 / 0.1},
+        {BLOCK("springs: {k: {along: x, stiffness: 1e-4 N/m}}\nstart: {x: 0.1}\n"), 60},
+        {BLOCK("start: {x: 0}\n"), 5},
+        {ARM("-10", "0", "start: {p: -80 deg}\n"), 3 * swing * sqrt(2 / 10.0)},
+        {ARM("0", "0", "springs: {k: {along: p, stiffness: 48 N*m/rad}}\nstart: {p: 20 deg}\n"),
+         3 * swing * sqrt(3 * 4 / 48.0)},
+        {ARM("-10", "0", "springs: {k: {along: p, stiffness: 48 N*m/rad}}\nstart: {p: 20 deg}\n"),
+         3 * swing * fmax(sqrt(3 * 4 / 48.0), sqrt(2 / 10.0))},
+        {ARM("0", "1", "start: {p: 0, p.rate: 4 rad/s}\n"), 3 * swing / 4},
+        {ARM("0", "1", "start: {p: 0, p.rate: -4 rad/s}\n"), 3 * swing / 4},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        double seconds = motion_of(cases[k].text, YK_REPORT_SIMULATION).duration;
+        if (!(fabs(seconds - cases[k].seconds) < 1e-9 * seconds)) fail_msg("%zu: %g s", k, seconds);
+    }
+}
+
+#define TWO(first, second)                                                                                             \
+    "bodies: {ground: {points: {O: [0, 0]}}, one: {points: {O: [0, 0], A: [1, 0]}}, two: {points: {A: [0, 0]}}}\n"     \
+    "joints: {O: {pin: [ground, one], angle: p}, A: {pin: [one, two], angle: q}}\ndrives: {p: " first ", q: " second   \
+    "}\n"
+
+// The least common multiple of the periods of steady drives, if it is at most twelve times the longest; otherwise that
+// one. A drive to and fro has its own period, whatever the phase; what stands still has none.
+static void drives_are_shown_until_they_come_round(void **state)
+{
+    (void)state;
+    const double turn = 2 * YK_PI;
+    const struct {
+        const char *text;
+        double seconds, margin;
+    } cases[] = {
+        {TWO("2 rad/s * t", "3 rad/s * t"), turn, 1e-9},
+        {TWO("-3 rad/s * t", "2 rad/s * t"), turn, 1e-9},
+        {TWO("5 rad/s * t", "15 rad/s * t"), turn / 5, 1e-9},
+        {TWO("12 rad/s * t", "13 rad/s * t"), turn, 1e-9},      // twelve times
+        {TWO("13 rad/s * t", "14 rad/s * t"), turn / 13, 1e-9}, // thirteen
+        {TWO("2 rad/s * t", "1.4142135623731 rad/s * t"), turn / 1.4142135623731, 1e-9},
+        {TWO("2 rad/s * t", "30 deg"), turn / 2, 1e-9},
+        {TWO("30 deg", "2 rad/s * t"), turn / 2, 1e-9},
+        {TWO("0.1 rad/s * t", "0.1 rad/s * t"), 60, 1e-9}, // at most a minute
+        {TWO("0.5 rad * sin(4 rad/s * t)", "30 deg"), turn / 4, 1e-3},
+        {TWO("0.5 rad * sin(4 rad/s * t + 1)", "30 deg"), turn / 4, 1e-3},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        double seconds = motion_of(cases[k].text, YK_REPORT_TIME).duration;
+        if (!(fabs(seconds - cases[k].seconds) < cases[k].margin * seconds)) fail_msg("%zu: %g s", k, seconds);
+    }
+    double seconds = motion_of(BLOCK("drives: {x: 20 mm * sin(4 rad/s * t)}\n"), YK_REPORT_TIME).duration;
+    CHECK_NEAR(seconds, turn / 4, 1e-3 * seconds); // of one drive along a guide, too
+}
+
+#define CRANK(length, drive)                                                                                           \
+    "units: {length: mm, angle: deg}\nbodies: {ground: {points: {O: [0, 0]}}, crank: {points: {O: [0, 0], A: [50, "    \
+    "0]}}, rod: {points: {A: [0, 0], B: [" length ", 0]}}, ram: {points: {B: [0, 0]}}}\n"                              \
+    "joints: {O: {pin: [ground, crank], angle: theta}, A: {pin: [crank, rod], angle: phi}, B: {pin: [rod, ram]}, "     \
+    "S: {slide: [ground, ram], along: x, distance: s}}\ndrives: {" drive "}\n"
+
+// A turn begins where it stands, a range a hundredth of it inside its limits, and both go the way of the drive.
+static void one_input_goes_its_whole_way(void **state)
+{
+    (void)state;
+    const double third = YK_PI / 3;
+    for (int way = -1; way <= 1; way++) {
+        const char *text = way < 0 ? CRANK("180", "theta: 60 - 2 rad/s * t") "start: {phi: -75, s: 200}\n"
+                           : way   ? CRANK("180", "theta: 60 + 2 rad/s * t") "start: {phi: -75, s: 200}\n"
+                                   : CRANK("180", "theta: 60") "start: {phi: -75, s: 200}\n";
+        YkReportMotion m = motion_of(text, YK_REPORT_TURN);
+        CHECK_NEAR(m.from, third, 1e-14);
+        CHECK_NEAR(m.to - m.from, (way < 0 ? -1 : 1) * 2 * YK_PI, 1e-12);
+        CHECK_NEAR(m.duration, way == 0 ? 0 : YK_PI, 1e-12);
+        assert_false(m.is_cut);
+        text = way < 0 ? CRANK("180", "s: 200 mm - 8 mm/s * t") "start: {theta: 60, phi: -75}\n"
+               : way   ? CRANK("180", "s: 200 mm + 8 mm/s * t") "start: {theta: 60, phi: -75}\n"
+                       : CRANK("180", "s: 200 mm") "start: {theta: 60, phi: -75}\n";
+        m = motion_of(text, YK_REPORT_RANGE);
+        CHECK_NEAR(way < 0 ? m.to : m.from, 0.130 + 0.001, 1e-9); // from 180 - 50 to 180 + 50 mm
+        CHECK_NEAR(way < 0 ? m.from : m.to, 0.230 - 0.001, 1e-9);
+        CHECK_NEAR(m.duration, way == 0 ? 0 : 0.098 / 0.008, 1e-6);
+        assert_true(m.is_cut);
+    }
+    YkReportMotion m = motion_of(BLOCK("drives: {x: 0.2 m + 0.1 m/s * t}\n"), YK_REPORT_RANGE); // no limits
+    CHECK_NEAR(m.from, 0.2 - 0.25, 1e-12);                                                      // half its size
+    CHECK_NEAR(m.to, 0.2 + 0.25, 1e-12);
+    assert_false(m.is_cut);
+}
+
+// A given range is a turn only if it is an angle's whole one; time is a motion of all drives.
+static void a_given_range_is_what_it_is(void **state)
+{
+    (void)state;
+    static const char text[] = CRANK("180", "theta: 60 + 2 rad/s * t") "start: {phi: -75, s: 200}\n";
+    const struct {
+        const char *name;
+        double from, to;
+        YkReportMotionKind kind;
+    } cases[] = {{"theta", 1, 1 + 2 * YK_PI, YK_REPORT_TURN},
+                 {"theta", 1, 1 - 2 * YK_PI, YK_REPORT_TURN},
+                 {"theta", 1, 1 + YK_PI, YK_REPORT_RANGE},
+                 {"theta", 1, 1 + 4 * YK_PI, YK_REPORT_RANGE},
+                 {NULL, 0, 3, YK_REPORT_TIME},
+                 {NULL, 1, 1 + 2 * YK_PI, YK_REPORT_TIME}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        YkReportOptions options = yk_default_report_options();
+        options.has_range = true;
+        options.from = cases[k].from;
+        options.to = cases[k].to;
+        options.coordinate = cases[k].name ? 0 : -1;
+        options.steps = 4 + k;
+        Page page = open_text(text, &options);
+        const YkReportMotion *motion = &page.report->motion;
+        assert_int_equal(motion->kind, cases[k].kind);
+        CHECK_NEAR(motion->duration, cases[k].name ? 0 : cases[k].to - cases[k].from, 1e-12);
+        assert_int_equal(page.report->row_count, 5 + k);
+        CHECK_NEAR(page.report->at[4 + k], cases[k].to, 1e-12);
+        assert_int_equal(yk_report_goes_back(page.report), cases[k].kind == YK_REPORT_RANGE);
+        double seconds = yk_report_seconds(page.report); // as an eye can follow
+        CHECK_NEAR(seconds, cases[k].name ? 5 : fmin(fmax(2.5, motion->duration), 15), 0);
+        close_page(&page);
+    }
 }
 
 int main(void)
@@ -303,6 +468,10 @@ int main(void)
         cmocka_unit_test(a_drive_that_speeds_up_is_shown_for_a_few_turns),
         cmocka_unit_test(what_is_asked_for_is_shown),
         cmocka_unit_test(a_movie_has_so_many_poses_a_second),
+        cmocka_unit_test(a_released_machine_is_shown_for_three_swings),
+        cmocka_unit_test(drives_are_shown_until_they_come_round),
+        cmocka_unit_test(one_input_goes_its_whole_way),
+        cmocka_unit_test(a_given_range_is_what_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

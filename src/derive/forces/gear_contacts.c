@@ -99,7 +99,8 @@ static const YkPoisson *line_of_action(YkMeshMaking *m, const YkGear *gear)
 }
 
 // Adds the force of the teeth of all equal planets on the one in the file, its opposite on the carrier's axis, and
-// their couple on the wheel about that axis.
+// their couple on the wheel about that axis. The carrier touches no teeth: its force is told as one of the gears, as
+// the couple is, and the planet's as the wheel's.
 static void push_planets(YkMeshMaking *m, const YkGear *gear, const YkMeshAxis axes[2], const YkPoisson *arm[2],
                          const YkPoisson *force)
 {
@@ -113,6 +114,8 @@ static void push_planets(YkMeshMaking *m, const YkGear *gear, const YkMeshAxis a
     at[!k] = yk_mesh_arm(m, gear->carrier, yk_derive_origin(m->d, wheel));
     bodies[!k] = gear->carrier;
     held[k] = axes[k].held;
+    m->by[k] = m->d->model->bodies[wheel].name;
+    m->by[!k] = m->tie->name;
     yk_mesh_couple(m, wheel, yk_ring_scale(ring, yk_ring_coefficient(ring, couple, m->mesh->symbol, 1), k ? -1 : 1, 1));
     yk_mesh_force(m, "N", bodies, held, at, force);
 }
@@ -126,7 +129,8 @@ static const char *force_in_words(YkMeshMaking *m, const YkGear *gear)
         is_shared ? "the sum of the forces that the teeth of all equal planets exert, turned to pitch point "
                   : "the force between these gears at their pitch point ",
         m->point,
-        is_shared ? ", along the line of action; the forces of the planets' pins are such sums too"
+        is_shared ? ", along the line of action; the forces of the planets' pins are such sums too, and "
+                    "the carrier takes the opposite of both, of which a couple remains"
                   : ", along their line of action");
 }
 

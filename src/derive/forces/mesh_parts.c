@@ -36,7 +36,7 @@ void yk_mesh_force(YkMeshMaking *m, const char *letter, const int32_t body[2], c
     const YkPoisson *zero = yk_ring_rational(m->ring, 0, 1);
     for (int k = 0; k < 2; k++) {
         YkDerivePush push = {body[k], arm[k], k ? force : yk_ring_negate(m->ring, force), zero};
-        yk_mesh_add_contact(m, (YkDeriveContact){.by = m->d->model->bodies[body[!k]].name,
+        yk_mesh_add_contact(m, (YkDeriveContact){.by = m->by[k] ? m->by[k] : m->d->model->bodies[body[!k]].name,
                                                  .letter = letter,
                                                  .between = m->between,
                                                  .is_negative = k == 0,

@@ -14,6 +14,7 @@ typedef struct YkMeshMaking {
     YkDeriveMesh *mesh;
     const char *between, *point; // point: the name of where it acts
     const YkPoisson *unknown;
+    const char *by[2]; // who pushes each body, if not the other one
 } YkMeshMaking;
 
 // The joints that keep a body in the place that a relation assumes.

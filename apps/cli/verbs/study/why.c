@@ -2,6 +2,7 @@
 #include <string.h>
 #include <yoke/builder.h>
 #include "base/number.h"
+#include "session.h"
 #include "study.h"
 
 // Reads and compiles the file with the values of a design; its problems go to `found`.
