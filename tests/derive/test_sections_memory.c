@@ -1,5 +1,5 @@
-// Gears, cams, polygons and centres in symbols survive the failure of any one allocation: false comes back, or the whole
-// section; nothing leaks, nothing crashes.
+// Gears, cams, polygons and centres in symbols survive the failure of any one allocation: false comes back, or the
+// whole section; nothing leaks, nothing crashes.
 #include "interposed.h"
 #include "derive_check.h"
 
