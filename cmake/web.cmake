@@ -1,6 +1,7 @@
 # The report's style, and its script, which Node bundles. Without Node and npm, or if npm cannot get its packages, the
 # script is empty: reports do not move, and say so.
 option(YOKE_WEB "Bundle the report's script if Node is installed" ON)
+set(YOKE_PLAIN_SCRIPT "" CACHE STRING "What takes the place of the script without Node; pages hold its data unless it is empty")
 option(YOKE_REQUIRE_WEB "Fail if the report's script cannot be bundled" OFF)
 set(YOKE_WEB_SOURCE ${CMAKE_SOURCE_DIR}/web/report)
 set(YOKE_WEB_DIR ${CMAKE_BINARY_DIR}/web)
@@ -25,7 +26,7 @@ elseif(YOKE_REQUIRE_WEB)
   message(FATAL_ERROR "node and npm are needed to bundle the report's script")
 else()
   message(STATUS "No node and npm: reports will have no script, their diagrams come from gnuplot")
-  file(WRITE ${YOKE_WEB_DIR}/report.js "")
+  file(WRITE ${YOKE_WEB_DIR}/report.js "${YOKE_PLAIN_SCRIPT}")
 endif()
 yoke_embed(${CMAKE_SOURCE_DIR}/src/report/style.css yk_report_style)
 if(CMAKE_SYSTEM_NAME STREQUAL "WASI")

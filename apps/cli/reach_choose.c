@@ -21,7 +21,8 @@ static bool look(void *context, YkState *state)
     Chooser *c = context;
     YkText name = yk_configuration_name(c->session, state);
     c->seen++;
-    yk_text_format(&c->list, "%s%z: %s", c->seen > 1 ? "; " : "", c->seen, yk_text_get(&name));
+    yk_text_format(&c->list, *yk_text_get(&name) ? "%s%z: %s" : "%s%z, which has no label%s", c->seen > 1 ? "; " : "",
+                   c->seen, yk_text_get(&name));
     bool is_it = c->number > 0 ? c->seen == c->number : strcmp(yk_text_get(&name), c->word) == 0;
     yk_text_free(&name);
     if (!is_it || c->has_found) return true;
@@ -43,7 +44,8 @@ static YkStatus refuse(YkSession *session, const Chooser *c)
 {
     yk_text_format(&session->reach_message, "no configuration %q closes at the requested pose", c->word);
     yk_problem(session->problems, YK_CODE_NO_SUCH_ASSEMBLY, (YkPlace){0}, "%s", yk_text_get(&session->reach_message));
-    yk_problem_hint(session->problems, c->seen > 0 ? "there are %s" : "nothing closes there%s", yk_text_get(&c->list));
+    const char *hint = c->seen == 0 ? "nothing closes there%s" : c->seen == 1 ? "there is only %s" : "there are %s";
+    yk_problem_hint(session->problems, hint, yk_text_get(&c->list));
     return YK_NO_ASSEMBLY;
 }
 

@@ -1,6 +1,7 @@
 // Prints HTML to PDF. The browser needs files: both are in a folder of their own, which is removed afterwards.
 #include "write/pdf.h"
 #include <dirent.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,6 +36,7 @@ static bool read_file(const char *path, YkText *text)
     FILE *file = fopen(path, "rb");
     char chunk[16384];
     size_t got, before = text->length;
+    if (!file && errno == ENOMEM) yk_text_fail(text);
     if (!file) return false;
     while ((got = fread(chunk, 1, sizeof chunk, file)) > 0) yk_text_add(text, chunk, got);
     bool good = !ferror(file) && !text->failed && text->length > before;
@@ -71,7 +73,8 @@ static bool run(const char *folder, YkProblems *problems)
         yk_problems_free(own);
         own = yk_problems_new();
         words[0] = browsers[k];
-        good = own && yk_process_filter(words, purpose, &nothing, &said, own);
+        good = own && !page.failed && !print.failed && !profile.failed &&
+               yk_process_filter(words, purpose, &nothing, &said, own);
         if (own && !good && yk_problems_count(own) > 0 && yk_problems_get(own, 0)->code != YK_CODE_PROGRAM_MISSING)
             break;
     }
@@ -79,9 +82,10 @@ static bool run(const char *folder, YkProblems *problems)
         yk_problem(problems, YK_CODE_PROGRAM_MISSING, (YkPlace){0},
                    "%s needs the program `chromium` (or Chrome), which is not on the PATH", purpose);
         yk_problem_hint(problems, "write the page as .html and print it from any browser");
+    } else if (!good && own && yk_problems_count(own) > 0 && !yk_problems_ran_out(own)) {
+        yk_problem(problems, YK_CODE_PROGRAM_FAILED, (YkPlace){0}, "%s", yk_problems_get(own, 0)->message);
     } else if (!good) {
-        yk_problem(problems, YK_CODE_PROGRAM_FAILED, (YkPlace){0}, "%s",
-                   own && yk_problems_count(own) > 0 ? yk_problems_get(own, 0)->message : "out of memory");
+        yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
     }
     yk_problems_free(own);
     yk_text_free(&page);
@@ -98,14 +102,16 @@ bool yk_print_pdf(const char *html, YkText *output, YkProblems *problems)
     bool good = false;
     yk_text_format(&folder, "%s/yoke.XXXXXX", where && *where ? where : "/tmp");
     if (folder.failed || !mkdtemp(folder.data)) {
-        yk_problem(problems, YK_CODE_OUTPUT_FAILED, (YkPlace){0}, "cannot make a temporary folder for %s", purpose);
+        yk_problem(problems, folder.failed ? YK_CODE_OUT_OF_MEMORY : YK_CODE_OUTPUT_FAILED, (YkPlace){0},
+                   "cannot make a temporary folder for %s", purpose);
     } else {
         yk_text_format(&path, "%s/page.html", yk_text_get(&folder));
         good = yk_file_write(yk_text_get(&path), html, strlen(html), problems) && run(yk_text_get(&folder), problems);
         yk_text_clear(&path);
         yk_text_format(&path, "%s/page.pdf", yk_text_get(&folder));
         if (good && !read_file(yk_text_get(&path), output)) {
-            yk_problem(problems, YK_CODE_PROGRAM_FAILED, (YkPlace){0}, "%s failed and wrote no page", purpose);
+            yk_problem(problems, path.failed || output->failed ? YK_CODE_OUT_OF_MEMORY : YK_CODE_PROGRAM_FAILED,
+                       (YkPlace){0}, "%s failed and wrote no page", purpose);
             good = false;
         }
         remove_tree(yk_text_get(&folder));

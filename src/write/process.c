@@ -88,6 +88,12 @@ static int wait_for(pid_t child)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+static bool run_out(YkProblems *problems)
+{
+    yk_problem(problems, YK_CODE_OUT_OF_MEMORY, (YkPlace){0}, "out of memory");
+    return false;
+}
+
 // Adds the last line of the program's output to the problem's text.
 static bool fail_with(const char *program, const char *purpose, int status, FILE *error, YkProblems *problems)
 {
@@ -104,8 +110,32 @@ static bool fail_with(const char *program, const char *purpose, int status, FILE
                length > 0   ? words
                : status < 0 ? "a signal ended it"
                             : "it said nothing");
+    if (said.failed) run_out(problems);
     yk_text_free(&said);
     return false;
+}
+
+// A program that could not be started for lack of memory may well be there.
+static bool fail_to_start(const char *program, const char *purpose, int error, YkProblems *problems)
+{
+    if (error == ENOMEM) return run_out(problems);
+    yk_problem(problems, YK_CODE_PROGRAM_MISSING, (YkPlace){0}, "%s needs the program %q, which is not on the PATH",
+               purpose, program);
+    return false;
+}
+
+// Takes the output of a program that has ended.
+static bool take(const char *const *argv, const char *purpose, int status, const Streams *streams, YkText *output,
+                 YkProblems *problems)
+{
+    if (status == 127) { // the way some systems report a program that does not exist
+        yk_problem(problems, YK_CODE_PROGRAM_MISSING, (YkPlace){0}, "%s needs the program %q, which could not be run",
+                   purpose, argv[0]);
+        return false;
+    }
+    bool good = status == 0 && read_all(streams->output, output);
+    if (output->failed) return run_out(problems);
+    return good || fail_with(argv[0], purpose, status, streams->error, problems);
 }
 
 bool yk_process_filter(const char *const *argv, const char *purpose, const YkText *input, YkText *output,
@@ -115,20 +145,13 @@ bool yk_process_filter(const char *const *argv, const char *purpose, const YkTex
     pid_t child = 0;
     bool good = false;
     if (!open_streams(&streams, input)) {
-        yk_problem(problems, YK_CODE_OUTPUT_FAILED, (YkPlace){0}, "cannot make a temporary file for %s", argv[0]);
-    } else if (spawn(argv, &streams, &child) != 0) {
-        yk_problem(problems, YK_CODE_PROGRAM_MISSING, (YkPlace){0}, "%s needs the program %q, which is not on the PATH",
-                   purpose, argv[0]);
+        bool ran_out = errno == ENOMEM;
+        yk_problem(problems, ran_out ? YK_CODE_OUT_OF_MEMORY : YK_CODE_OUTPUT_FAILED, (YkPlace){0},
+                   "cannot make a temporary file for %s", argv[0]);
     } else {
-        int status = wait_for(child);
-        if (status == 127) { // the way some systems report a program that does not exist
-            yk_problem(problems, YK_CODE_PROGRAM_MISSING, (YkPlace){0},
-                       "%s needs the program %q, which could not be run", purpose, argv[0]);
-        } else if (status != 0 || !read_all(streams.output, output)) {
-            fail_with(argv[0], purpose, status, streams.error, problems);
-        } else {
-            good = true;
-        }
+        int error = spawn(argv, &streams, &child);
+        good = error == 0 ? take(argv, purpose, wait_for(child), &streams, output, problems)
+                          : fail_to_start(argv[0], purpose, error, problems);
     }
     close_streams(&streams);
     return good;

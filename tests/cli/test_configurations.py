@@ -59,6 +59,14 @@ class Configurations(Case):
                 for name, motion in taken["coordinates"].items():
                     self.assertAlmostEqual(motion["position"], configuration["coordinates"][name]["position"], 9)
 
+    def test_a_name_that_is_none_is_answered_with_those_there_are(self):
+        there = {"double-pendulum": "there is only 1, which has no label", "rocking-four-bar": "there are 1: B+; 2: B-"}
+        for name, hint in there.items():
+            run = Run("rest", example(name), "--assembly", "X")
+            self.assertEqual(run.code, 1)
+            self.assertIn(hint + "\n", run.err)
+            self.assertEqual(Run("rest", example(name), "--assembly", "1", "--starts", "2").code, 0)
+
     def test_the_way_to_a_pose_and_between_rows_is_certified(self):
         file, over = example("double-butterfly"), ("--over", "lambda=-10:30deg", "--steps", "6")
         answer = Run("sweep", file, *over, "--format", "json").json()

@@ -1,7 +1,8 @@
 // Other programs as filters.
-#include "check.h"
+#include "survive.h"
 #include <stdlib.h>
 #include "base/codes.h"
+#include "base/problems.h"
 #include "write/process.h"
 
 // Runs a filter; returns the code of its problem, 0 where it went well.
@@ -93,12 +94,39 @@ static void words_are_handed_on_without_a_shell(void **state)
     yk_text_free(&output);
 }
 
+// A filter that lacked memory says so: neither that the program is missing nor that it failed.
+static bool runs_or_says_why(void *context)
+{
+    YkText input = {0}, output = {0};
+    YkProblems *problems = yk_problems_new();
+    yk_text_puts(&input, "crank\n");
+    bool good = problems && !input.failed && yk_process_filter(context, "testing", &input, &output, problems);
+    if (!good && problems && !input.failed) assert_true(yk_problems_ran_out(problems));
+    assert_true(!good || strcmp(yk_text_get(&output), "crank\n") == 0);
+    yk_problems_free(problems);
+    yk_text_free(&input);
+    yk_text_free(&output);
+    return good;
+}
+
+static void a_lack_of_memory_is_not_a_missing_program(void **state)
+{
+    (void)state;
+    const char *const cat[] = {"cat", NULL};
+    skip_unless_interposed();
+    survive(runs_or_says_why, (void *)(uintptr_t)cat, "a filter");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(text_goes_in_and_comes_out),  cmocka_unit_test(large_texts_do_not_block),
-        cmocka_unit_test(bytes_of_any_value_pass),     cmocka_unit_test(a_missing_program_is_named),
-        cmocka_unit_test(a_failing_program_is_quoted), cmocka_unit_test(words_are_handed_on_without_a_shell),
+        cmocka_unit_test(text_goes_in_and_comes_out),
+        cmocka_unit_test(large_texts_do_not_block),
+        cmocka_unit_test(bytes_of_any_value_pass),
+        cmocka_unit_test(a_missing_program_is_named),
+        cmocka_unit_test(a_failing_program_is_quoted),
+        cmocka_unit_test(words_are_handed_on_without_a_shell),
+        cmocka_unit_test(a_lack_of_memory_is_not_a_missing_program),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

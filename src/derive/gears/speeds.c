@@ -135,7 +135,7 @@ static bool give_up(YkDerivation *d, YkPage *page, YkLine *line, const char *nam
                          .text = yk_arena_copy(page->arena, yk_text_get(&text), text.length),
                          .section = line->section,
                          .next = line->next};
-    page->failed |= text.failed || yk_arena_failed(page->arena);
+    page->failed |= text.failed || yk_arena_failed(page->arena) || (page->passing && yk_arena_failed(page->passing));
     yk_text_free(&text);
     return !page->failed;
 }
