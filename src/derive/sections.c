@@ -68,6 +68,7 @@ bool yk_derivation_has_section(const YkDerivation *d, size_t section)
 bool yk_derive_write(YkDerivation *d, size_t section, YkPage *page)
 {
     const YkDeriveSectionEntry *entry = &yk_derive_sections[section];
+    if (yk_derivation_ran_out(d)) return false; // what is missing stays missing
     page->section = entry->name;
     page->define = yk_derive_define_bodies;
     page->define_context = d;

@@ -34,6 +34,7 @@ static uint32_t place_in(const Split *s, uint32_t monomial)
 static bool sort_by_symbol(Split *s)
 {
     for (size_t k = 0; k < s->count; k++) {
+        if (s->symbols[k] < 0) return yk_ring_fail(s->ring, YK_RING_MEMORY) != NULL; // it could not be entered
         if (s->place[s->symbols[k]] == 0) s->place[s->symbols[k]] = (uint32_t)k + 1;
         s->marks |= yk_mark(s->symbols[k]);
     }

@@ -52,11 +52,24 @@ static void what_is_not_linear_is_refused(void **state)
     yk_ring_free(r);
 }
 
+// A symbol that could not be entered, for lack of memory, is negative.
+static void what_has_no_symbol_is_not_taken_apart(void **state)
+{
+    (void)state;
+    Fixture f = fixture_new(2);
+    const int32_t symbols[] = {f.force, -1};
+    Element parts[2];
+    assert_null(yk_ring_split(f.ring, read_text(&f, "2 F01x + d3"), symbols, 2, parts, 2));
+    assert_int_equal(yk_ring_status(f.ring), YK_RING_MEMORY);
+    yk_ring_free(f.ring);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_was_put_together_is_taken_apart),
         cmocka_unit_test(what_is_not_linear_is_refused),
+        cmocka_unit_test(what_has_no_symbol_is_not_taken_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
