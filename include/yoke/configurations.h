@@ -49,8 +49,9 @@ typedef struct YkConfigurationsReport {
     bool complete; // there are no configurations but those visited
     YkCompleteReason reason;
     size_t count; // configurations found; those beyond the first YK_CONFIGURATIONS_SHOWN are not visited
-    // The group that lacks most, or the largest: its block, or -1 if there is no group; how many distinct complex
-    // solutions were proved, and how many it has; expected is 0 if they were not counted.
+    // The group with the most solutions still missing, or the largest group if none lacks any: its block, or -1 if
+    // there is no group; how many distinct complex solutions were proved, and how many the group has. expected is 0 if
+    // they were not counted.
     int block;
     size_t proved, expected;
     char message[240];     // one sentence: why it is complete, or what is missing

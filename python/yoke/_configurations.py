@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 class Configurations(list):  # type: ignore[type-arg]
     """The poses of all configurations.
 
-    `complete` is True if it is proved that there are no others; `reason` and `because` give the proof, or say what it
-    lacks.
+    `complete` is True if there is a proof that no others exist. `reason` and `because` give the proof, or what is
+    missing from it.
     """
 
     complete: bool = True

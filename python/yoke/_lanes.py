@@ -48,7 +48,7 @@ class Lanes:
     @classmethod
     def make(cls, core: "Core", options: Mapping[str, Any], at: Mapping[str, Any], rate: Mapping[str, Any],
              channels: list[Any], acted: list[int], status: "NDArray[np.int8]", threads: int) -> Optional["Lanes"]:
-        """Returns None if the machine does not fit into lanes, or a channel is no position or rate of a coordinate."""
+        """Returns None if the machine cannot run in lanes, or if a channel is not the position or rate of a coordinate."""
         if any(c.kind != lib.YK_CHANNEL_COORDINATE or c.order > 1 for c in channels):
             return None
         first = _first(core, options, at, rate, len(status)).new()

@@ -154,8 +154,9 @@ class Machine(Identity):
               accel: Optional[Mapping[str, Any]] = None, out: Any = None, **coordinates: Any) -> _batch.Columns:
         """Solves many independent poses at once: arrays of input values in, an array for each column out.
 
-        Every pose lies on the machine's branches, whether or not it could get there. Where `status` is below 0 there
-        is no pose, and the answers are 0. `out`, an array [column, pose], takes the answers in place of a new one.
+        Every pose lies on the machine's branches, whether or not it could get there. If `status` is below 0, the
+        pose does not exist and its answers are 0. `out`, an array [column, pose], receives the answers in place of a new
+        array.
         """
         with self._lock:
             positions, rates, accelerations = named(at, "at", coordinates), named(rate, "rate"), named(accel, "accel")

@@ -1,4 +1,5 @@
-// Synthesis in a browser: the search runs in the page's own thread, and pictures are refused, since there is no folder.
+// Synthesis in a browser: the search runs in the page's thread. Pictures are refused because there is no folder for
+// them.
 #include "verbs/synthesize/synthesize.h"
 
 YkSynthesisThreads *yk_synthesis_threads(YkSynthesisAnswer *answer, YkSynthesisOptions *options, YkProblems *problems)
