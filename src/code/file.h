@@ -31,9 +31,8 @@ typedef struct YkRoutine {
 
 enum { YK_ROUTINES_MAX = 5 };
 
-enum {
-    YK_FILE_SMALL_SYSTEM = 4
-}; // unknowns up to which a determinant tells how far a system is from singular; as solve/group.c
+// Up to so many unknowns, the determinant shows how far a system is from singular, as in solve/group.c.
+enum { YK_FILE_SMALL_SYSTEM = 4 };
 
 typedef struct YkLeafNote { // of the inputs or the configuration
     const char *name, *comment;

@@ -9,7 +9,7 @@ void yk_file_template(YkFile *file, const char *text)
         if (*c == '@')
             yk_text_puts(&file->text, file->prefix);
         else if (*c == '$')
-            yk_text_puts(&file->text, file->single ? "float" : "double");
+            yk_text_puts(&file->text, yk_file_real(file));
         else if (*c == '~')
             yk_text_puts(&file->text, file->single ? "f" : "");
         else
@@ -331,7 +331,7 @@ static void write_law(YkFile *file, const char *name, const YkLaw *law)
 {
     YkText *out = &file->text;
     YkPrinter *pr = &file->printer;
-    const char *real = file->single ? "float" : "double";
+    const char *real = yk_file_real(file);
     yk_text_format(out, "/* The law %s: value and two derivatives. */\nstatic void %s_law_%s(%s x, %s *d)\n{\n", name,
                    file->prefix, name, real, real);
     size_t numbers = 0;

@@ -7,7 +7,7 @@ static const char *call_array(YkPrinter *pr, const YkCall *call)
     return yk_printer_unique(pr, yk_graph_text(pr->graph, "%s_%s", call->name, endings[call->kind]));
 }
 
-// Writes the entries of equations that are not zero, in an array of so many places.
+// Writes the entries of equations that are not zero, in an array with as many places as given.
 static void write_system(YkPrinter *pr, const YkCall *call, const char *name, size_t places)
 {
     if (call->argument_count <= 24) {
@@ -42,7 +42,7 @@ static void call_solve(YkPrinter *pr, const YkCall *call, const char *name)
 static void call_motion(YkPrinter *pr, const YkCall *call, const char *name)
 {
     pr->uses[YK_HELPER_MOTION] = true;
-    write_system(pr, call, name, call->result_count);
+    write_system(pr, call, name, call->result_count + (size_t)call->n);
     yk_text_format(pr->out, "    %s[%d] = %s_motion(%d, %s);\n", name, (int)call->argument_count, pr->prefix,
                    (int)call->n, name);
 }

@@ -87,7 +87,7 @@ static void write_loops(YkFile *file, const YkBlock *b, const YkPlaced *placed, 
 {
     YkProgram *p = &file->program;
     YkPrinter *pr = &file->printer;
-    const char *real = pr->single ? "float" : "double", *name = placed->name;
+    const char *real = yk_printer_real(pr), *name = placed->name;
     int n = (int)b->column_count;
     YkRef known[YK_PRINTER_KNOWN_MAX];
     size_t count = yk_call_known(pr, &p->graph.calls[placed->call], known, YK_PRINTER_KNOWN_MAX);
@@ -124,7 +124,7 @@ static void write_newton(YkFile *file, const YkBlock *b, const YkPlaced *placed)
 {
     YkProgram *p = &file->program;
     YkPrinter *pr = &file->printer;
-    const char *real = pr->single ? "float" : "double", *name = placed->name;
+    const char *real = yk_printer_real(pr), *name = placed->name;
     int n = (int)b->column_count, places = n * (n + 1);
     bool is_large = n > YK_FILE_SMALL_SYSTEM;
     yk_text_format(

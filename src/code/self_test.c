@@ -147,7 +147,7 @@ static void write_tables(YkFile *file, const YkRoutine *r, const double *rows, s
                          size_t poses)
 {
     YkText *out = &file->text;
-    const char *real = file->single ? "float" : "double";
+    const char *real = yk_file_real(file);
     yk_text_format(out, "static int %s_test_%s(void)\n{\n    static const %s rows[%d][%d] = {\n", file->prefix, r->name,
                    real, (int)poses, (int)members);
     for (size_t k = 0; k < poses; k++) write_row(file, rows + k * members, members);
@@ -159,8 +159,7 @@ static void write_tables(YkFile *file, const YkRoutine *r, const double *rows, s
 // Writes the scale of each value's error: the largest value with its unit.
 static void write_scales(YkFile *file, const YkRoutine *r, const double *wanted, size_t poses)
 {
-    yk_text_format(&file->text, "    static const %s scale[%d] = {\n        ", file->single ? "float" : "double",
-                   (int)r->count);
+    yk_text_format(&file->text, "    static const %s scale[%d] = {\n        ", yk_file_real(file), (int)r->count);
     for (size_t k = 0; k < r->count && yk_file_goes_on(file, 20 * r->count); k++) {
         yk_text_puts(&file->text, k == 0 ? "" : k % 8 == 0 ? ",\n        " : ", ");
         yk_printer_number(&file->printer, scale_of(r, wanted, poses, k));
@@ -172,7 +171,7 @@ static void write_scales(YkFile *file, const YkRoutine *r, const double *wanted,
 static void write_runs(YkFile *file, const YkRoutine *r, size_t poses)
 {
     YkText *out = &file->text;
-    const char *p = file->prefix, *real = file->single ? "float" : "double";
+    const char *p = file->prefix, *real = yk_file_real(file);
     int count = (int)r->count, members = (int)file->input_count;
     yk_text_format(out, "    static %s columns[%d][%d], many[%d][%d], got[%d][%d];\n", real, members, (int)poses, count,
                    (int)poses, (int)poses, count);

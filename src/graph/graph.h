@@ -71,7 +71,7 @@ typedef enum YkCallKind {
     YK_CALL_FRICTION, // sizes of forces that depend on each other, x_k = a_k |V_k + W_k x|, the first m as they follow:
                       // arguments a_k, V_k, W_k of all n; then x[n], n to work with, and 1 if they agree
     YK_CALL_MOTION    // equations of motion: arguments A[n][n + 1], symmetric; results the same places, the last column
-                      // solved, then the least pivot over the terms of its energy, and n to work with
+                      // solved, then the least pivot over the terms of its energy
 } YkCallKind;
 
 typedef struct YkCall {

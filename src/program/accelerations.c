@@ -99,7 +99,7 @@ static void solve_in_a_loop(YkForces *f, const size_t *free, YkRef *b)
                                                      .n = (int32_t)m,
                                                      .arguments = system,
                                                      .argument_count = m * (m + 1),
-                                                     .result_count = m * (m + 1) + 1 + m,
+                                                     .result_count = m * (m + 1) + 1,
                                                      .name = "motion"});
     for (size_t i = 0; i < m; i++) b[i] = yk_graph_result(&p->graph, call, i * (m + 1) + m);
     YkRef least = yk_graph_result(&p->graph, call, m * (m + 1));
