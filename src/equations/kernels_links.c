@@ -79,13 +79,11 @@ YK_INLINE void place(const YkTreeLink *link, YkLinkFound *own, const YkLinkFound
         own->shift_x[i] = shift.x, own->shift_y[i] = shift.y;
         own->arm_x[i] = arm.x, own->arm_y[i] = arm.y;
         own->bias_x[i] = bias.x, own->bias_y[i] = bias.y;
-        own->J[i] = inertia;
-        own->h_x[i] = -moment.y, own->h_y[i] = moment.x;
-        own->xx[i] = own->yy[i] = link->mass;
-        own->xy[i] = 0;
+        YkInertia alone = {.J = inertia, .h = yk_quarter(moment), .xx = link->mass, .yy = link->mass};
+        yk_inertia_write(&own->inertia, i, alone);
         own->f_x[i] = -w * w * moment.x, own->f_y[i] = -w * w * moment.y;
         own->n[i] = 0;
-        yk_noise_write(&own->noise, i, (YkNoise){.J = inertia, .xx = link->mass, .yy = link->mass});
+        yk_inertia_write(&own->noise, i, (YkInertia){.J = inertia, .xx = link->mass, .yy = link->mass});
     }
 }
 
@@ -93,20 +91,22 @@ YK_INLINE void place(const YkTreeLink *link, YkLinkFound *own, const YkLinkFound
 
 YK_INLINE YkArticulated read(const YkLinkFound *own, size_t i)
 {
-    return (YkArticulated){own->J[i],  yk_vec(own->h_x[i], own->h_y[i]), own->xx[i], own->xy[i],
-                           own->yy[i], yk_vec(own->f_x[i], own->f_y[i]), own->n[i]};
+    return (YkArticulated){yk_inertia_read(&own->inertia, i), yk_vec(own->f_x[i], own->f_y[i]), own->n[i]};
 }
 
-YK_INLINE void pass(YkLinkFound *parent, const YkArticulated *A, const YkNoise *noise, size_t i)
+YK_INLINE void add(YkInertiaFew *rows, const YkInertia *more, size_t i)
 {
-    parent->J[i] += A->J;
-    parent->h_x[i] += A->h.x, parent->h_y[i] += A->h.y;
-    parent->xx[i] += A->xx, parent->xy[i] += A->xy, parent->yy[i] += A->yy;
+    YkInertia sum = yk_inertia_read(rows, i);
+    yk_inertia_add(&sum, more);
+    yk_inertia_write(rows, i, sum);
+}
+
+YK_INLINE void pass(YkLinkFound *parent, const YkArticulated *A, const YkInertia *noise, size_t i)
+{
+    add(&parent->inertia, &A->of, i);
+    add(&parent->noise, noise, i);
     parent->f_x[i] += A->f.x, parent->f_y[i] += A->f.y;
     parent->n[i] += A->n;
-    YkNoise sum = yk_noise_read(&parent->noise, i);
-    yk_noise_add(&sum, noise);
-    yk_noise_write(&parent->noise, i, sum);
 }
 
 // Releases the freedoms of a joint under what acts along them, and passes the rest to the parent, unless that is the
@@ -119,20 +119,20 @@ YK_INLINE void inward(const YkTreeLink *link, YkLinkFound *own, YkLinkFound *par
     for (size_t i = 0; i < n; i++) {
         YkArticulated A = read(own, i);
         YkVec arm = yk_vec(own->arm_x[i], own->arm_y[i]), bias = yk_vec(own->bias_x[i], own->bias_y[i]);
-        YkNoise noise = yk_noise_read(&own->noise, i);
+        YkInertia noise = yk_inertia_read(&own->noise, i);
         double good = ok[i];
         if (turns) {
-            good = A.J > YK_LEAST_OVER_NOISE * noise.J ? good : 0;
-            double trace = yk_noise_trace(&A);
+            good = A.of.J > YK_LEAST_OVER_NOISE * noise.J ? good : 0;
+            double trace = yk_inertia_trace(&A.of);
             YkAnswer found = yk_articulated_release_turn(&A, link->sense * torque[i]);
             own->turn_by[i] = found.by, own->turn_x[i] = found.on.x, own->turn_y[i] = found.on.y;
             yk_noise_release_turn(&noise, found.on, trace);
         }
-        A.f = yk_add(A.f, yk_articulated_times(&A, bias));
-        A.n += yk_dot(A.h, bias);
+        A.f = yk_add(A.f, yk_inertia_times(&A.of, bias));
+        A.n += yk_dot(A.of.h, bias);
         if (slides) {
             YkVec line = yk_vec(own->line_x[i], own->line_y[i]);
-            double pivot = yk_dot(line, yk_articulated_times(&A, line));
+            double pivot = yk_dot(line, yk_inertia_times(&A.of, line));
             good = pivot > YK_LEAST_OVER_NOISE * yk_noise_along(&noise, line) ? good : 0;
             const YkArticulated before = A;
             YkAnswer found = yk_articulated_release_slide(&A, line, force[i]);
@@ -143,7 +143,7 @@ YK_INLINE void inward(const YkTreeLink *link, YkLinkFound *own, YkLinkFound *par
         ok[i] = good;
         if (has_parent) {
             YkArticulated moved = yk_articulated_move(&A, arm);
-            YkNoise there = yk_noise_move(&noise, yk_quarter(arm), yk_noise_trace(&A));
+            YkInertia there = yk_noise_move(&noise, yk_quarter(arm), yk_inertia_trace(&A.of));
             pass(parent, &moved, &there, i);
         }
     }

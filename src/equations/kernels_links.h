@@ -7,12 +7,12 @@
 
 // Results for a link; the ground's rows are set once, by yk_link_lanes_start.
 typedef struct YkLinkFound {
-    YkFew c, s, w;                              // absolute
-    YkFew shift_x, shift_y;                     // the link's point, in its own axes
-    YkFew arm_x, arm_y, line_x, line_y;         // from the parent's point; the line's direction: world axes
-    YkFew bias_x, bias_y;                       // of its point's acceleration
-    YkFew J, h_x, h_y, xx, xy, yy, f_x, f_y, n; // articulated inertia
-    YkNoiseFew noise;
+    YkFew c, s, w;                      // absolute
+    YkFew shift_x, shift_y;             // the link's point, in its own axes
+    YkFew arm_x, arm_y, line_x, line_y; // from the parent's point; the line's direction: world axes
+    YkFew bias_x, bias_y;               // of its point's acceleration
+    YkInertiaFew inertia, noise;        // articulated
+    YkFew f_x, f_y, n;
     YkFew turn_by, turn_x, turn_y; // the answers of its freedoms
     YkFew slide_by, slide_turn, slide_x, slide_y;
     YkFew a_x, a_y, alpha; // accelerations: of its point, of its turning

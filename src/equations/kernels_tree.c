@@ -55,25 +55,23 @@ YK_INLINE Given given_of(const YkTreeRows *link, size_t at)
 
 YK_INLINE YkArticulated shown_to(const YkTreeFound *link, size_t i)
 {
-    return (YkArticulated){link->J[i],  yk_vec(link->h_x[i], link->h_y[i]), link->xx[i], link->xy[i],
-                           link->yy[i], yk_vec(link->f_x[i], link->f_y[i]), link->n[i]};
+    return (YkArticulated){yk_inertia_read(&link->inertia, i), yk_vec(link->f_x[i], link->f_y[i]), link->n[i]};
 }
 
 // Passes to the parent, which stores it (is_first) or adds it to that of its other children.
-YK_INLINE void show(YkTreeFound *to, bool is_first, const YkArticulated *A, const YkNoise *noise, size_t i)
+YK_INLINE void show(YkTreeFound *to, bool is_first, const YkArticulated *A, const YkInertia *noise, size_t i)
 {
     YkArticulated sum = *A;
-    YkNoise sum_noise = *noise;
+    YkInertia sum_noise = *noise;
     if (!is_first) {
         sum = shown_to(to, i);
         yk_articulated_add(&sum, A);
-        sum_noise = yk_noise_read(&to->noise, i);
-        yk_noise_add(&sum_noise, noise);
+        sum_noise = yk_inertia_read(&to->noise, i);
+        yk_inertia_add(&sum_noise, noise);
     }
-    to->J[i] = sum.J, to->h_x[i] = sum.h.x, to->h_y[i] = sum.h.y;
-    to->xx[i] = sum.xx, to->xy[i] = sum.xy, to->yy[i] = sum.yy;
+    yk_inertia_write(&to->inertia, i, sum.of);
     to->f_x[i] = sum.f.x, to->f_y[i] = sum.f.y, to->n[i] = sum.n;
-    yk_noise_write(&to->noise, i, sum_noise);
+    yk_inertia_write(&to->noise, i, sum_noise);
 }
 
 // Releases the link's pin under its torque and passes the rest to the parent.
@@ -89,17 +87,17 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
         YkVec center = yk_vec(sign[YK_GIVEN_CENTER_X] * given.center_x[i], sign[YK_GIVEN_CENTER_Y] * given.center_y[i]);
         double own = inertia + mass * yk_dot(center, center);
         YkVec moment = yk_mul(e, yk_scale(mass, center));
-        YkArticulated A = {own, yk_quarter(moment), mass, 0, mass, yk_scale(-w * w, moment), 0}; // the link alone
-        YkNoise noise = {0};
+        YkArticulated A = {{own, yk_quarter(moment), mass, 0, mass}, yk_scale(-w * w, moment), 0}; // the link alone
+        YkInertia noise = {0};
         if (has_children) {
-            noise = yk_noise_read(&link->noise, i);
+            noise = yk_inertia_read(&link->noise, i);
             A = shown_to(link, i);
             yk_articulated_add_body(&A, mass, moment, own, w);
         }
         yk_noise_add_body(&noise, mass, own);
         double now = ((mass > least_mass) & (inertia >= 0)) ? ok[i] : -1;
-        ok[i] = ((A.J > YK_LEAST_OVER_NOISE * noise.J) | (now < 0)) ? now : 0;
-        double trace = yk_noise_trace(&A);
+        ok[i] = ((A.of.J > YK_LEAST_OVER_NOISE * noise.J) | (now < 0)) ? now : 0;
+        double trace = yk_inertia_trace(&A.of);
         YkAnswer answer = yk_articulated_release_turn(&A, sense * given.torque[i]);
         link->on_x[i] = answer.on.x;
         link->on_y[i] = answer.on.y;
@@ -117,7 +115,7 @@ YK_INLINE void inward(const YkTreeRows *rows, Given given, YkTreeFound *link, Yk
         link->across_x[i] = across.x;
         link->across_y[i] = across.y;
         yk_noise_release_turn(&noise, answer.on, trace);
-        noise = yk_noise_move_force(&noise, across, yk_noise_trace(&A));
+        noise = yk_noise_move_force(&noise, across, yk_inertia_trace(&A.of));
         A = yk_articulated_move_force(&A, arm, bias);
         show(parent, is_first, &A, &noise, i);
     }

@@ -27,25 +27,25 @@ enum { YK_TREE_LANES = 32 };
 
 typedef double YkFew[YK_TREE_LANES];
 
-typedef struct YkNoiseFew { // see tree_noise.h
+typedef struct YkInertiaFew { // of YkInertia
     YkFew J, h_x, h_y, xx, xy, yy;
-} YkNoiseFew;
+} YkInertiaFew;
 
-static inline YkNoise yk_noise_read(const YkNoiseFew *rows, size_t i)
+static inline YkInertia yk_inertia_read(const YkInertiaFew *rows, size_t i)
 {
-    return (YkNoise){rows->J[i], yk_vec(rows->h_x[i], rows->h_y[i]), rows->xx[i], rows->xy[i], rows->yy[i]};
+    return (YkInertia){rows->J[i], yk_vec(rows->h_x[i], rows->h_y[i]), rows->xx[i], rows->xy[i], rows->yy[i]};
 }
 
-static inline void yk_noise_write(YkNoiseFew *rows, size_t i, YkNoise noise)
+static inline void yk_inertia_write(YkInertiaFew *rows, size_t i, YkInertia own)
 {
-    rows->J[i] = noise.J, rows->h_x[i] = noise.h.x, rows->h_y[i] = noise.h.y;
-    rows->xx[i] = noise.xx, rows->xy[i] = noise.xy, rows->yy[i] = noise.yy;
+    rows->J[i] = own.J, rows->h_x[i] = own.h.x, rows->h_y[i] = own.h.y;
+    rows->xx[i] = own.xx, rows->xy[i] = own.xy, rows->yy[i] = own.yy;
 }
 
 typedef struct YkTreeFound {
-    YkFew c, s, w;                              // absolute
-    YkFew J, h_x, h_y, xx, xy, yy, f_x, f_y, n; // of its children, about its pin: see tree_pins.c
-    YkNoiseFew noise;
+    YkFew c, s, w;               // absolute
+    YkInertiaFew inertia, noise; // of its children, about its pin: see tree_pins.c
+    YkFew f_x, f_y, n;
     YkFew by, turn, on_x, on_y, bias_x, bias_y, across_x, across_y;
     YkFew pin_x, pin_y, alpha; // accelerations: of its pin, of its turning
 } YkTreeFound;

@@ -12,7 +12,7 @@ typedef struct Pose {
     YkVec arm, line; // from the parent's point; the line's direction: world axes
     YkVec bias;      // of the acceleration, as above
     YkArticulated A;
-    YkNoise noise;
+    YkInertia noise;
     YkAnswer turn, slide;
     YkVec a;
     double alpha;
@@ -56,7 +56,7 @@ static void place(const YkTreeJoints *joints, const double *q, const double *v)
         double inertia = link->inertia + link->mass * yk_dot(center, center);
         pose->A = (YkArticulated){0};
         yk_articulated_add_body(&pose->A, link->mass, yk_scale(link->mass, yk_mul(e, center)), inertia, angles->w[k]);
-        pose->noise = (YkNoise){0};
+        pose->noise = (YkInertia){0};
         yk_noise_add_body(&pose->noise, link->mass, inertia);
     }
 }
@@ -70,17 +70,17 @@ static double along(const double *effort, int32_t input)
 static int release(const YkTreeLink *link, Pose *pose, const double *effort)
 {
     YkArticulated *A = &pose->A;
-    YkNoise *noise = &pose->noise;
+    YkInertia *noise = &pose->noise;
     if (link->angle != YK_NONE) {
-        if (!(A->J > YK_LEAST_OVER_NOISE * noise->J)) return link->angle;
-        double trace = yk_noise_trace(A);
+        if (!(A->of.J > YK_LEAST_OVER_NOISE * noise->J)) return link->angle;
+        double trace = yk_inertia_trace(&A->of);
         pose->turn = yk_articulated_release_turn(A, link->sense * along(effort, link->angle));
         yk_noise_release_turn(noise, pose->turn.on, trace);
     }
-    A->f = yk_add(A->f, yk_articulated_times(A, pose->bias));
-    A->n += yk_dot(A->h, pose->bias);
+    A->f = yk_add(A->f, yk_inertia_times(&A->of, pose->bias));
+    A->n += yk_dot(A->of.h, pose->bias);
     if (link->distance != YK_NONE) {
-        double pivot = yk_dot(pose->line, yk_articulated_times(A, pose->line));
+        double pivot = yk_dot(pose->line, yk_inertia_times(&A->of, pose->line));
         if (!(pivot > YK_LEAST_OVER_NOISE * yk_noise_along(noise, pose->line))) return link->distance;
         const YkArticulated before = *A;
         pose->slide = yk_articulated_release_slide(A, pose->line, along(effort, link->distance));
@@ -97,9 +97,9 @@ static int inward(const YkTreeJoints *joints, const double *effort)
         int culprit = release(link, pose, effort);
         if (culprit >= 0) return culprit;
         YkArticulated moved = yk_articulated_move(&pose->A, pose->arm);
-        YkNoise noise = yk_noise_move(&pose->noise, yk_quarter(pose->arm), yk_noise_trace(&pose->A));
+        YkInertia noise = yk_noise_move(&pose->noise, yk_quarter(pose->arm), yk_inertia_trace(&pose->A.of));
         yk_articulated_add(&parent->A, &moved);
-        yk_noise_add(&parent->noise, &noise);
+        yk_inertia_add(&parent->noise, &noise);
     }
     return -1;
 }

@@ -10,48 +10,23 @@
 // A pivot does not count as inertia unless it exceeds this many times its noise: then it has about three digits.
 #define YK_LEAST_OVER_NOISE 1e-13
 
-typedef struct YkNoise { // as in YkArticulated
-    double J;
-    YkVec h;
-    double xx, xy, yy;
-} YkNoise;
-
-static inline YkVec yk_noise_times(const YkNoise *noise, YkVec v)
-{
-    return yk_vec(noise->xx * v.x + noise->xy * v.y, noise->xy * v.x + noise->yy * v.y);
-}
-
 // Adds a rigid body: its mass, its inertia about the point.
-static inline void yk_noise_add_body(YkNoise *noise, double mass, double inertia)
+static inline void yk_noise_add_body(YkInertia *noise, double mass, double inertia)
 {
     noise->J += inertia;
     noise->xx += mass;
     noise->yy += mass;
 }
 
-static inline void yk_noise_add(YkNoise *noise, const YkNoise *b)
-{
-    noise->J += b->J;
-    noise->h = yk_add(noise->h, b->h);
-    noise->xx += b->xx;
-    noise->xy += b->xy;
-    noise->yy += b->yy;
-}
-
 // Adds what one operation on a matrix M of this trace rounds, whatever its direction.
-static inline void yk_noise_add_trace(YkNoise *noise, double trace)
+static inline void yk_noise_add_trace(YkInertia *noise, double trace)
 {
     noise->xx += trace;
     noise->yy += trace;
 }
 
-static inline double yk_noise_trace(const YkArticulated *A)
-{
-    return A->xx + A->yy;
-}
-
 // Releases the rotation, which answers to an acceleration a by -on . a. trace: of M before.
-static inline void yk_noise_release_turn(YkNoise *noise, YkVec on, double trace)
+static inline void yk_noise_release_turn(YkInertia *noise, YkVec on, double trace)
 {
     YkVec h = noise->h, rest = yk_sub(yk_scale(noise->J, on), h);
     noise->xx += on.x * rest.x - on.x * h.x;
@@ -63,40 +38,40 @@ static inline void yk_noise_release_turn(YkNoise *noise, YkVec on, double trace)
 }
 
 // Returns the noise of the pivot of a slide along a unit vector.
-static inline double yk_noise_along(const YkNoise *noise, YkVec line)
+static inline double yk_noise_along(const YkInertia *noise, YkVec line)
 {
-    return yk_dot(line, yk_noise_times(noise, line));
+    return yk_dot(line, yk_inertia_times(noise, line));
 }
 
 // Releases the sliding along a unit vector; before: the articulated inertia as it was.
-static inline void yk_noise_release_slide(YkNoise *noise, YkVec line, YkAnswer answer, const YkArticulated *before)
+static inline void yk_noise_release_slide(YkInertia *noise, YkVec line, YkAnswer answer, const YkArticulated *before)
 {
-    YkVec on = answer.on, q = yk_noise_times(noise, line);
+    YkVec on = answer.on, q = yk_inertia_times(noise, line);
     double turn = answer.turn, h = yk_dot(noise->h, line), along = yk_dot(line, q);
     YkVec rest = yk_sub(yk_scale(along, on), q);
-    noise->J += turn * (turn * along - 2 * h) + before->J;
+    noise->J += turn * (turn * along - 2 * h) + before->of.J;
     noise->h = yk_add(noise->h, yk_sub(yk_scale(turn, rest), yk_scale(h, on)));
     noise->xx += on.x * rest.x - on.x * q.x;
     noise->xy += on.x * rest.y - on.y * q.x;
     noise->yy += on.y * rest.y - on.y * q.y;
-    yk_noise_add_trace(noise, yk_noise_trace(before));
+    yk_noise_add_trace(noise, yk_inertia_trace(&before->of));
 }
 
 // Moves the noise to another point of the rigid parent, from which this one is a quarter turn back of `across`. trace:
 // of M, whose moment of inertia there is rounded.
-static inline YkNoise yk_noise_move(const YkNoise *noise, YkVec across, double trace)
+static inline YkInertia yk_noise_move(const YkInertia *noise, YkVec across, double trace)
 {
-    YkVec q = yk_noise_times(noise, across);
+    YkVec q = yk_inertia_times(noise, across);
     double J = noise->J + 2 * yk_dot(noise->h, across) + yk_dot(across, q) + trace * yk_dot(across, across);
-    return (YkNoise){J, yk_add(noise->h, q), noise->xx, noise->xy, noise->yy};
+    return (YkInertia){J, yk_add(noise->h, q), noise->xx, noise->xy, noise->yy};
 }
 
 // The same where J and h are 0 (a pin).
-static inline YkNoise yk_noise_move_force(const YkNoise *noise, YkVec across, double trace)
+static inline YkInertia yk_noise_move_force(const YkInertia *noise, YkVec across, double trace)
 {
-    YkVec q = yk_noise_times(noise, across);
+    YkVec q = yk_inertia_times(noise, across);
     double J = yk_dot(across, q) + trace * yk_dot(across, across);
-    return (YkNoise){J, q, noise->xx, noise->xy, noise->yy};
+    return (YkInertia){J, q, noise->xx, noise->xy, noise->yy};
 }
 
 #endif

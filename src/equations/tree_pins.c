@@ -19,7 +19,7 @@ typedef struct Answer {
 
 typedef struct Fork { // a link with a child that does not come right after it
     YkArticulated sum;
-    YkNoise noise;
+    YkInertia noise;
     YkVec a;
     double alpha;
 } Fork;
@@ -85,9 +85,9 @@ static int inward(const YkTreePins *pins, const double *effort)
     const YkTreeAngles angles = pins->angles;
     const double *c = angles.c, *s = angles.s, *w = angles.w;
     const YkArticulated nothing = {0};
-    const YkNoise none = {0};
+    const YkInertia none = {0};
     YkArticulated A = nothing;
-    YkNoise noise = none;
+    YkInertia noise = none;
     for (size_t k = angles.count - 1; k > 0; k--) {
         const Link *link = &pins->link[k];
         YkLinkTurn t = angles.turn[k];
@@ -95,12 +95,12 @@ static int inward(const YkTreePins *pins, const double *effort)
         double torque = effort ? (double)t.sense * effort[t.input] : 0;
         if (t.fork != YK_NONE) {
             yk_articulated_add(&A, &pins->fork[t.fork].sum);
-            yk_noise_add(&noise, &pins->fork[t.fork].noise);
+            yk_inertia_add(&noise, &pins->fork[t.fork].noise);
         }
         yk_articulated_add_body(&A, link->mass, yk_mul(yk_vec(c[k], s[k]), link->moment), link->inertia, w[k]);
         yk_noise_add_body(&noise, link->mass, link->inertia);
-        if (!(A.J > YK_LEAST_OVER_NOISE * noise.J)) return t.input;
-        double trace = yk_noise_trace(&A);
+        if (!(A.of.J > YK_LEAST_OVER_NOISE * noise.J)) return t.input;
+        double trace = yk_inertia_trace(&A.of);
         YkAnswer answer = yk_articulated_release_turn(&A, torque);
         if (p == 0) { // the ground needs nothing
             pins->answer[k] = (Answer){.by = answer.by, .on = answer.on};
@@ -113,11 +113,11 @@ static int inward(const YkTreePins *pins, const double *effort)
         double by = answer.by - yk_dot(answer.on, bias);
         pins->answer[k] = (Answer){bias, across, by, yk_dot(answer.on, across), answer.on};
         yk_noise_release_turn(&noise, answer.on, trace);
-        noise = yk_noise_move_force(&noise, across, yk_noise_trace(&A));
+        noise = yk_noise_move_force(&noise, across, yk_inertia_trace(&A.of));
         A = yk_articulated_move_force(&A, arm, bias);
         if (p != k - 1) {
             yk_articulated_add(&pins->fork[angles.turn[p].fork].sum, &A);
-            yk_noise_add(&pins->fork[angles.turn[p].fork].noise, &noise);
+            yk_inertia_add(&pins->fork[angles.turn[p].fork].noise, &noise);
             A = nothing;
             noise = none;
         }
