@@ -83,8 +83,12 @@ bool yk_file_is_reserved(const YkProgram *program, const char *name);
 const char *yk_file_name(YkProgram *program, const char *name);
 // names.c: gives names to the values of parameters that the poses need.
 void yk_program_name_fields(YkProgram *program, YkPrinter *printer);
-// file_types.c: the type of numbers; parameters in the struct, which follow from no others.
-const char *yk_file_real(const YkFile *file);
+// Returns the type of printed numbers.
+static inline const char *yk_file_real(const YkFile *file)
+{
+    return file->single ? "float" : "double";
+}
+// file_types.c: parameters in the struct, which follow from no others.
 bool yk_file_is_own(const YkFile *file, size_t parameter);
 size_t yk_file_own_parameters(const YkFile *file);
 void yk_file_prototype(YkFile *file, const YkRoutine *routine, const char *ending);

@@ -2,11 +2,6 @@
 #include "code/file.h"
 #include "model/load.h"
 
-const char *yk_file_real(const YkFile *file)
-{
-    return file->single ? "float" : "double";
-}
-
 bool yk_file_is_own(const YkFile *file, size_t parameter)
 {
     const YkValue *v = &file->program.graph.values[file->program.parameter[parameter]];
